@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
-from gcs.link.link import Key
+from gcs.link.link import Key, TickGrants, one_by_one
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
@@ -68,6 +68,11 @@ class FleetLink:
         self._fleet.leave(key)
         if key in self._external.joined:
             self._given_up.add(key)
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        if grants.keys and not self._external.joined.intersection(grants.keys):
+            return self._fleet.grant_all(grants)
+        return one_by_one(self, grants)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]

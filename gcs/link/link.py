@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.ids import OUR_HEARTBEAT
+from gcs.mavlink.setpoints import PlacedSetPoints
 
 Key = tuple[int, int]
 """System and component."""
@@ -25,6 +27,31 @@ class LinkState(NamedTuple):
     """of the frames of the last 10 s, 0..1; None where there were none"""
 
 
+class TickGrants(NamedTuple):
+    """All that goes to the vehicles at a tick's end."""
+
+    t_ms: int
+    """until when they may fly, in session time"""
+    unix_us: int
+    """the same since 1970, UTC"""
+    keys: Sequence[Key]
+    """whom it goes to, in order"""
+    greeted: Collection[int]
+    """system ids of those who get our HEARTBEAT"""
+    points: PlacedSetPoints
+    more: Mapping[Key, tuple[Sequence[Message], Sequence[bytes]]]
+    """of those for whom there is more, or less, than HEARTBEAT and set point: all messages, and frames as they are"""
+
+    def content(self, key: Key) -> tuple[Sequence[Message], Sequence[bytes]]:
+        """Messages for one of `keys`, and frames as they are."""
+        if key in self.more:
+            return self.more[key]
+        messages = [OUR_HEARTBEAT] if key[0] in self.greeted else []
+        if key[0] in self.points.rows:
+            messages.append(self.points.message(key[0]))
+        return messages, ()
+
+
 class TickLink(Protocol):
     """Link as a supervisor uses it, tick by tick."""
 
@@ -39,6 +66,12 @@ class TickLink(Protocol):
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
     ) -> list[bytes]:
         """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames."""
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        """Send everybody what is for him, at `flush` at the latest; the frames, in order."""
+        return [
+            raw for key in grants.keys for raw in self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+        ]
 
     def flush(self) -> None:
         """Send what has been granted and not been sent yet."""
@@ -66,6 +99,20 @@ class TickLink(Protocol):
     def links(self) -> dict[int, list[LinkState]]:
         """Links of the vehicles that have several, in the scenario's order, by system id."""
         return {}
+
+
+class _Granting(Protocol):
+    def grant(
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+    ) -> list[bytes]: ...
+
+
+def one_by_one(link: _Granting, grants: TickGrants) -> list[bytes]:
+    """`grant_all` by `grant`."""
+    sent = []
+    for key in grants.keys:
+        sent += link.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+    return sent
 
 
 class Link(TickLink, Protocol):

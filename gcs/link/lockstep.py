@@ -21,18 +21,17 @@ from dataclasses import dataclass, field
 from itertools import chain, groupby
 from operator import itemgetter
 
-from gcs.link.link import Key, TickLink
+from gcs.link.bundles import Address, DatagramGatherer, Roster
+from gcs.link.link import Key, TickGrants, TickLink
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.datagram import FrameRun, runs_of
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import TickCollector, hello_of, sequence_numbers
+from gcs.mavlink.sequence import NUMBERS, TickCollector, hello_of
 
 DATAGRAM_BYTES = 1400
-SHARED_BYTES = 4096
-"""Bundles for one address are sent as soon as they are so long together: who gets them flies while others' are made."""
 RECEIVE_BYTES = 16_384
 """A longer datagram is no answer, and is cut."""
 HELLO_BYTES = 64
@@ -45,9 +44,6 @@ REPEAT_S = 1.0
 GRANT_BYTES = codec.HEADER_BYTES + 12 + codec.CRC_BYTES
 
 
-Address = tuple[str, int]
-
-
 @dataclass
 class _LockstepPeer:
     """One vehicle's link."""
@@ -57,7 +53,8 @@ class _LockstepPeer:
     marker: bytes
     """begins each bundle where the address is shared"""
     collector: TickCollector
-    numbers: Iterator[int] = field(default_factory=sequence_numbers)
+    number: int = 0
+    """of the next frame"""
     waiting: list[Message | bytes] = field(default_factory=list)
     bundle: bytes = b""
     held: int = 0
@@ -82,8 +79,9 @@ class LockstepLink(TickLink):
         self._peers: dict[Key, _LockstepPeer] = {}
         self._by_address: dict[Address, dict[int, _LockstepPeer]] = {}
         """by system id"""
-        self._gathered: dict[Address, bytes] = {}
-        """bundles for shared addresses that have not been sent yet"""
+        self._datagrams = DatagramGatherer(self._send_datagram)
+        self._roster: Roster | None = None
+        """of the last tick"""
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._whole: deque[Key] = deque()
@@ -139,6 +137,7 @@ class LockstepLink(TickLink):
     def leave(self, key: Key) -> None:
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
         peer = self._peers.pop(key, None)
+        self._roster = None
         if peer is not None:
             there = self._by_address[peer.address]
             del there[key[0]]
@@ -165,6 +164,43 @@ class LockstepLink(TickLink):
         self._awaited.add(key)
         self._send(peer)
         return frames
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        """As `grant`, one after the other; bundles of nothing but HEARTBEAT and set point are made at once."""
+        roster, peers = self._roster_of(grants.keys), [self._peers[key] for key in grants.keys]
+        general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
+        (raw, ends, spans), numbers = roster.bundled(
+            [peer.number for peer in peers],
+            general,
+            grants.greeted,
+            grants.points,
+            codec.Message(_SYSTEM_TIME, (grants.unix_us, grants.t_ms)),
+        )
+        cuts: list[tuple[int, int, int]] = ends.tolist()
+        for peer, number, (begin, end, _) in zip(peers, numbers, cuts, strict=True):
+            if begin != end:
+                peer.number, peer.bundle, peer.held = number, raw[begin:end], 0
+                peer.collector.begin(grants.t_ms)
+        self._awaited.update(grants.keys)
+        self._granted_s = grants.t_ms / 1e3
+        frames = [raw[begin:end] for begin, end in spans.tolist()]
+        sent: list[bytes] = []
+        first = counted = 0
+        for k in (*general, len(peers)):
+            self._datagrams.put_all(roster, raw, cuts, first, k)
+            behind = cuts[k][2] if k < len(peers) else len(frames)
+            sent += frames[counted:behind]
+            if k < len(peers):
+                key = peers[k].key
+                sent += self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+            first, counted = k + 1, behind
+        return sent
+
+    def _roster_of(self, keys: Sequence[Key]) -> Roster:
+        if self._roster is None or self._roster.keys != keys:
+            peers = [self._peers[key] for key in keys]
+            self._roster = Roster(keys, [peer.marker for peer in peers], [peer.address for peer in peers])
+        return self._roster
 
     def _fitting(self, peer: _LockstepPeer, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
         """Frames of as much of what waits for a vehicle as fits into a bundle, our own before relayed ones."""
@@ -258,23 +294,15 @@ class LockstepLink(TickLink):
         self._socket.close()
 
     def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
-        return codec.frame(message, next(peer.numbers), *STATION)
+        number, peer.number = peer.number, (peer.number + 1) % NUMBERS
+        return codec.frame(message, number, *STATION)
 
     def flush(self) -> None:
         """Send the bundles that are gathered for shared addresses."""
-        while self._gathered:
-            self._send_datagram(*self._gathered.popitem())
+        self._datagrams.flush()
 
     def _send(self, peer: _LockstepPeer) -> None:
-        if not peer.marker:
-            self._send_datagram(peer.address, peer.bundle)
-            return
-        gathered = self._gathered.get(peer.address, b"") + peer.bundle
-        if len(gathered) < SHARED_BYTES:
-            self._gathered[peer.address] = gathered
-        else:
-            self._gathered.pop(peer.address, None)
-            self._send_datagram(peer.address, gathered)
+        self._datagrams.put(peer.address, peer.bundle, shared=bool(peer.marker))
 
     def _send_datagram(self, address: Address, datagram: bytes) -> None:
         if self._drop and self._random.random() < self._drop:

@@ -64,6 +64,12 @@ class LinkQuality:
         """Number of copies of a frame that must arrive soon, over the link to this vehicle."""
         return copies(self.lost_share(sysid)) if sysid in self._gaps.lost_of else 1
 
+    @property
+    def copied(self) -> set[int]:
+        """System ids of those to whom more than one copy goes."""
+        lost_of = self._gaps.lost_of
+        return {sysid for sysid in lost_of if self.copies(sysid) > 1} if any(lost_of.values()) else set()
+
     def lost_share(self, sysid: int) -> float | None:
         """Lost of all frames sent in the last `WINDOW_S` or so, 0..1; None where there were none."""
         counts = self._counts.get(sysid)

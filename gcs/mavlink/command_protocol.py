@@ -118,6 +118,11 @@ class CommandQueue:
     _waiting: dict[tuple[CommandTarget, int], deque[_Pending]] = field(default_factory=dict)
     """by target and command id; the first of each is in flight"""
 
+    @property
+    def pending(self) -> bool:
+        """Whether a command has not ended yet."""
+        return bool(self._waiting)
+
     def send(
         self, command: CommandLong, now_s: float, timeout_s: float = TIMEOUT_S, token: Any = None
     ) -> list[Message]:

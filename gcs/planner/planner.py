@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -51,8 +50,7 @@ GROUND_ROUNDING_M = 0.1
 STILL: Vec3 = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
-class _Wanted:
+class _Wanted(NamedTuple):
     """A leader's goal, the goal's velocity and the leader's speed limit; on a route, the way that is left of it."""
 
     p_ned: Vec3
@@ -75,7 +73,8 @@ class Planner(TickPlanner):
 
     def __init__(self, scenario: Scenario) -> None:
         rules = scenario.planner
-        self._scenario = scenario
+        self._scenario, self._rules = scenario, rules
+        self._followed = scenario.vehicles.followed
         self._field = FieldConstants(
             k0=rules.k0,
             k1=rules.k1,
@@ -95,13 +94,19 @@ class Planner(TickPlanner):
             for target in scenario.vehicles.targets
         }
         self._begin: dict[int, Vec3] = {}
+        self._here: dict[int, Vec3] = {}
+        """where vehicles are now, of all that have told their place"""
         self._slow = SlowLinks()
         self._pursuing: Mapping[int, int] | None = None
         self._stations: Mapping[int, Vec3] = {}
         self._way_m = dict.fromkeys(self._paths, 0.0)
         self._courses = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
+        self._reached_m = self._field.step_m
+        if rules.safety:  # a leader with an inertia passes by within a period's way
+            self._reached_m = max(self._reached_m, rules.cruise_m_s * scenario.clock.period_s)
         self._starts = {p.sysid: p.start_m for p in scenario.vehicles.pursuers if p.waypoints_m and p.airborne}
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
+        self._radii_m = {role: self._radius_m(role) for role in ROLES}
         self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
         self._guides: dict[str, RouteFollower] | None = None
         clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
@@ -121,8 +126,9 @@ class Planner(TickPlanner):
         snapshot, steered, period_s = request.snapshot, request.steered, request.period_s
         views = [view for view in snapshot.vehicles if view.sysid in steered and view.p_ned is not None]
         self._forget({view.sysid for view in views})
-        for view in snapshot.vehicles:
-            self._slow.receive(view.sysid, view.age_s, period_s)
+        if self._rules.safety:
+            for view in snapshot.vehicles:
+                self._slow.receive(view.sysid, view.age_s, period_s)
         if not views:
             return []
         for view in views:
@@ -133,6 +139,7 @@ class Planner(TickPlanner):
                 self._memory[view.sysid] = fuzzy_escape.new_memory(1)[0]
         self._begin = {view.sysid: self._q[view.sysid] for view in views}
         self._pursuing, self._stations = request.pursuing, request.stations
+        self._here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.p_ned is not None}
         movers = self._movers(snapshot)
         for role in ROLES:
             led = [view for view in views if view.role == role]
@@ -144,7 +151,8 @@ class Planner(TickPlanner):
     def _guided(self, views: list[VehicleView], wanted: list[_Wanted]) -> list[_Wanted]:
         """Goals, none beyond the fence: as they are where the way is free, else the next place of a route around what
         is in it. A leader that is beyond the fence itself comes back straight."""
-        wanted = [self._fenced(want) for want in wanted]
+        if len(self._fence.walls):
+            wanted = [self._fenced(want) for want in wanted]
         if self._guides is None:
             return wanted
         guide = self._guides[views[0].role]
@@ -193,7 +201,7 @@ class Planner(TickPlanner):
             field=self._field,
             speed_m_s=np.array([self._speed(view, want) for view, want in zip(views, wanted, strict=True)]),
             period_s=period_s,
-            escape=self._scenario.planner.escape,
+            escape=self._rules.escape,
             attractors=attractors,
             attraction_ranges_m=attraction_ranges,
             drawn=drawn,
@@ -224,9 +232,9 @@ class Planner(TickPlanner):
         else:
             for tanker in self._scenario.vehicles.tankers:
                 wants[tanker.sysid] = self._station(tanker, snapshot, request.rendezvous.get(tanker.sysid))
-        cruise_m_s = self._scenario.planner.cruise_m_s  # who holds may still give way
+        cruise_m_s = self._rules.cruise_m_s  # who holds may still give way
         wants |= {sysid: _Wanted(place, STILL, cruise_m_s) for sysid, place in self._stations.items()}
-        return [wants.get(view.sysid, _Wanted(self._q[view.sysid], STILL, cruise_m_s)) for view in views]
+        return [wants.get(view.sysid) or _Wanted(self._q[view.sysid], STILL, cruise_m_s) for view in views]
 
     def _station(self, tanker: Tanker, snapshot: FleetSnapshot, receiver: int | None) -> _Wanted:
         """Above its receiver, or where it waits."""
@@ -240,7 +248,7 @@ class Planner(TickPlanner):
         path = self._paths[target.sysid]
         p_ned, direction = path.at(self._way_m[target.sysid])
         leader_at = self._q.get(target.sysid)
-        arrived = leader_at is not None and math.dist(leader_at, p_ned) < self._scenario.planner.leash_m
+        arrived = leader_at is not None and math.dist(leader_at, p_ned) < self._rules.leash_m
         if not (moves and arrived):
             return _Wanted(p_ned, STILL, CATCH_UP_SPEED * target.speed_m_s)
         self._way_m[target.sysid] += target.speed_m_s * period_s
@@ -250,15 +258,12 @@ class Planner(TickPlanner):
     def _course(self, sysid: int) -> _Wanted:
         """The next of a vehicle's own way points; at the last one it stays."""
         course, here = self._courses[sysid], self._q[sysid]
-        last = 1 if self._scenario.planner.safety else 0  # who gives way at the last one comes back to it
-        reached_m = self._field.step_m
-        if self._scenario.planner.safety:  # a leader with an inertia passes by within a period's way
-            reached_m = max(reached_m, self._scenario.planner.cruise_m_s * self._scenario.clock.period_s)
-        if len(course) > last and math.dist(here, course[0]) <= reached_m:
+        last = 1 if self._rules.safety else 0  # who gives way at the last one comes back to it
+        if len(course) > last and math.dist(here, course[0]) <= self._reached_m:
             course.pop(0)
         if not course:
             return _Wanted(here, STILL, 0.0)
-        return _Wanted(course[0], STILL, self._scenario.planner.cruise_m_s)
+        return _Wanted(course[0], STILL, self._rules.cruise_m_s)
 
     def _formation(self, snapshot: FleetSnapshot) -> dict[int, _Wanted]:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
@@ -266,12 +271,12 @@ class Planner(TickPlanner):
         A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
         rules, vehicles = self._scenario.formation, self._scenario.vehicles
-        follows = vehicles.followed if self._pursuing is None else self._pursuing
+        follows = self._followed if self._pursuing is None else self._pursuing
         wants = {}
         for target in vehicles.targets:
             lead = snapshot.vehicle(target.sysid)
             flying = {sysid: snapshot.vehicle(sysid) for sysid in follows if follows[sysid] == target.sysid}
-            here = {sysid: view.p_now_ned() for sysid, view in flying.items() if view.flying}
+            here = {sysid: self._here[sysid] for sysid, view in flying.items() if view.flying}
             if not here or not (lead.flying and lead.fresh and target.sysid in self._begin):
                 continue
             centre, v_ned = self._led(lead)
@@ -283,12 +288,12 @@ class Planner(TickPlanner):
             for sysid in here:
                 offset = self._slots[sysid]
                 goal = (centre[0] + offset[0], centre[1] + offset[1], centre[2] + offset[2])
-                wants[sysid] = _Wanted(goal, v_ned, self._scenario.planner.cruise_m_s)
+                wants[sysid] = _Wanted(goal, v_ned, self._rules.cruise_m_s)
         return wants
 
     def _led(self, view: VehicleView) -> tuple[Vec3, Vec3]:
         """Place and velocity with which to keep formation: the leader's; else the vehicle's own, looked ahead."""
-        flown = _ahead(view.p_now_ned(), view.v_ned)
+        flown = _ahead(self._here[view.sysid], view.v_ned)
         if view.sysid in self._begin and math.dist(self._begin[view.sysid], flown) <= OFF_PLAN_M:
             return self._begin[view.sysid], self._v[view.sysid]
         return flown, view.v_ned
@@ -296,9 +301,9 @@ class Planner(TickPlanner):
     def _met(self, view: VehicleView) -> Vec3:
         """Place at which leaders meet a vehicle: where it flies, looked ahead; where its leader is if its link is slow.
         Who evades what another did a second ago, and is evaded likewise, sways with it for ever."""
-        if self._scenario.planner.safety and view.fresh and self._slow.slow(view.sysid):
+        if self._rules.safety and view.fresh and self._slow.slow(view.sysid):
             return self._led(view)[0]
-        return _ahead(view.p_now_ned(), view.v_ned)
+        return _ahead(self._here[view.sysid], view.v_ned)
 
     def _attractors(
         self, snapshot: FleetSnapshot, views: list[VehicleView]
@@ -306,7 +311,7 @@ class Planner(TickPlanner):
         """Places and ranges of what draws pursuers beside their goals, and whom each one draws."""
         if not (self._scenario.attractors or self._attracting):
             return (), (), None
-        default_m = self._scenario.planner.attraction_range_m
+        default_m = self._rules.attraction_range_m
         rows = [(*a.point_m, a.range_m or default_m) for a in self._scenario.attractors]
         for aircraft in snapshot.traffic:
             if aircraft.callsign in self._attracting:
@@ -323,20 +328,20 @@ class Planner(TickPlanner):
         at = [self._met(view) for view in views]
         speeds = [math.hypot(*view.v_ned) for view in views]
         ages = [view.age_s for view in views]
-        aircraft_m = self._scenario.planner.separation_m if self._scenario.planner.safety else 0.0
-        radii = [self._radius_m(view) for view in views] + [aircraft_m] * len(snapshot.traffic)
+        aircraft_m = self._rules.separation_m if self._rules.safety else 0.0
+        radii = [self._radii_m[view.role] for view in views] + [aircraft_m] * len(snapshot.traffic)
         for aircraft in snapshot.traffic:
             at.append(_ahead(aircraft.p_ned, aircraft.v_ned, LOOKAHEAD_S + aircraft.age_s))
             speeds.append(math.hypot(*aircraft.v_ned))
             ages.append(aircraft.age_s + self._scenario.clock.period_s)
         ranges = widened_range(self._field.repulsion_range_m, np.array(speeds), np.array(ages))
-        if self._scenario.planner.safety:
+        if self._rules.safety:
             ranges = SAFE_RANGE_SHARE * ranges
         return _Movers(views, np.array(at).reshape(-1, 3), np.array(radii), ranges)
 
-    def _radius_m(self, view: VehicleView) -> float:
-        separation_m, ring_m = self._scenario.planner.separation_m, self._scenario.formation.ring_m
-        if view.role != "target" or ring_m is None:
+    def _radius_m(self, role: str) -> float:
+        separation_m, ring_m = self._rules.separation_m, self._scenario.formation.ring_m
+        if role != "target" or ring_m is None:
             return separation_m
         return min(max(ring_m - self._field.repulsion_range_m, 0.0), separation_m)
 
@@ -358,7 +363,7 @@ class Planner(TickPlanner):
         exempt = np.zeros((len(views), len(others) + len(snapshot.traffic)), dtype=bool)
         of_view, of_other = np.array([view.role for view in views]), np.array([other.role for other in others])
         flying = exempt[:, : len(others)]
-        flying |= not self._scenario.planner.vehicles_repel
+        flying |= not self._rules.vehicles_repel
         flying |= np.outer(of_view == "target", of_other != "target")
         attracting = [aircraft.callsign in self._attracting for aircraft in snapshot.traffic]
         exempt[:, len(others) :] = np.outer(of_view == "pursuer", np.array(attracting, dtype=bool))
@@ -376,19 +381,18 @@ class Planner(TickPlanner):
     def _speed(self, view: VehicleView, want: _Wanted) -> float:
         """Leashed; and under the safety filter, whose leaders brake at a limit, no faster than they can still stop."""
         speed_m_s = self._leashed(view, want.speed_m_s)
-        if not self._scenario.planner.safety:
+        if not self._rules.safety:
             return speed_m_s
         way_m = math.dist(self._q[view.sysid], want.p_ned) if want.route_m is None else want.route_m
         if math.isinf(way_m):
             return 0.0 if want.route_m is not None else speed_m_s
-        brake_m_s2 = BRAKE_SHARE * self._scenario.planner.acceleration_m_s2
+        brake_m_s2 = BRAKE_SHARE * self._rules.acceleration_m_s2
         return min(speed_m_s, math.hypot(*want.v_ned) + math.sqrt(2.0 * brake_m_s2 * way_m))
 
     def _leashed(self, view: VehicleView, speed_m_s: float) -> float:
         """The leader waits for a vehicle that has fallen behind by more than its speed explains."""
-        assert view.p_ned is not None
-        slack_m = self._scenario.planner.leash_m + LOOKAHEAD_S * speed_m_s
-        behind_m = math.dist(self._q[view.sysid], view.p_now_ned())
+        slack_m = self._rules.leash_m + LOOKAHEAD_S * speed_m_s
+        behind_m = math.dist(self._q[view.sysid], self._here[view.sysid])
         return speed_m_s * min(max(2.0 * (1.0 - behind_m / slack_m), 0.0), 1.0)
 
 

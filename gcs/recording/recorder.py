@@ -1,4 +1,4 @@
-"""Writer of session.tlog and decisions.jsonl, and the digest (SHA-256) of a session.
+"""Writer of session.tlog and decisions.jsonl.
 
 `session.tlog` is the format of every MAVLink tool: per frame the time in µs since the Unix epoch, 8 bytes, high byte
 first, then the frame. `decisions.jsonl` is one JSON object per line. Both are written in batches, so that recording
@@ -8,27 +8,20 @@ costs the tick an append; what `flush` has written outlives this process.
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import json
-import math
 import os
 import struct
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Self
 
 from gcs.recording.changes import ChangeFilter
+from gcs.recording.decision_lines import decision_lines
 from gcs.recording.rotation import ROTATED, part
 
 TLOG, DECISIONS = ROTATED
 BATCH_BYTES = 1 << 16
 
 _TIME = struct.Struct(">Q").pack
-_DIGEST_PREFIX = struct.Struct("<QB").pack
-_IN, _OUT, _DECISION = range(3)
-SET_POINT_KEYS = 5
-_float = float.__repr__  # as json writes one, also of numpy
-_encode = json.JSONEncoder(sort_keys=True, allow_nan=False, separators=(",", ":")).encode
 
 
 class RecorderError(Exception):
@@ -107,17 +100,18 @@ class Recorder:
             if len(batch) >= BATCH_BYTES or self._end is not None:
                 self._write()
 
-    def decision(self, decision: Mapping[str, Any]) -> bytes:
-        """Record a decision, if it is to be written; its line, for `Digest.decision`.
+    def decisions(self, decisions: Sequence[Mapping[str, Any]]) -> list[bytes]:
+        """Record decisions, those that are to be written; the lines of all of them, for the digest.
 
-        Raises ValueError for NaN or infinity in it, TypeError for what JSON has no form for.
+        Raises ValueError for NaN or infinity in one, TypeError for what JSON has no form for; none is recorded then.
         """
-        line = decision_line(decision)
-        if self._changes is None or self._changes.is_change(decision):
-            self._decisions.batch += line
+        lines = written = decision_lines(decisions)
+        if self._changes is not None:
+            written = [line for line, made in zip(lines, decisions, strict=True) if self._changes.is_change(made)]
+        self._decisions.batch += b"".join(written)
         if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
             self._write()
-        return line
+        return lines
 
     def flush(self) -> None:
         """Hand everything recorded so far to the system, at a tick's end. Raises RecorderError."""
@@ -166,60 +160,6 @@ class Recorder:
         self._end = end
         self._tlog.close()
         self._decisions.close()
-
-
-class Digest:
-    """A session's fingerprint (docs/protocol.md#digest): equal for equal frames delivered, frames sent and decisions.
-
-    A frame counts as tick, direction, system, component, message id and payload as on the wire. Sequence numbers, flags
-    and signatures do not. Feed it tick by tick, frames in the order (system, component, delivery).
-    """
-
-    def __init__(self) -> None:
-        self._hash = hashlib.sha256()
-
-    def frames_in(self, t_ms: int, frames: Iterable[bytes]) -> None:
-        """Whole frames (MAVLink 2) that were delivered to the supervisor in the tick that ends at `t_ms`."""
-        self._frames(_DIGEST_PREFIX(t_ms, _IN), frames)
-
-    def frames_out(self, t_ms: int, frames: Iterable[bytes]) -> None:
-        """Whole frames (MAVLink 2) that were sent at `t_ms`, each once however often its datagram was repeated."""
-        self._frames(_DIGEST_PREFIX(t_ms, _OUT), frames)
-
-    def decision(self, t_ms: int, decision: Mapping[str, Any] | bytes) -> None:
-        """A decision made at `t_ms`, in the form in which it is recorded, or as the line that the recorder made."""
-        line = decision if isinstance(decision, bytes) else decision_line(decision)
-        self._hash.update(_DIGEST_PREFIX(t_ms, _DECISION) + len(line).to_bytes(4, "little") + line)
-
-    def hexdigest(self) -> str:
-        return f"sha256:{self._hash.hexdigest()}"
-
-    def _frames(self, prefix: bytes, frames: Iterable[bytes]) -> None:
-        # A frame's byte 1 is the payload's length; bytes 5 to 9 are system, component and message id, then the payload.
-        self._hash.update(b"".join([prefix + raw[1:2] + raw[5 : 10 + raw[1]] for raw in frames]))
-
-
-def decision_line(decision: Mapping[str, Any]) -> bytes:
-    """A decision as its line of `decisions.jsonl`: keys sorted, no NaN. Raises ValueError, TypeError as `json` does."""
-    line = _set_point_line(decision) if decision.get("kind") == "set_point" else None
-    return line or _encode(decision).encode() + b"\n"
-
-
-def _set_point_line(decision: Mapping[str, Any]) -> bytes | None:
-    """The line that `json` makes of a set point, in a third of the time: nearly all decisions are set points.
-
-    None for one that is not the usual five keys with finite floats: `json` knows what is to become of it.
-    """
-    try:
-        (n, e, d), (v_n, v_e, v_d), t_s = decision["p_ned"], decision["v_ned"], decision["t_s"]
-        if len(decision) != SET_POINT_KEYS or not math.isfinite(n + e + d + v_n + v_e + v_d + t_s):
-            return None
-        return (
-            f'{{"kind":"set_point","p_ned":[{_float(n)},{_float(e)},{_float(d)}],"sysid":{decision["sysid"]:d},'
-            f'"t_s":{_float(t_s)},"v_ned":[{_float(v_n)},{_float(v_e)},{_float(v_d)}]}}\n'
-        ).encode()
-    except (KeyError, TypeError, ValueError):
-        return None
 
 
 def _reason(error: OSError) -> str:

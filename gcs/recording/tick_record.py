@@ -12,7 +12,8 @@ from gcs.telemetry.events import Event, Level
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.mavlink.setpoints import SetPoint
-    from gcs.recording.recorder import Digest, Recorder
+    from gcs.recording.digest import Digest
+    from gcs.recording.recorder import Recorder
     from gcs.refuelling.bidding import CompetitionState
     from gcs.refuelling.service import Decision
     from gcs.telemetry.battery_account import Fact
@@ -37,8 +38,7 @@ class TickRecord:
         recorder.frames(t_us, self.sent)
         digest.frames_in(self.t_ms, self.arrived)
         digest.frames_out(self.t_ms, self.sent)
-        for content in self.decisions:
-            digest.decision(self.t_ms, recorder.decision(content))
+        digest.decisions(self.t_ms, recorder.decisions(self.decisions))
         recorder.flush()
 
 

@@ -8,7 +8,7 @@ session's.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 from pymavlink.dialects.v20 import common as mav
@@ -89,6 +89,11 @@ class FaultInjector:
         order = CommandLong(CommandTarget(sysid, AUTOPILOT), mav.MAV_CMD_INJECT_FAILURE, params)
         self._orders.setdefault(sysid, []).append(order.message(0))
         return []
+
+    @property
+    def ordered(self) -> Collection[int]:
+        """System ids of launched vehicles for which there are orders."""
+        return self._orders.keys()
 
     def pop_orders(self, sysid: int) -> list[Message]:
         """Orders for a launched vehicle since the last call."""

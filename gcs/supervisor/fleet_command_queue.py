@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from gcs.mavlink.codec import Message
@@ -26,7 +27,8 @@ class FleetCommandQueue:
         """`stations`: our ids, to which acknowledgements come, for vehicles that know us by others than STATION."""
         known = stations or {}
         self._queues = {sysid: CommandQueue(*known.get(sysid, STATION)) for sysid in sysids}
-        self._waiting: dict[int, list[Message]] = {sysid: [] for sysid in self._queues}
+        self._waiting: defaultdict[int, list[Message]] = defaultdict(list)
+        """of those for whom something waits"""
         self._under_way: set[tuple[int, str]] = set()
 
     @property
@@ -34,25 +36,30 @@ class FleetCommandQueue:
         """Commands that were sent again."""
         return sum(queue.resent for queue in self._queues.values())
 
-    def put(self, sysid: int, messages: Iterable[Message]) -> None:
+    def put(self, sysid: int, messages: Sequence[Message]) -> None:
         """Send these to the vehicle with its next grant."""
-        self._waiting[sysid] += messages
+        if messages:
+            self._waiting[sysid] += messages
+
+    @property
+    def waiting(self) -> Collection[int]:
+        """System ids of the vehicles for which something waits."""
+        return self._waiting.keys()
 
     def pop(self, sysid: int) -> list[Message]:
         """Remove and return the messages that wait for the vehicle."""
-        taken, self._waiting[sysid] = self._waiting[sysid], []
-        return taken
+        return self._waiting.pop(sysid, [])
 
     def clear(self) -> None:
         """Forget what waits; commands that are under way are still sent again."""
-        self._waiting = {sysid: [] for sysid in self._waiting}
+        self._waiting.clear()
 
     def ask(self, requests: Iterable[CommandRequest], now_s: float) -> None:
         """Send each request in a COMMAND_LONG to the vehicle's autopilot."""
         for request in requests:
             self._under_way.add((request.sysid, request.token))
             command = CommandLong(CommandTarget(request.sysid, AUTOPILOT), request.command, request.params)
-            self._waiting[request.sysid] += self._queues[request.sysid].send(command, now_s, token=request.token)
+            self.put(request.sysid, self._queues[request.sysid].send(command, now_s, token=request.token))
 
     def ask_once(self, requests: Iterable[CommandRequest], now_s: float) -> None:
         """Command those that are not on their way already: lined up again they would be carried out long after."""
@@ -71,12 +78,17 @@ class FleetCommandQueue:
         """Take in the fields of a vehicle's COMMAND_ACK; the commands that have ended by it."""
         return self._follow_up(sysid, self._queues[sysid].on_ack(sysid, AUTOPILOT, ack, now_s))
 
+    @property
+    def pending(self) -> list[int]:
+        """System ids of the vehicles that have not acknowledged a command yet, in order."""
+        return [sysid for sysid, queue in self._queues.items() if queue.pending]
+
     def poll(self, sysid: int, now_s: float) -> list[CommandResult]:
         """Send again what a vehicle has not acknowledged in time; the commands that have ended by silence."""
         return self._follow_up(sysid, self._queues[sysid].poll(now_s))
 
     def _follow_up(self, sysid: int, step: Step) -> list[CommandResult]:
-        self._waiting[sysid] += step.messages
+        self.put(sysid, step.messages)
         for result in step.results:
             self._under_way.discard((sysid, str(result.token)))
         return step.results

@@ -126,6 +126,11 @@ class ForwardedControl:
                 events.append(self._operator.note(now_s, "forward", OperatorReply(True, text), one.sysid))
         return events
 
+    @property
+    def waiting(self) -> Collection[int]:
+        """System ids of the vehicles for which something waits."""
+        return self._waiting.keys()
+
     def pop(self, sysid: int) -> list[Message | Relay]:
         """Remove and return what goes to the vehicle with its next grant."""
         return self._waiting.pop(sysid, [])

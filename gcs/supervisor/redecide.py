@@ -16,15 +16,16 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.link import Key, TickLink
+from gcs.link.link import Key, TickGrants, TickLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.changes import ChangeFilter
+from gcs.recording.decision_lines import decision_lines
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import passed_over
-from gcs.recording.recorder import DECISIONS, TLOG, Recorder, decision_line
+from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
 from gcs.supervisor.faults import INJECTED
@@ -139,6 +140,10 @@ class RecordedLink(TickLink):
         self._granted.add(key)
         return []
 
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        self._granted.update(grants.keys)
+        return []
+
     def flush(self) -> None:
         """Nothing waits to be sent."""
 
@@ -157,13 +162,14 @@ class Comparer:
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """As `Recorder.frames`."""
 
-    def decision(self, decision: Mapping[str, Any]) -> bytes:
-        """As `Recorder.decision`."""
-        line = decision_line(decision)
-        written = self._changes is None or self._changes.is_change(decision)
-        if written and decision["kind"] not in INPUTS:
-            self.made.append(json.loads(line))
-        return line
+    def decisions(self, decisions: Sequence[Mapping[str, Any]]) -> list[bytes]:
+        """As `Recorder.decisions`."""
+        lines = decision_lines(decisions)
+        for line, decision in zip(lines, decisions, strict=True):
+            written = self._changes is None or self._changes.is_change(decision)
+            if written and decision["kind"] not in INPUTS:
+                self.made.append(json.loads(line))
+        return lines
 
     def flush(self) -> None:
         """As `Recorder.flush`."""

@@ -14,7 +14,7 @@ from typing import Any
 
 from gcs.link.forwarder import Forwarder
 from gcs.link.impairment import Impairment
-from gcs.link.link import Key, TickLink
+from gcs.link.link import Key, TickGrants, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
@@ -23,10 +23,11 @@ from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.datagram import raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import SetPoint, encoded
+from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
-from gcs.recording.recorder import Digest, Recorder
+from gcs.recording.digest import Digest
+from gcs.recording.recorder import Recorder
 from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
 from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged
@@ -38,7 +39,7 @@ from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import Stage
+from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
@@ -52,7 +53,7 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
@@ -130,6 +131,7 @@ class Supervisor:
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: list[SetPoint] = []
+        self._placer = SetPointPlacer()
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -140,7 +142,7 @@ class Supervisor:
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
-        self._grant_all({}, recording)
+        self._grant_all((), self.snapshot, {}, recording)
         self._record(recording)
 
     def tick(self, idle: Callable[[], None], periods: int = 1) -> None:
@@ -165,13 +167,12 @@ class Supervisor:
         pursuing = self.pursuit.decide(snapshot) if self.pursuit else self.operator.pursuing
         self.set_points = set_points = self._plan(snapshot, decision, pursuing)
         self.command_queue.ask(decision.requests, now_s)
-        for sysid in self.arming:
+        for sysid in self.command_queue.pending:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
         relays = relayed(decision.relays, delivered)
         recording = TickRecord(self.time_ms, arrived, [], [])
-        self._queue_set_points(set_points, snapshot)
-        self._grant_all(relays, recording)
+        self._grant_all(set_points, snapshot, relays, recording)
         recording.decisions += self._records(now_s, decision, set_points)
         flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
         self.metrics.update(snapshot, flown, pursuing)
@@ -382,29 +383,35 @@ class Supervisor:
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
         for view in snapshot.vehicles:
-            if self.time_ms < self._join_ms[view.sysid]:
+            sysid = view.sysid
+            if self.time_ms < self._join_ms[sysid]:
                 continue
-            arming = self.arming[view.sysid]
+            arming = self.arming[sysid]
             before = arming.stage
-            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(view.sysid), late_s=late_s)
-            if (arming.stage is Stage.TAKEN) != (before is Stage.TAKEN) or any(
-                command.is_order for command in commands
-            ):
-                self.command_queue.withdraw(view.sysid)
-            if arming.stage is Stage.DOWN and before is not Stage.DOWN and view.alive:
-                why = arming.left_out or "Lands, and takes no more part"
-                kind: Kind = "session" if arming.left_out else "decision"
-                self.events.append(Event(now_s, view.sysid, "warning", why, kind))
-            elif arming.stage is Stage.YIELDED and before is not Stage.YIELDED:
-                who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
-                if arming.unheard_lately(now_s) and not view.failsafe:
-                    who = "Its link was out, and its failsafe or somebody else"
-                why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
-                self.events.append(Event(now_s, view.sysid, "warning", why))
-            elif arming.stage is Stage.FLY and before is Stage.YIELDED:
-                self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
-            self.command_queue.put(view.sysid, requests)
-            self.command_queue.ask_once(commands, now_s)
+            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=late_s)
+            changed = arming.stage is not before
+            if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):
+                self.command_queue.withdraw(sysid)
+            if changed:
+                self._report_stage(view, arming, before, now_s)
+            self.command_queue.put(sysid, requests)
+            if commands:
+                self.command_queue.ask_once(commands, now_s)
+
+    def _report_stage(self, view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> None:
+        """Report a new stage to people, where it changes who flies the vehicle."""
+        if arming.stage is Stage.DOWN and view.alive:
+            why = arming.left_out or "Lands, and takes no more part"
+            kind: Kind = "session" if arming.left_out else "decision"
+            self.events.append(Event(now_s, view.sysid, "warning", why, kind))
+        elif arming.stage is Stage.YIELDED:
+            who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
+            if arming.unheard_lately(now_s) and not view.failsafe:
+                who = "Its link was out, and its failsafe or somebody else"
+            why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
+            self.events.append(Event(now_s, view.sysid, "warning", why))
+        elif arming.stage is Stage.FLY and before is Stage.YIELDED:
+            self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
 
     def _keep_streams(self, snapshot: FleetSnapshot) -> None:
         commands, messages = self.externals.decide(snapshot)
@@ -430,44 +437,66 @@ class Supervisor:
             )
         )
 
-    def _queue_set_points(self, set_points: Iterable[SetPoint], snapshot: FleetSnapshot) -> None:
-        for point in set_points:
-            view = snapshot.vehicle(point.sysid)
-            offset = view.origin_offset_ned
-            assert offset is not None
-            message = encoded(point, offset, self.time_ms, view.turn_rad)
-            self.command_queue.put(point.sysid, (message,) * self.quality.copies(point.sysid))
-
     # out
 
-    def _grant_all(self, relays: Mapping[int, list[Relay]], recording: TickRecord) -> None:
+    def _grant_all(
+        self,
+        set_points: Sequence[SetPoint],
+        snapshot: FleetSnapshot,
+        relays: Mapping[int, list[Relay]],
+        recording: TickRecord,
+    ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
-        now_s = self.time_s
         grant_ms = self.time_ms + self._periods * self.period_ms
-        for key in sorted(self.link.joined):
-            sysid = key[0]
-            if key != TRAFFIC and grant_ms < self._join_ms[sysid]:
-                continue
-            messages: list[Message | Relay] = []
-            if key != TRAFFIC:
-                if self.time_ms >= self._heartbeat_due_ms[sysid]:
-                    self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
-                    messages += [OUR_HEARTBEAT] * self.quality.copies(sysid)
-                messages += self.command_queue.pop(sysid)
-                messages += relays.get(sysid, ())
-                messages += self._forwarded.pop(sysid)
-                messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", now_s, messages)]
-            own = [m for m in messages if isinstance(m, Message)]
-            foreign = [m.raw for m in messages if isinstance(m, Relay)]
-            if self._peer_radio is not None and key != TRAFFIC:
-                foreign += self._peer_radio.receive(sysid, now_s)
-            sent = self.link.grant(key, grant_ms, self.epoch_us + 1000 * grant_ms, own, foreign)
-            recording.sent += (
-                sent if self._peer_radio is None else [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
-            )
+        keys = [key for key in sorted(self.link.joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        points = self._placed(set_points, snapshot)
+        greeted = {key[0] for key in keys if key != TRAFFIC and self.time_ms >= self._heartbeat_due_ms[key[0]]}
+        for sysid in greeted:
+            self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
+        more = {}
+        for key in self._with_more(keys, relays):
+            own = [points.message(key[0])] if key[0] in points.rows else []
+            more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
+        grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, greeted, points, more)
+        sent = self.link.grant_all(grants)
+        if self._peer_radio is not None:
+            sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
+        recording.sent += sent
         self.link.flush()
         self.sent += len(recording.sent)
         self.time_ms = grant_ms
+
+    def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
+        """Set points in their vehicles' own frames."""
+        views = [snapshot.vehicle(point.sysid) for point in set_points]
+        offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
+        assert len(offsets_ned) == len(views)
+        return self._placer.place(set_points, offsets_ned, [view.turn_rad for view in views], self.time_ms)
+
+    def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
+        """Those of these to whom more goes than HEARTBEAT and set point, or over a radio that may hold it back."""
+        if not self._radio.clear or self._peer_radio is not None:
+            return [key for key in keys if key != TRAFFIC]
+        copied = self.quality.copied
+        there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied)
+        some = set().union(*there)
+        return [key for key in keys if key[0] in some and key != TRAFFIC] if some else []
+
+    def _content(
+        self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, greeted: bool
+    ) -> tuple[list[Message], list[bytes]]:
+        """All that goes to a vehicle now, after the radio: messages, and frames as they are."""
+        copies = self.quality.copies(sysid)
+        messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if greeted else []
+        messages += self.command_queue.pop(sysid)
+        messages += set_point * copies
+        messages += relays.get(sysid, ())
+        messages += self._forwarded.pop(sysid)
+        messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", self.time_s, messages)]
+        foreign = [m.raw for m in messages if isinstance(m, Relay)]
+        if self._peer_radio is not None:
+            foreign += self._peer_radio.receive(sysid, self.time_s)
+        return [m for m in messages if isinstance(m, Message)], foreign
 
     _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()

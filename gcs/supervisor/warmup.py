@@ -9,15 +9,18 @@ import functools
 
 import numpy as np
 
+from gcs.link.bundles import Roster
 from gcs.mavlink import codec
 from gcs.mavlink.datagram import runs_of
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
+from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
 from gcs.planner.custom import behind_filter
 from gcs.planner.guide import RouteFollower
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
+from gcs.recording.digest import Digest
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_arming_sequences, make_fleet
@@ -51,10 +54,19 @@ def rehearse(scenario: Scenario) -> None:
     set_points = planner.plan(PlanRequest(snapshot, frozenset(place), scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()
+    _rehearse_bundles()
     approach.nearest_to(*(np.zeros((1, 3)) for _ in range(4)))  # once traffic is reported
     watch.update(snapshot, ())
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.update(snapshot, set_points)
+
+
+def _rehearse_bundles() -> None:
+    """A bundle as in most ticks, made and counted."""
+    points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    bundles, _ = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
+    Digest().frames_out(0, [bundles.raw])
 
 
 def _rehearse_tracking() -> None:

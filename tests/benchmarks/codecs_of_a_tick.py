@@ -13,15 +13,17 @@ from pathlib import Path
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
+from gcs.link.bundles import Roster
 from gcs.link.keys import LinkSigning, read_key
 from gcs.link.link import Key
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
+from gcs.mavlink.bundle_frames import Bundles
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.datagram import runs_of
-from gcs.mavlink.ids import STATION
+from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.sequence import TickCollector
-from gcs.mavlink.setpoints import SetPoint, encoded
+from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
 from gcs.recording import tlog_reader
 from gcs.recording.recorder import TLOG, Recorder
 from gcs.recording.session_folder import Gathering, Recorded
@@ -30,7 +32,6 @@ from gcs.supervisor.factory import make_fleet
 from gcs.supervisor.supervisor import Supervisor
 
 VEHICLES = 254
-SET_POINTS = 500
 TICKS, PERIOD_MS = 32, 100
 MOST_SIGNING_US = 3.0
 PORT = 20_000
@@ -211,26 +212,39 @@ def signing() -> list[Figure]:
     ]
 
 
+def sending() -> Figure:
+    """Frames out: set points of a full fleet, from the planner's to the bundles in which they leave, as sessions make
+    them in every tick."""
+    rng = random.Random(2)
+    keys = [(sysid, AUTOPILOT) for sysid in range(1, VEHICLES + 1)]
+    places = [[rng.uniform(-50.0, 50.0) for _ in range(6)] for _ in keys]
+    points = [
+        SetPoint(key[0], (n, e, d), (vn, ve, vd)) for key, (n, e, d, vn, ve, vd) in zip(keys, places, strict=True)
+    ]
+    offsets = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys]
+    placer, roster = SetPointPlacer(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=61_300)
+    sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
+    message = common.MAVLink_set_position_target_local_ned_message
+
+    def encode() -> Bundles:
+        placed = placer.place(points, list(offsets), [0.0] * VEHICLES, 61_200)
+        return roster.bundled([0] * VEHICLES, (), (), placed, grant)[0]
+
+    def fields(sysid: int) -> tuple[float, ...]:
+        (n, e, d), (north, _, _) = points[sysid - 1].p_ned, offsets[sysid - 1]
+        return 61_200, sysid, 1, 1, 3520, n - north, e, d, *points[sysid - 1].v_ned, 0.0, 0.0, 0.0, 0.0, 0.0
+
+    theirs = [fields(sysid) for sysid, _ in keys]
+    raw, _, spans = encode()
+    assert [raw[a:b] for a, b in spans[::2]] == [bytes(message(*values).pack(sender)) for values in theirs]
+    encode_s, peer_s = cpu_times(encode, lambda: [message(*values).pack(sender) for values in theirs])
+    return Figure(
+        1, "encode set points, in bundles", VEHICLES / encode_s, "messages/CPU s", 6.0, False, True, "pymavlink pack",
+        VEHICLES / peer_s,
+    )  # fmt: skip
+
+
 def figures() -> list[Figure]:
     """All of them."""
-    point = SetPoint(7, (2.5, -4.5, -5.0), (0.5, 0.25, 0.0))
-
-    def encode() -> bytes:
-        return codec.frame(encoded(point, (1.0, -2.0, 0.0), 61_200), 0, *STATION)
-
-    sender = common.MAVLink(None, srcSystem=255, srcComponent=190)
-    message = common.MAVLink_set_position_target_local_ned_message
-    fields = (61_200, 7, 1, 1, 3520, 1.5, -2.5, -5.0, 0.5, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    assert encode() == bytes(message(*fields).pack(sender))
-    encode_s, peer_encode_s = cpu_times(
-        lambda: [encode() for _ in range(SET_POINTS)],
-        lambda: [message(*fields).pack(sender) for _ in range(SET_POINTS)],
-    )
-    return [
-        *reading(),
-        Figure(
-            1, "encode set points", SET_POINTS / encode_s, "messages/CPU s", 1.5, False, True, "pymavlink pack",
-            SET_POINTS / peer_encode_s,
-        ),
-        *signing(),
-    ]  # fmt: skip
+    return [*reading(), sending(), *signing()]

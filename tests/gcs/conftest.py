@@ -8,6 +8,7 @@ from typing import Any
 import pymap3d
 import pytest
 
+from gcs.link.link import TickGrants, one_by_one
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.recording.recorder import Recorder
@@ -104,6 +105,9 @@ class ScriptedLink:
         self._granted[key] = t_ms
         self.vehicles[key].hear(frames)
         return raws
+
+    def grant_all(self, grants: TickGrants) -> list[bytes]:
+        return one_by_one(self, grants)
 
     def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
         """The last first: in which order answers come must not matter."""

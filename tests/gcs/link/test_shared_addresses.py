@@ -7,7 +7,8 @@ from typing import cast
 import pytest
 from lockstep_vehicle import BEAT, PING, Vehicle, collect, heartbeat, text
 
-from gcs.link.lockstep import DATAGRAM_BYTES, SHARED_BYTES, LockstepLink
+from gcs.link.bundles import SHARED_BYTES
+from gcs.link.lockstep import DATAGRAM_BYTES, LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION

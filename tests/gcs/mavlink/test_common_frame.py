@@ -8,7 +8,7 @@ import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.common_frame import Vec3, frame_place, turned
-from gcs.mavlink.setpoints import SetPoint, encoded
+from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
 from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
 
 COMMON = (47.397742, 8.545594, 488.0)
@@ -83,7 +83,8 @@ def test_a_vehicle_80_km_away_is_seen_where_it_is_and_sent_where_it_should_go(ho
     assert math.dist(seen.p_ned, truth(at, own, COMMON)) < 0.05
     ahead = truth((at[0] + 3.0, at[1], at[2] - 1.0), own, COMMON)
     assert math.dist(seen.v_ned, [b - a for a, b in zip(truth(at, own, COMMON), ahead, strict=True)]) < 0.001
-    message = encoded(SetPoint(3, seen.p_ned, seen.v_ned), seen.origin_offset_ned, 0, seen.turn_rad)
-    sent = codec.fields(codec.split(codec.frame(message, 0, 255, 190)).frames[0])
+    point = SetPoint(3, seen.p_ned, seen.v_ned)
+    placed = SetPointPlacer().place([point], [seen.origin_offset_ned], [seen.turn_rad], 0)
+    sent = codec.fields(codec.split(codec.frame(placed.message(3), 0, 255, 190)).frames[0])
     assert (sent.x, sent.y, sent.z) == pytest.approx(at, abs=0.01)  # 32 bits at 80 km are 8 mm
     assert (sent.vx, sent.vy, sent.vz) == pytest.approx((3.0, 0.0, -1.0), abs=1e-6)

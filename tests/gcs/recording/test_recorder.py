@@ -1,5 +1,6 @@
 """What is recorded is read back by pymavlink; a full disk ends in one sentence; the digest sees what it should."""
 
+import hashlib
 import json
 import math
 import resource
@@ -12,12 +13,15 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from gcs.mavlink import codec
-from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Digest, Recorder, RecorderError, decision_line
+from gcs.recording.decision_lines import decision_lines
+from gcs.recording.digest import Digest
+from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Recorder, RecorderError
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # mavutil's own imports warn
@@ -49,8 +53,7 @@ def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
 def test_decisions_are_one_sorted_json_line_each(tmp_path: Path) -> None:
     decisions = [{"t_s": 0.1, "kind": "win", "bids": {"3": 0.5}}, {"kind": "läuft\n"}]
     with Recorder(tmp_path) as recorder:
-        for decision in decisions:
-            recorder.decision(decision)
+        recorder.decisions(decisions)
     lines = (tmp_path / DECISIONS).read_text().splitlines()
     assert [json.loads(line) for line in lines] == decisions
     assert list(json.loads(lines[0])) == ["bids", "kind", "t_s"]
@@ -60,8 +63,8 @@ def test_decisions_are_one_sorted_json_line_each(tmp_path: Path) -> None:
 def test_decision_with_no_number_is_refused_and_leaves_no_trace(tmp_path: Path, bad: object) -> None:
     with Recorder(tmp_path) as recorder:
         with pytest.raises(ValueError, match="JSON compliant"):
-            recorder.decision({"value": bad})
-        recorder.decision({"value": 1})
+            recorder.decisions([{"value": bad}])
+        recorder.decisions([{"value": 1}])
     assert (tmp_path / DECISIONS).read_text() == '{"value":1}\n'
 
 
@@ -72,19 +75,40 @@ def test_a_set_point_is_the_line_that_json_makes_of_it(number: float, t_s: float
     point = {"t_s": t_s, "kind": "set_point", "sysid": 7, "p_ned": (number, 1.5, -2.0), "v_ned": (0.0, number, 1.0)}
     point |= more
     expected = json.dumps(point, sort_keys=True, separators=(",", ":")).encode() + b"\n"
-    assert decision_line(point) == expected
+    assert decision_lines([point]) == [expected]
+
+
+def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
+    """Set points among others, numbers of every size, and things that are no numbers."""
+    random = np.random.default_rng(5)
+    sizes = 10.0 ** random.integers(-9, 20, (4000, 6))
+    values = (random.normal(size=(4000, 6)) * sizes * (random.random((4000, 6)) < 0.9)).tolist()
+    decisions: list[dict[str, Any]] = [
+        {"t_s": k / 10, "kind": "set_point", "sysid": k % 254 + 1, "p_ned": tuple(row[:3]), "v_ned": tuple(row[3:])}
+        for k, row in enumerate(values)
+    ]
+    decisions[100:100] = [{"kind": "win", "t_s": 1e-7}, {}]
+    strange = {"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (0.0, 1.0, 2.0), "v_ned": (0.0, 0.0, 0.0)}
+    odd = ({"sysid": True}, {"sysid": None}, {"t_s": "e"}, {"p_ned": ("-", ",", "ä")}, {"p_ned": ([1.5], {}, 1)})
+    decisions += [strange | one for one in odd]
+    expected = [json.dumps(one, sort_keys=True, separators=(",", ":")).encode() + b"\n" for one in decisions]
+    assert decision_lines(decisions) == expected
+    for k in range(0, 4000, 50):  # as many as a tick has: those with an odd one among them go another way
+        assert decision_lines(decisions[k : k + 50]) == expected[k : k + 50]
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
     with pytest.raises(ValueError, match="JSON"):
-        decision_line({"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (bad, 0.0, 0.0), "v_ned": (0.0, 0.0, 0.0)})
+        decision_lines(
+            [{"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (bad, 0.0, 0.0), "v_ned": (0.0, 0.0, 0.0)}]
+        )
 
 
 def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:
     with Recorder(tmp_path) as recorder:
         recorder.frames(EPOCH_US, [attitude(1)])
-        recorder.decision({"a": 1})
+        recorder.decisions([{"a": 1}])
         recorder.flush()
         assert (tmp_path / TLOG).stat().st_size == 8 + len(attitude(1))
         assert (tmp_path / DECISIONS).read_text() == '{"a":1}\n'
@@ -133,7 +157,7 @@ def test_refused_write_ends_the_recording_in_a_sentence_with_whole_records_and_c
     recorder = Recorder(tmp_path)
     record = 8 + len(attitude(0))
     limit = BATCH_BYTES + BATCH_BYTES // 2
-    recorder.decision({"kept": True})
+    recorder.decisions([{"kept": True}])
     sentence = r"session\.tlog cannot be written: file too large; recording has ended\.$"
     with largest_file(limit), pytest.raises(RecorderError, match=sentence):
         record_frames(recorder, 3 * BATCH_BYTES // record)
@@ -146,13 +170,13 @@ def test_refused_write_ends_the_recording_in_a_sentence_with_whole_records_and_c
     with pytest.raises(RecorderError, match="file too large"):
         recorder.frames(0, [attitude(0)])
     with pytest.raises(RecorderError, match="file too large"):
-        recorder.decision({})
+        recorder.decisions([{}])
     recorder.close()
 
 
 def test_refused_last_write_is_told_by_close(tmp_path: Path) -> None:
     recorder = Recorder(tmp_path)
-    recorder.decision({"long": "x" * 1000})
+    recorder.decisions([{"long": "x" * 1000}])
     with largest_file(500), pytest.raises(RecorderError, match=r"decisions\.jsonl cannot be written"):
         recorder.close()
     assert (tmp_path / DECISIONS).read_text() == ""
@@ -182,9 +206,29 @@ def digest_of(*ticks: tuple[int, list[bytes], list[bytes]], decisions: tuple[dic
     for t_ms, came, went in ticks:
         digest.frames_in(t_ms, came)
         digest.frames_out(t_ms, went)
-    for decision in decisions:
-        digest.decision(100, decision)
+    digest.decisions(100, decision_lines(decisions))
     return digest.hexdigest()
+
+
+def test_digest_is_the_hash_of_what_the_protocol_says() -> None:
+    """docs/protocol.md#digest, in its words."""
+    random = np.random.default_rng(3)
+    came = [attitude(k, sysid=k % 5 + 1, roll=float(random.normal())) for k in range(300)]
+    came.append(codec.encode("SYSTEM_TIME", 7, 1, 1, time_unix_usec=0, time_boot_ms=0))  # its payload is one byte
+    signed = bytes(attitude(1)[:2] + b"\x01" + attitude(1)[3:] + random.bytes(13))
+    went, lines = [signed, attitude(9, roll=-0.5), signed], [b'{"a":1}\n', b'{"b":2}\n']
+    digest, expected = Digest(), hashlib.sha256()
+    digest.frames_in(12_300, came)
+    digest.frames_out(12_300, went)
+    digest.decisions(12_300, lines)
+    for direction, frames in ((0, came), (1, went)):
+        for raw in frames:
+            frame = codec.split(raw).frames[0] if raw != signed else codec.split(attitude(1)).frames[0]
+            header = struct.pack("<QBBBB", 12_300, direction, len(frame.payload), frame.sysid, frame.compid)
+            expected.update(header + frame.msgid.to_bytes(3, "little") + frame.payload)
+    for line in lines:
+        expected.update(struct.pack("<QBI", 12_300, 2, len(line)) + line)
+    assert digest.hexdigest() == f"sha256:{expected.hexdigest()}"
 
 
 def test_digest_of_nothing_is_sha256s() -> None:

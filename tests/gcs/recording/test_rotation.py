@@ -36,7 +36,7 @@ def rerecorded(folder: Path, **how: Any) -> Path:
             recorder.frames(t_us, [raw for at_us, raw in frames if at_us == t_us])
             for decision in decisions:
                 if round(1e6 * decision["t_s"]) == t_us - first_us:
-                    recorder.decision(decision)
+                    recorder.decisions([decision])
             recorder.flush()
     return folder
 
@@ -142,6 +142,6 @@ def test_the_digests_lines_are_the_same_whatever_is_written(tmp_path: Path) -> N
     with Recorder(tmp_path / "a") as whole, Recorder(tmp_path / "b", changes_only=True) as changed:
         for k in range(50):
             decision = point(k / 10, 0.15 * k, 1.5)
-            assert whole.decision(decision) == changed.decision(decision)
+            assert whole.decisions([decision]) == changed.decisions([decision])
     sizes = [(tmp_path / name / DECISIONS).stat().st_size for name in ("a", "b")]
     assert sizes[1] < 0.12 * sizes[0]

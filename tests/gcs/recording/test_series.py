@@ -94,7 +94,7 @@ def record(folder: Path, off_plan_m: float = 0.25) -> None:
                 rest = {"current_battery": -1, "current_consumed": -1, "battery_remaining": -1}
                 tell(t, 1, "BATTERY_STATUS", id=0, energy_consumed=round(t), **status, **rest)
             point = [*circle(t)[0][:2], -5.0 - off_plan_m]
-            recorder.decision({"t_s": t, "kind": "set_point", "sysid": 1, "p_ned": point, "v_ned": circle(t)[1]})
+            recorder.decisions([{"t_s": t, "kind": "set_point", "sysid": 1, "p_ned": point, "v_ned": circle(t)[1]}])
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from gcs.recording.recorder import decision_line
+from gcs.recording.decision_lines import decision_lines
 from gcs.recording.tick_record import event_of, records_of_tick
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Decision
@@ -38,7 +38,7 @@ def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
         "planner a:B returned NaN; the vehicle is held",
     ]
     assert [(event.t_s, event.sysid) for event in events] == [(12.5, 2), (12.5, 1), (12.5, 3), (12.5, 4)]
-    lines = [decision_line(record) for record in records]
+    lines = decision_lines(records)
     assert [event_of(json.loads(line)) for line in lines] == events
 
 

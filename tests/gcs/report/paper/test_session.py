@@ -23,8 +23,8 @@ def folder(tmp_path: Path) -> Path:
     with Recorder(tmp_path) as recorder:
         for t_s, north, speed in ((0.1, 0.0, 1.0), (0.2, 0.1, 2.0), (0.3, 0.3, 0.0), (0.4, 0.3, 0.0)):
             point = {"sysid": 1, "p_ned": [north, 2.0, -3.0], "v_ned": [speed, 0.0, -speed]}
-            recorder.decision({"t_s": t_s, "kind": "set_point", **point})
-        recorder.decision({"t_s": 0.1, "kind": "set_point", "sysid": 2, "p_ned": [9, 9, 9], "v_ned": [9, 9, 9]})
+            recorder.decisions([{"t_s": t_s, "kind": "set_point", **point}])
+        recorder.decisions([{"t_s": 0.1, "kind": "set_point", "sysid": 2, "p_ned": [9, 9, 9], "v_ned": [9, 9, 9]}])
         effort = {"name": "CtlEffort"}
         for t_ms, value in ((1000, 10.0), (2000, 30.0)):
             fields = {"time_boot_ms": t_ms, "value": value, **effort}

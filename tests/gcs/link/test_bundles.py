@@ -1,0 +1,123 @@
+"""Bundles that are made for all vehicles at once, against the same bundles made one by one."""
+
+import random
+import socket
+from collections import deque
+from typing import cast
+
+import numpy as np
+import pytest
+
+from gcs.link.bundles import DatagramGatherer
+from gcs.link.link import Key, TickGrants, one_by_one
+from gcs.link.lockstep import LockstepLink
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Message
+from gcs.mavlink.ids import TRAFFIC
+from gcs.mavlink.setpoints import PlacedSetPoints
+
+Address = tuple[str, int]
+COMMAND = codec.message(
+    "COMMAND_LONG", target_system=1, target_component=1, command=400, confirmation=0,
+    param1=1.0, param2=0.0, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
+)  # fmt: skip
+LONG = codec.message("STATUSTEXT", severity=6, text="x" * 50)
+
+
+class Wire:
+    """A socket whose other side is this test: each vehicle answers as soon as it is asked to."""
+
+    def __init__(self) -> None:
+        self.sent: list[tuple[Address, bytes]] = []
+        self.coming: deque[tuple[bytes, Address]] = deque()
+
+    def sendto(self, datagram: bytes, address: Address) -> None:
+        self.sent.append((address, datagram))
+
+    def recvfrom(self, _: int) -> tuple[bytes, Address]:
+        if not self.coming:
+            raise BlockingIOError
+        return self.coming.popleft()
+
+    def close(self) -> None:
+        pass
+
+
+class Field:
+    """A link and its vehicles, by what it sends them."""
+
+    def __init__(self, addresses: dict[Key, tuple[Address, int]]) -> None:
+        self.link, self.wire, self.numbers = LockstepLink(), Wire(), dict.fromkeys(addresses, 2)
+        self.link._socket.close()
+        self.link._socket = cast(socket.socket, self.wire)
+        self.addresses = addresses
+        self.link.expect(addresses)
+        beat = codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=3)
+        for key, (address, shared) in addresses.items():
+            stamp = codec.message("SYSTEM_TIME", time_unix_usec=self.link.secret, time_boot_ms=shared)
+            self.wire.coming.append((codec.frame(beat, 0, *key) + codec.frame(stamp, 1, *key), address))
+        self.link._drain()
+        assert self.link.joined == set(addresses)
+
+    def answered(self, keys: list[Key], t_ms: int) -> None:
+        end = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=t_ms)
+        for key in keys:
+            self.wire.coming.append((codec.frame(end, self.numbers[key], *key), self.addresses[key][0]))
+            self.numbers[key] = (self.numbers[key] + 1) % 256
+        assert {key for key, _ in self.link.answers(pytest.fail)} == set(keys)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
+    """Processes of several vehicles and of one, whose ids lie among each other's; some vehicles leave."""
+    draw = random.Random(seed)
+    keys = sorted((sysid, 1) for sysid in draw.sample(range(1, 255), 120))
+    places = [("127.0.0.1", 20_000 + k) for k in range(3)]
+    addresses = {key: (places[n // 50 if seed % 2 else draw.randrange(3)], 1) for n, key in enumerate(keys)}
+    addresses |= {key: (("127.0.0.1", 30_000 + key[0]), 0) for key in draw.sample(keys, 20)}
+    addresses[TRAFFIC] = (("127.0.0.1", 40_000), 0)
+    at_once, single = Field(addresses), Field(addresses)
+    for tick in range(300):  # past 255
+        t_ms = 100 * (tick + 1)
+        there = sorted(at_once.link.joined)
+        if tick % 50 == 49:
+            gone = draw.choice(there)
+            at_once.link.leave(gone)
+            single.link.leave(gone)
+            there.remove(gone)
+        steered = [key[0] for key in there if key != TRAFFIC and draw.random() < (1.0 if tick % 3 else 0.9)]
+        values = np.array([[draw.uniform(-50.0, 50.0) for _ in range(6)] for _ in steered]).reshape(-1, 6)
+        points = PlacedSetPoints(t_ms - 100, {sysid: row for row, sysid in enumerate(steered)}, values)
+        more: dict[Key, tuple[list[Message], list[bytes]]] = {}
+        for key in there if tick % 4 == 0 else ():
+            if draw.random() < 0.05:
+                relayed = [codec.frame(LONG, 7, 3, 1)] * draw.choice([0, 0, 2])
+                more[key] = [COMMAND] * draw.choice([0, 1, 3]) + [LONG] * draw.choice([0, 0, 40]), relayed
+        greeted = {key[0] for key in there if key != TRAFFIC and (tick % 10 == 0 or draw.random() < 0.01)}
+        grants = TickGrants(t_ms, 1_767_225_600_000_000 + 1000 * t_ms, there, greeted, points, more)
+        assert at_once.link.grant_all(grants) == one_by_one(single.link, grants)
+        for field in (at_once, single):
+            field.link.flush()
+        assert at_once.wire.sent == single.wire.sent
+        for field in (at_once, single):
+            field.wire.sent.clear()
+            field.link.repeat()
+        assert at_once.wire.sent == single.wire.sent
+        for field in (at_once, single):
+            field.wire.sent.clear()
+            field.answered(there, t_ms)
+
+
+def test_a_datagram_leaves_with_the_bundle_with_which_there_is_enough() -> None:
+    sent: list[tuple[Address, bytes]] = []
+    gatherer, at = DatagramGatherer(lambda address, datagram: sent.append((address, datagram))), ("127.0.0.1", 9)
+    gatherer.put(at, b"a" * 4095, shared=True)
+    assert not sent
+    gatherer.put(at, b"b", shared=True)
+    assert sent == [(at, b"a" * 4095 + b"b")]
+    gatherer.put(at, b"c", shared=False)
+    gatherer.put(at, b"d", shared=True)
+    assert sent[1:] == [(at, b"c")]
+    gatherer.flush()
+    gatherer.flush()
+    assert sent[2:] == [(at, b"d")]

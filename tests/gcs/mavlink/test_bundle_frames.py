@@ -1,0 +1,87 @@
+"""Compiled bundles against the frames that pymavlink packs of the same messages."""
+
+import math
+
+import numpy as np
+import pytest
+from pymavlink.dialects.v20 import common
+
+from gcs.mavlink import bundle_frames, codec
+from gcs.mavlink.bundle_frames import LEFT_OUT, NONE
+from gcs.mavlink.ids import STATION
+from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
+
+VEHICLES = 40
+UNIX_US = 1_767_225_600_000_000
+SPECIAL = (0.0, -0.0, 1e-46, -3e-39, 3.4028234e38, -3.4028235e38, math.inf, -math.inf, 16777217.0)
+
+
+def packed(message: common.MAVLink_message, number: int) -> bytes:
+    sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
+    sender.seq = number
+    return bytes(message.pack(sender))
+
+
+def set_point(time_ms: int, sysid: int, values: list[float]) -> common.MAVLink_message:
+    mask = 0b1101_1100_0000  # acceleration, yaw and yaw rate are to be ignored
+    return common.MAVLink_set_position_target_local_ned_message(
+        time_ms, sysid, 1, common.MAV_FRAME_LOCAL_NED, mask, *values, 0.0, 0.0, 0.0, 0.0, 0.0
+    )
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_bundles_are_what_pymavlink_packs(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    values = random.normal(size=(VEHICLES, 6)) * 10.0 ** random.integers(-40, 38, (VEHICLES, 6)).astype(float)
+    special = random.random((VEHICLES, 6)) < 0.2
+    values[special] = random.choice(SPECIAL, special.sum())
+    time_ms = (0, 5, 1 << 24, (1 << 32) - 1, int(random.integers(1 << 32)))[seed % 5]
+    unix_us = (0, UNIX_US, (1 << 64) - 1)[seed % 3]
+    rows, markers = np.zeros((VEHICLES, bundle_frames.COLUMNS), np.int64), np.zeros((VEHICLES, 32), np.uint8)
+    expected, frames, numbers = [], [], []
+    for k in range(VEHICLES):
+        number, sysid, marker = int(random.integers(256)), int(random.integers(1, 255)), random.bytes(26 * (seed % 2))
+        point, greeted = int(random.choice([k, NONE, LEFT_OUT], p=[0.7, 0.2, 0.1])), bool(random.random() < 0.3)
+        rows[k] = number, sysid, len(marker), point, greeted
+        markers[k, : len(marker)] = list(marker)
+        told = [common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)] * greeted
+        told += [set_point(time_ms, sysid, values[k].tolist())] * (point == k)
+        told += [common.MAVLink_system_time_message(unix_us, time_ms)]
+        own = [packed(message, (number + n) % 256) for n, message in enumerate(told)] if point != LEFT_OUT else []
+        expected.append(marker + b"".join(own) if own else b"")
+        frames += own
+        numbers.append((number + len(own)) % 256)
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=unix_us, time_boot_ms=time_ms)
+    points = PlacedSetPoints(time_ms, {}, values)
+    raw, cuts, spans = bundle_frames.bundled(rows, markers, points, grant)
+    assert [raw[begin:end] for begin, end, _ in cuts] == expected
+    assert raw == b"".join(expected)
+    assert [raw[begin:end] for begin, end in spans] == frames
+    assert rows[:, bundle_frames.NUMBER].tolist() == numbers
+
+
+@pytest.mark.parametrize("value", [3.5e38, -1e39, 3.40282357e38])
+def test_a_set_point_that_no_frame_can_hold_is_refused_as_the_codec_does(value: float) -> None:
+    values = np.zeros((2, 6))
+    values[1, 4] = value
+    rows = np.array([[0, 7, 0, 0, 0], [0, 8, 0, 1, 0]])
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    with pytest.raises(ValueError, match=r"^SET_POSITION_TARGET_LOCAL_NED\.vy cannot be "):
+        bundle_frames.bundled(rows, np.zeros((2, 32), np.uint8), PlacedSetPoints(0, {7: 0, 8: 1}, values), grant)
+
+
+def test_set_points_are_placed_in_their_vehicles_frames() -> None:
+    """A frame a quarter turn to the right of ours has its north in our east."""
+    placer = SetPointPlacer()
+    p_ned, v_ned = (10.0, 20.0, -5.0), (1.0, 2.0, 3.0)
+    points = [SetPoint(sysid, p_ned, v_ned) for sysid in (1, 2, 3)]
+    for _ in range(2):
+        offsets, turns = [(0.0, 0.0, 0.0), (1.0, -2.0, 0.5), (1.0, -2.0, 0.5)], [0.0, 0.0, math.pi / 2]
+        placed = placer.place(points, offsets, turns, 100)
+        assert placed.rows == {1: 0, 2: 1, 3: 2}
+        assert placed.values.tolist()[:2] == [[10.0, 20.0, -5.0, 1.0, 2.0, 3.0], [9.0, 22.0, -5.5, 1.0, 2.0, 3.0]]
+        assert placed.values[2] == pytest.approx([22.0, -9.0, -5.5, 2.0, -1.0, 3.0])
+    moved = placer.place(points[:1], [(5.0, 0.0, 0.0)], [0.0], 200)
+    assert moved.values.tolist() == [[5.0, 20.0, -5.0, 1.0, 2.0, 3.0]]
+    assert codec.fields(codec.split(codec.frame(moved.message(1), 0, *STATION)).frames[0]).time_boot_ms == 200
+    assert placer.place([], [], [], 300).values.shape == (0, 6)

@@ -7,16 +7,18 @@ makes each once a tick, as a template, and the call writes number and set point 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from fastcrc.crc16 import mcrf4xx
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
-from gcs.mavlink import codec
+from gcs.kernel_files import checksum
+from gcs.kernels import UNCOUNTED, kernel
+from gcs.mavlink import codec, datagram
 from gcs.mavlink.codec import Message
+from gcs.mavlink.datagram import CRC_TABLE, crc_of
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.setpoints import PlacedSetPoints, set_point_message
 
@@ -43,106 +45,83 @@ VALUES = 6
 _SEQ_AT = 4
 _VALUES_AT = codec.HEADER_BYTES + 4  # behind time_boot_ms
 _TARGET_AT = codec.HEADER_BYTES + 50
-_AT_ONCE = 8
 
 
-def _crc_tables() -> NDArray[np.int32]:
-    """(8, 256): what a byte adds to a checksum in which so many further ones follow it, so that eight are summed at
-    once."""
-    tables = np.empty((_AT_ONCE, 256), np.int32)
-    tables[0] = [mcrf4xx(bytes([byte]), 0) for byte in range(256)]
-    for k in range(1, _AT_ONCE):
-        tables[k] = tables[k - 1] >> 8 ^ tables[0][tables[k - 1] & 0xFF]
-    return tables
-
-
-_TABLES = _crc_tables()
-_BEFORE_MARKER = codec.BEFORE_MARKER
-
-
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _sum(frame: Bytes, size: int, seed: int) -> None:
-    """Write the checksum of a frame, CRC-16/MCRF4XX of its bytes and the message's seed."""
-    end = size - 2
-    frame[end] = seed
-    crc = _BEFORE_MARKER
-    i = 0
-    while i + _AT_ONCE <= end + 1:
-        crc = (
-            _TABLES[7, frame[i] ^ (crc & 0xFF)]
-            ^ _TABLES[6, frame[i + 1] ^ (crc >> 8)]
-            ^ _TABLES[5, frame[i + 2]]
-            ^ _TABLES[4, frame[i + 3]]
-            ^ _TABLES[3, frame[i + 4]]
-            ^ _TABLES[2, frame[i + 5]]
-            ^ _TABLES[1, frame[i + 6]]
-            ^ _TABLES[0, frame[i + 7]]
-        )
-        i += _AT_ONCE
-    while i <= end:
-        crc = (crc >> 8) ^ _TABLES[0, (crc & 0xFF) ^ frame[i]]
-        i += 1
+    """Write the checksum of a frame."""
+    end = size - codec.CRC_BYTES
+    crc = crc_of(frame, 1, end, CRC_TABLE)
+    crc = crc >> 8 ^ np.int64(CRC_TABLE[0, (crc ^ seed) & 0xFF])
     frame[end], frame[end + 1] = crc & 0xFF, crc >> 8
 
 
-@njit(error_model="numpy")
+@njit(**UNCOUNTED)
 def _aim(frame: Bytes, sysid: int, values: Floats) -> bool:
     """Write whose set point it is, and its values; whether they can be written."""
-    floats = np.empty(VALUES, np.float32)
     for i in range(VALUES):
-        floats[i] = values[i]
-        if math.isinf(floats[i]) and not math.isinf(values[i]):
+        value = np.float32(values[i])
+        if math.isinf(value) and not math.isinf(values[i]):
             return False
-    wire = floats.view(np.uint8)
-    for i in range(4 * VALUES):
-        frame[_VALUES_AT + i] = wire[i]
+        bits = np.int64(value.view(np.uint32))
+        for k in range(4):
+            frame[_VALUES_AT + 4 * i + k] = (bits >> (8 * k)) & 0xFF
     frame[_TARGET_AT] = sysid
     return True
 
 
-@kernel(error_model="numpy")
-def write_bundles(
-    out: Bytes, rows: Ints, markers: Bytes, values: Floats, templates: Bytes, sizes: Ints, cuts: Ints, spans: Ints
-) -> tuple[int, int]:
-    """Write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that no frame
-    can hold, or NONE).
+def _compiled(build: int) -> Callable[..., tuple[int, int]]:
+    """The entry, kept by numba; `build`: checksum of the other file that it is made of."""
 
-    Args:
-        out: (n BUNDLE_BYTES,) at least.
-        rows: (n, COLUMNS). NUMBER goes on by the frames written; of those LEFT_OUT nothing is written.
-        markers: (n, MARKER_WIDTH).
-        values: (k, VALUES) position and velocity of each set point in its vehicle's own frame, NED, m and m/s.
-        templates: (MOST_FRAMES, TEMPLATE_BYTES), whole frames; overwritten.
-        sizes: (MOST_FRAMES, 2), their lengths and CRC seeds.
-        cuts: (n, 3), filled: where each bundle begins and ends, and how many frames there are with it.
-        spans: (n MOST_FRAMES, 2), filled: where each frame begins and ends; markers are none.
-    """
-    at = frames = 0
-    for k in range(rows.shape[0]):
-        point, number = rows[k, POINT], rows[k, NUMBER]
-        cuts[k, 0] = at
-        if point != LEFT_OUT:
-            for i in range(rows[k, MARKER_BYTES]):
-                out[at + i] = markers[k, i]
-            at += rows[k, MARKER_BYTES]
-            for which in range(MOST_FRAMES):
-                if (which == GREETING and not rows[k, GREETED]) or (which == SET_POINT and point == NONE):
-                    continue
-                frame, size = templates[which], sizes[which, 0]
-                if which == SET_POINT and not _aim(frame, rows[k, SYSID], values[point]):
-                    return at, point
-                if which == SET_POINT or frame[_SEQ_AT] != number:
-                    frame[_SEQ_AT] = number
-                    _sum(frame, size, sizes[which, 1])
-                for i in range(size):
-                    out[at + i] = frame[i]
-                spans[frames, 0], spans[frames, 1] = at, at + size
-                at += size
-                frames += 1
-                number = (number + 1) & 0xFF
-            rows[k, NUMBER] = number
-        cuts[k, 1], cuts[k, 2] = at, frames
-    return at, NONE
+    @kernel(**UNCOUNTED)
+    def write(
+        out: Bytes, rows: Ints, markers: Bytes, values: Floats, templates: Bytes, sizes: Ints, cuts: Ints, spans: Ints
+    ) -> tuple[int, int]:
+        _ = build
+        at = frames = 0
+        for k in range(rows.shape[0]):
+            point, number = rows[k, POINT], rows[k, NUMBER]
+            cuts[k, 0] = at
+            if point != LEFT_OUT:
+                for i in range(rows[k, MARKER_BYTES]):
+                    out[at + i] = markers[k, i]
+                at += rows[k, MARKER_BYTES]
+                for which in range(MOST_FRAMES):
+                    if (which == GREETING and not rows[k, GREETED]) or (which == SET_POINT and point == NONE):
+                        continue
+                    frame, size = templates[which], sizes[which, 0]
+                    if which == SET_POINT and not _aim(frame, rows[k, SYSID], values[point]):
+                        return at, point
+                    if which == SET_POINT or frame[_SEQ_AT] != number:
+                        frame[_SEQ_AT] = number
+                        _sum(frame, size, sizes[which, 1])
+                    for i in range(size):
+                        out[at + i] = frame[i]
+                    spans[frames, 0], spans[frames, 1] = at, at + size
+                    at += size
+                    frames += 1
+                    number = (number + 1) & 0xFF
+                rows[k, NUMBER] = number
+            cuts[k, 1], cuts[k, 2] = at, frames
+        return at, NONE
+
+    return write
+
+
+write_bundles = _compiled(checksum(datagram))
+"""Write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that no frame
+can hold, or NONE).
+
+Args:
+    out: (n BUNDLE_BYTES,) at least.
+    rows: (n, COLUMNS). NUMBER goes on by the frames written; of those LEFT_OUT nothing is written.
+    markers: (n, MARKER_WIDTH).
+    values: (k, VALUES) position and velocity of each set point in its vehicle's own frame, NED, m and m/s.
+    templates: (MOST_FRAMES, TEMPLATE_BYTES), whole frames; overwritten.
+    sizes: (MOST_FRAMES, 2), their lengths and CRC seeds.
+    cuts: (n, 3), filled: where each bundle begins and ends, and how many frames there are with it.
+    spans: (n MOST_FRAMES, 2), filled: where each frame begins and ends; markers are none.
+"""
 
 
 class Bundles(NamedTuple):

@@ -15,7 +15,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 
@@ -140,7 +140,7 @@ def runs_of(datagram: bytes) -> list[FrameRun] | None:
     return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in _rows[:runs].tolist()]
 
 
-@njit
+@njit(**UNCOUNTED)
 def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
     """Kernel: CRC-16/MCRF4XX of some bytes, of `bytes` or of an array; `table` is CRC_TABLE."""
     crc = np.uint16(0xFFFF)
@@ -163,7 +163,7 @@ def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
     return np.int64(crc)
 
 
-@kernel()
+@kernel(**UNCOUNTED)
 def _find(
     data: bytes,
     seeds: NDArray[np.int16],

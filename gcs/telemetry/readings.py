@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.kernel_files import checksum
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.battery import HECTOJOULE, NO_CELL
 from gcs.mavlink.codec import HEADER_BYTES
 from gcs.telemetry import energy, plausibility
@@ -84,51 +84,51 @@ def kept_elsewhere(from_autopilot: Iterable[int], from_anybody: Iterable[int]) -
 # A payload whose trailing zeros were cut: what lies at `stop` or behind it is 0.
 
 
-@njit
+@njit(**UNCOUNTED)
 def _octet(data: bytes, at: int, stop: int) -> Any:
     return np.int64(data[at]) if at < stop else np.int64(0)
 
 
-@njit
+@njit(**UNCOUNTED)
 def _u16(data: bytes, at: int, stop: int) -> Any:
     return _octet(data, at, stop) | _octet(data, at + 1, stop) << 8
 
 
-@njit
+@njit(**UNCOUNTED)
 def _i16(data: bytes, at: int, stop: int) -> Any:
     value = _u16(data, at, stop)
     return value - 65536 if value >= 32768 else value
 
 
-@njit
+@njit(**UNCOUNTED)
 def _i8(data: bytes, at: int, stop: int) -> Any:
     value = _octet(data, at, stop)
     return value - 256 if value >= 128 else value
 
 
-@njit
+@njit(**UNCOUNTED)
 def _u32(data: bytes, at: int, stop: int) -> Any:
     return _u16(data, at, stop) | _u16(data, at + 2, stop) << 16
 
 
-@njit
+@njit(**UNCOUNTED)
 def _i32(data: bytes, at: int, stop: int) -> Any:
     value = _u32(data, at, stop)
     return value - (1 << 32) if value >= 1 << 31 else value
 
 
-@njit
+@njit(**UNCOUNTED)
 def _f32(data: bytes, at: int, stop: int) -> Any:
     return np.float64(np.uint32(_u32(data, at, stop)).view(np.float32))
 
 
-@njit
+@njit(**UNCOUNTED)
 def _session_s(row: Row, boot_ms: int, now_s: float) -> Any:
     """When a vehicle said something, by its own clock if that is known; it was not later than now."""
     return now_s if math.isnan(row[CLOCK_S]) else min(boot_ms / 1e3 + row[CLOCK_S], now_s)
 
 
-@njit
+@njit(**UNCOUNTED)
 def _read_place(data: bytes, at: int, stop: int, row: Row, now_s: float, found: Row) -> Any:
     reported_s = _session_s(row, _u32(data, at, stop), now_s)
     if reported_s < row[POSITION_S]:
@@ -146,7 +146,7 @@ def _read_place(data: bytes, at: int, stop: int, row: Row, now_s: float, found: 
     return True
 
 
-@njit
+@njit(**UNCOUNTED)
 def _read_attitude(data: bytes, at: int, stop: int, row: Row) -> Any:
     roll, pitch, yaw = _f32(data, at + 4, stop), _f32(data, at + 8, stop), _f32(data, at + 12, stop)
     if abs(yaw) <= math.tau:
@@ -155,7 +155,7 @@ def _read_attitude(data: bytes, at: int, stop: int, row: Row) -> Any:
         row[ROLL], row[PITCH] = roll, pitch
 
 
-@njit
+@njit(**UNCOUNTED)
 def _read_mode(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     """Whether it is the one before."""
     custom_mode, autopilot = np.float64(_u32(data, at, stop)), np.float64(_octet(data, at + 5, stop))
@@ -169,7 +169,7 @@ def _read_mode(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     return same
 
 
-@njit
+@njit(**UNCOUNTED)
 def _read_effort(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     for k in range(len(_EFFORT_NAME)):
         if _octet(data, at + 8 + k, stop) != _EFFORT_NAME[k]:
@@ -180,7 +180,7 @@ def _read_effort(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any
         row[EFFORT_S] = _session_s(row, _u32(data, at, stop), now_s)
 
 
-@njit
+@njit(**UNCOUNTED)
 def _cells_mv(data: bytes, at: int, stop: int) -> Any:
     """Cells up to the first that is NO_CELL, and only if there is none the further ones of newer messages."""
     total_mv = np.int64(0)
@@ -194,14 +194,14 @@ def _cells_mv(data: bytes, at: int, stop: int) -> Any:
     return total_mv
 
 
-@njit
+@njit(**UNCOUNTED)
 def _power_w(total_mv: int, current_ca: int) -> Any:
     if total_mv == 0 or current_ca in (_NO_CURRENT, _PX4_NO_CURRENT):
         return math.nan
     return 1e-2 * current_ca * (1e-3 * total_mv)
 
 
-@njit
+@njit(**UNCOUNTED)
 def _count_report(
     account: Any, found: Row, row: Row, now_s: float, consumed_j: float, power_w: float, percent: int, second: bool
 ) -> Any:
@@ -219,7 +219,7 @@ def _compiled(build: int) -> Callable[..., Any]:
     """The entry, the only kernel here that numba keeps on disk; `build`: checksum of the other files that it is made
     of."""
 
-    @kernel()
+    @kernel(**UNCOUNTED)
     def read(
         data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
     ) -> tuple[int, int]:

@@ -140,6 +140,7 @@ class RotorPlant(Plant):
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
         self._wanted, self._force = np.zeros(airframes.ROTORS), np.zeros(3)
         self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
+        self._drawn = np.zeros((1, 0, rotor_flight.NOISE_SIZE))
 
     def tune(self, flight: VehicleParams) -> None:
         """As every plant; and let its weather and its battery be those of now."""
@@ -188,13 +189,37 @@ class RotorPlant(Plant):
         self.now = state.tolist()
         return force.tolist()
 
+    @property
+    def still(self) -> bool:
+        """Whether nothing random moves it or its estimate: its noise is 0."""
+        return not self._air.turbulence_m_s > 0.0 and self.own.errors is None
+
+    @property
+    def surroundings(self) -> tuple[NDArray[np.float64], ...] | None:
+        """Its packed airframe (1, k), weather (1, WEATHER_SIZE), and the discrete gusts; None where the mean wind is
+        another at every place."""
+        return None if self._air.field is not None else (self._frame, self._weather, self._gusts)
+
+    def noise_ahead(self, steps: int) -> NDArray[np.float64]:
+        """Normal numbers of the next steps, (1, steps, NOISE_SIZE), which are still to be flown: the same however a
+        flight is cut into stretches."""
+        if (missing := steps - self._drawn.shape[1]) > 0:
+            more = np.zeros((1, missing, rotor_flight.NOISE_SIZE))
+            if self._air.turbulence_m_s > 0.0:
+                more[0, :, :GUST_NOISE] = self._random[0].standard_normal((missing, GUST_NOISE))
+            if self.own.errors is not None:
+                more[0, :, GUST_NOISE:] = self._random[1].standard_normal((missing, ERROR_SIZE))
+            self._drawn = np.concatenate([self._drawn, more], axis=1)
+        return self._drawn[:, :steps]
+
+    def leave_behind(self, steps: int) -> None:
+        """Numbers of so many steps have been flown."""
+        self._drawn = self._drawn[:, steps:]
+
     def _noise(self, steps: int) -> NDArray[np.float64]:
-        """Normal numbers of some steps, (1, steps, NOISE_SIZE): the same however a flight is cut into stretches."""
-        noise = np.zeros((1, steps, rotor_flight.NOISE_SIZE))
-        if self._air.turbulence_m_s > 0.0:
-            noise[0, :, :GUST_NOISE] = self._random[0].standard_normal((steps, GUST_NOISE))
-        if self.own.errors is not None:
-            noise[0, :, GUST_NOISE:] = self._random[1].standard_normal((steps, ERROR_SIZE))
+        """Normal numbers of some steps that are flown now, (1, steps, NOISE_SIZE)."""
+        noise = self.noise_ahead(steps)
+        self.leave_behind(steps)
         return noise
 
     @property

@@ -19,7 +19,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from simvehicle.kernels import UNCOUNTED, kernel
-from simvehicle.law import controller, differentiator, dynamics, guidance, params, power, step
+from simvehicle.law import controller, dynamics, guidance, power, step
 from simvehicle.law.params import P_AVIONICS_W, P_DRAG, P_GRAVITY, P_HOVER_W, Airframe, VehicleParams
 from simvehicle.law.step import CONTACT, DRAWN_J, REMAINING_J, STATE_SIZE
 from simvehicle.world import airframes, estimate, rotors, wind
@@ -232,13 +232,13 @@ def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
     return fly, turn
 
 
-def _checksum() -> int:
-    law = (params, dynamics, differentiator, controller, guidance, power, step)
-    modules = (*law, airframes, rotors, wind, rotor_power, estimate)
-    return zlib.crc32(b"".join(Path(str(module.__file__)).read_bytes() for module in modules))
+def checksum() -> int:
+    """Of the files that are compiled into the core, this one among them: as `step.checksum`."""
+    files = (__file__, *(str(module.__file__) for module in (airframes, rotors, wind, rotor_power, estimate)))
+    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files), step.checksum())
 
 
-fly_rows, turn_row = _compiled(_checksum())
+fly_rows, turn_row = _compiled(checksum())
 """fly_rows: (states (n, ROTOR_STATE_SIZE), commands, packed params of `on_rotors`, packed airframes, weathers (n,
 WEATHER_SIZE), discrete gusts (m, DISCRETE_SIZE) that blow on all, noise (n, k, NOISE_SIZE), times (n,), dt, thrust
 (n, k)), as `step.fly_rows`; the rotors' thrust per mass, m/s², is that after every step.

@@ -17,6 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot import snapshot
 from simvehicle.kernels import UNCOUNTED
 from simvehicle.law import step
+from simvehicle.law.rotor_flight import CURRENT_A, ERROR, VOLTAGE_V
 from simvehicle.mavlink import telemetry
 from simvehicle.mavlink.codec import schema
 from simvehicle.mavlink.motion_frames import DEGREES, TURN_DEG, bounded, remainder, write_frame, write_motion
@@ -54,6 +55,7 @@ _STANDBY, _ACTIVE = int(mav.MAV_STATE_STANDBY), int(mav.MAV_STATE_ACTIVE)
 _ON_GROUND, _IN_AIR = int(mav.MAV_LANDED_STATE_ON_GROUND), int(mav.MAV_LANDED_STATE_IN_AIR)
 _PREARM = int(mav.MAV_SYS_STATUS_PREARM_CHECK)
 _CELLS, _FULL_V, _EMPTY_V = snapshot.CELLS, snapshot.CELL_FULL_V, snapshot.CELL_EMPTY_V
+_ERROR = ERROR.start
 _X, _V, _REF_X, _REF_V = (
     part.start for part in (step.POSITION, step.VELOCITY, step.REFERENCE_POSITION, step.REFERENCE_VELOCITY)
 )
@@ -83,7 +85,8 @@ def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
 @njit(**UNCOUNTED)
 def _landed(one: Any, s: NDArray[np.float64]) -> bool:
     still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
-    return bool(one.ground != 0 and s[_X + 2] <= 0.0 and still)
+    stands = s[step.CONTACT] != 0.0 if one.rotors != 0 else s[_X + 2] <= 0.0 and still
+    return bool(one.ground != 0 and stands)
 
 
 @njit(**UNCOUNTED)
@@ -93,6 +96,8 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
     share = min(max(remaining_j / one.capacity_j, 0.0), 1.0)
     voltage_v = _CELLS * (_EMPTY_V + (_FULL_V - _EMPTY_V) * share)
     current = bounded(1e2 * one.power_w / voltage_v, 16)
+    if one.rotors != 0:
+        voltage_v, current = s[VOLTAGE_V], bounded(1e2 * s[CURRENT_A], 16)
     percent = int(min(max(np.rint(100.0 * remaining_j / one.capacity_j), 0.0), 100.0))
     north, east, down, v_north, v_east = s[_X], -s[_X + 1], -s[_X + 2], s[_V], -s[_V + 1]
     if stream == _HEARTBEAT:
@@ -187,7 +192,10 @@ def write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], t
     """A record as sitl/truth.py has it."""
     truth[0], truth[1] = one.time_ms / 1e3, thrust.size
     for i in range(12):
-        truth[2 + i] = s[i] if i % 3 == 0 else -s[i]
+        true = s[i]
+        if one.senses != 0 and (i < 3 or s[step.CONTACT] == 0.0):
+            true -= s[_ERROR + i]
+        truth[2 + i] = true if i % 3 == 0 else -true
     truth[14], truth[15], truth[16], truth[17] = s[step.DRAWN_J], one.received_j, one.given_j, s[step.REMAINING_J]
     for k in range(thrust.size):
         truth[TRUTH_NUMBERS + k] = thrust[0, k]

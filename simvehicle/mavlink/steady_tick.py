@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import math
 import zlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numba import njit
+from numba.extending import overload
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
 from simvehicle.kernels import UNCOUNTED
-from simvehicle.law import step
+from simvehicle.law import rotor_flight, step
 from simvehicle.mavlink import motion_frames, steady_answer, telemetry
 from simvehicle.mavlink.motion_frames import HEADER_BYTES, MAGIC, checksum
 from simvehicle.mavlink.steady_answer import (
@@ -69,6 +71,11 @@ STEADY = np.dtype(
         ("yaw_ned", "f8"),
         ("fastest_m_s", "f8"),
         ("power_w", "f8"),
+        ("rotors", "i8"),  # whether it flies on rotors, and its estimate errs
+        ("senses", "i8"),
+        ("noise_step", "i8"),  # place of the next step's noise, the end of what there is,
+        ("noise_end", "i8"),
+        ("noise_moves", "i8"),  # and by how many places a step goes on: 0 where all of it is 0
         ("floor_j", "f8"),  # below it the vehicle lands
         ("capacity_j", "f8"),
         ("home_down_m", "f8"),
@@ -194,7 +201,8 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
     span_ms = granted_ms - one.time_ms
     if granted_ms <= one.granted_ms or not STEP_MS <= span_ms <= LONGEST_MS:
         return -1
-    if one.time_ms + STEP_MS * min(span_ms // STEP_MS, MOST_STEPS) >= one.until_ms:
+    steps = min(span_ms // STEP_MS, MOST_STEPS)
+    if one.time_ms + STEP_MS * steps >= one.until_ms or one.noise_step + steps > one.noise_end:
         return -1
     if s[step.REMAINING_J] < one.floor_j or now_s - gcs_seen_s > one.gcs_loss_s or now_s - set_s > one.set_loss_s:
         return -1
@@ -235,6 +243,66 @@ def _command(one: Any, command: NDArray[np.float64]) -> None:
     command[step.CMD_PERIOD_S] = 0.1
 
 
+def _advance(
+    row: int,
+    states: NDArray[np.float64],
+    command: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    plants: Any,
+    at: int,
+    times: NDArray[np.float64],
+    thrust: NDArray[np.float64],
+) -> None:
+    """Fly a row on: on rotors where `plants` are their airframes, weathers, gusts and noise as `rotor_flight.fly_rows`
+    has them, whose next step's noise stands `at` a place; else on the paper's plant. Compiled code only."""
+    raise NotImplementedError
+
+
+@overload(_advance, jit_options={"error_model": "numpy"}, strict=False)
+def _advance_on(
+    row: Any, states: Any, command: Any, parameters: Any, plants: Any, at: Any, times: Any, thrust: Any
+) -> Callable[..., None]:
+    return _advance_on_rotors if len(plants) > 1 else _advance_on_paper
+
+
+def _advance_on_paper(
+    row: int,
+    states: NDArray[np.float64],
+    command: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    plants: Any,
+    at: int,
+    times: NDArray[np.float64],
+    thrust: NDArray[np.float64],
+) -> None:
+    step.fly_rows(states[row : row + 1], command, parameters[row : row + 1], times, STEP_MS / 1e3, thrust)
+
+
+def _advance_on_rotors(
+    row: int,
+    states: NDArray[np.float64],
+    command: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    plants: Any,
+    at: int,
+    times: NDArray[np.float64],
+    thrust: NDArray[np.float64],
+) -> None:
+    airframes, weathers, gusts, noise = plants
+    rotor_flight.fly_rows(
+        states[row : row + 1],
+        command,
+        parameters[row : row + 1],
+        airframes[row : row + 1],
+        weathers[row : row + 1],
+        gusts,
+        noise[row, at : at + thrust.shape[1]].reshape((1, thrust.shape[1], noise.shape[2])),
+        times,
+        STEP_MS / 1e3,
+        thrust,
+    )
+
+
 @njit(error_model="numpy")
 def fly(
     datagram: NDArray[np.uint8],
@@ -244,6 +312,7 @@ def fly(
     rows: NDArray[Any],
     states: NDArray[np.float64],
     parameters: NDArray[np.float64],
+    plants: Any,
     frames: NDArray[np.int64],
     truth: NDArray[np.float64],
     flown: NDArray[np.int64],
@@ -257,8 +326,10 @@ def fly(
         at: where to begin.
         marked: whether a PING to its vehicle stands before each bundle; else the whole is one, the first row's.
         row_of: (256,) row of a system id, -1 without one.
-        rows: (n,) STEADY; of those flown they change, as `states` (n, STATE_SIZE) does.
+        rows: (n,) STEADY; of those flown they change, as `states` does, (n, k) as the plant has it.
         parameters: (n, PARAMS_SIZE).
+        plants: a tuple, of packed airframes (n, k), weathers (n, WEATHER_SIZE), gusts (m, DISCRETE_SIZE) that blow on
+            all and noise of the next steps (n, k, NOISE_SIZE) where they fly on rotors; else of one thing.
         frames: `frame_table()`.
         truth: (n, TRUTH_NUMBERS + MOST_STEPS), a record of each that is flown.
         flown: (n,), which rows were flown, in order.
@@ -288,7 +359,8 @@ def fly(
         steps = min((one.granted_ms - one.time_ms) // STEP_MS, MOST_STEPS)
         thrust, drawn_j = np.empty((1, steps)), s[step.DRAWN_J]
         times[0] = one.time_ms / 1e3
-        step.fly_rows(states[row : row + 1], command, parameters[row : row + 1], times, STEP_MS / 1e3, thrust)
+        _advance(row, states, command, parameters, plants, one.noise_step, times, thrust)
+        one.noise_step += one.noise_moves * steps
         one.power_w = (s[step.DRAWN_J] - drawn_j) / (steps * STEP_MS / 1e3)
         one.time_ms += steps * STEP_MS
         write_answer(one, s, frames, _number(datagram, grant + HEADER_BYTES, 0, 8))
@@ -304,6 +376,6 @@ def fly(
 
 def checksum_of_files() -> int:
     """Of the files that are compiled into `fly`, for the kernel that it is compiled into."""
-    modules = (step, motion_frames, steady_answer, telemetry, snapshot)
+    modules = (motion_frames, steady_answer, telemetry, snapshot)
     files = (__file__, *(str(module.__file__) for module in modules))
-    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files), step.checksum())
+    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files), rotor_flight.checksum())

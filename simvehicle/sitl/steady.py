@@ -18,7 +18,8 @@ from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.params import PARAMS_SIZE
-from simvehicle.law.plants import Plant
+from simvehicle.law.plants import Plant, RotorPlant
+from simvehicle.law.rotor_flight import NOISE_SIZE, ROTOR_STATE_SIZE
 from simvehicle.law.step import STATE_SIZE
 from simvehicle.mavlink.codec import HEADER_BYTES, ReceivedFrame, encode
 from simvehicle.mavlink.connection import Connection
@@ -31,6 +32,8 @@ from simvehicle.sitl import steady_loop
 from simvehicle.sitl.link import SUPERVISED_BYTES, SupervisedLink
 from simvehicle.sitl.truth import FIXED_NUMBERS, TruthWriter
 
+STEPS_AHEAD = 1000
+"""For so many steps noise is drawn in advance: four seconds."""
 MOST_LEFT = 64
 """Stretches of a datagram that are left at once."""
 _USUAL = frozenset({mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED, mav.MAVLINK_MSG_ID_HEARTBEAT})
@@ -57,9 +60,7 @@ class _Member:
     @property
     def is_steady(self) -> bool:
         """Whether its next tick may be usual."""
-        if not (self.vehicle.only_steered and self.services.idle):
-            return False
-        return type(self.vehicle.plant) is Plant and not self.connection.waiting
+        return self.vehicle.only_steered and self.services.idle and not self.connection.waiting
 
     def payloads(self) -> NDArray[np.uint8]:
         """Payloads of the streams that are written in compiled code, as they are now."""
@@ -80,6 +81,37 @@ def _payload(content: object) -> bytes:
     return frame[HEADER_BYTES : HEADER_BYTES + frame[1]].ljust(PAYLOAD_BYTES, b"\0")
 
 
+class Surroundings:
+    """Airframes, weathers, gusts and noise of vehicles on rotors, by rows."""
+
+    def __init__(self, first: tuple[NDArray[np.float64], ...], n: int) -> None:
+        airframe, weather, gusts = first
+        self._airframes, self._weathers = np.zeros((n, airframe.shape[1])), np.zeros((n, weather.shape[1]))
+        self._noise = np.zeros((n, STEPS_AHEAD, NOISE_SIZE))
+        self.arrays = (self._airframes, self._weathers, gusts, self._noise)
+        """as `steady_tick.fly` has them"""
+
+    @classmethod
+    def shared_by(cls, plants: Sequence[Plant], n: int) -> Surroundings | None:
+        """For n rows, where these plants have rotors, and one air that is the same everywhere."""
+        found = [plant.surroundings if isinstance(plant, RotorPlant) else None for plant in plants]
+        if not found or found[0] is None:
+            return None
+        gusts = found[0][2]
+        same = all(one is not None and np.array_equal(one[2], gusts) for one in found)
+        return cls(found[0], n) if same else None
+
+    def put(self, row: int, plant: RotorPlant) -> int:
+        """Let a row be a plant's; for how many steps there is noise."""
+        assert plant.surroundings is not None
+        airframe, weather, _ = plant.surroundings
+        self._airframes[row], self._weathers[row] = airframe[0], weather[0]
+        if plant.still:
+            return MOST_STEPS
+        self._noise[row] = plant.noise_ahead(STEPS_AHEAD)[0]
+        return STEPS_AHEAD
+
+
 class SteadyFlight:
     """The vehicles of one process by rows, in order; None for a unit that is no vehicle of ours."""
 
@@ -89,7 +121,10 @@ class SteadyFlight:
             None if flyable is None else _Member(flyable, connection, grants) for flyable, connection, grants in members
         ]
         self._rows = np.zeros(n, STEADY)
-        self._states, self._parameters = np.zeros((n, STATE_SIZE)), np.zeros((n, PARAMS_SIZE))
+        plants = [member.vehicle.plant for member in self._members if member is not None]
+        self._surroundings = Surroundings.shared_by(plants, n)
+        state_size = STATE_SIZE if self._surroundings is None else ROTOR_STATE_SIZE
+        self._states, self._parameters = np.zeros((n, state_size)), np.zeros((n, PARAMS_SIZE))
         self._row_of = np.full(256, -1)
         for row, (_, connection, _) in enumerate(members):
             self._rows[row]["sysid"] = connection.sysid
@@ -99,6 +134,7 @@ class SteadyFlight:
         self._buffer = np.zeros(SUPERVISED_BYTES, np.uint8)
         self._arguments = (
             *(self._buffer, n > 1, self._row_of, self._rows, self._states, self._parameters),
+            (np.zeros(0),) if self._surroundings is None else self._surroundings.arrays,
             *(frame_table(), self._truth, self._flown, self._left),
             np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8),
         )
@@ -140,6 +176,8 @@ class SteadyFlight:
         vehicle, gcs_seen_s = member.vehicle, float(one["gcs_seen_s"])
         vehicle.time_ms = int(one["time_ms"])
         vehicle.plant.go_on_from(self._states[row])
+        if isinstance(vehicle.plant, RotorPlant):
+            vehicle.plant.leave_behind(int(one["noise_step"]))
         vehicle.power_w = float(one["power_w"])
         vehicle.gcs_seen_s = None if math.isnan(gcs_seen_s) else gcs_seen_s
         p_ned, v_ned = one["set_p_ned"].tolist(), one["set_v_ned"].tolist()
@@ -154,6 +192,11 @@ class SteadyFlight:
         """Fly a vehicle here from its next tick on, if that may be usual; `applied`: the frames of its last one."""
         member = self._members[row]
         if member is None or not all(frame.msgid in _USUAL for frame in applied) or not member.is_steady:
+            return
+        plant, ahead = member.vehicle.plant, MOST_STEPS
+        if self._surroundings is not None and isinstance(plant, RotorPlant):
+            ahead = self._surroundings.put(row, plant)
+        elif type(plant) is not Plant:
             return
         one, vehicle, grants = self._rows[row], member.vehicle, member.grants
         timetable = member.connection.streams.timetable()
@@ -194,6 +237,11 @@ class SteadyFlight:
             ("interval_ms", [interval_ms for interval_ms, _ in timetable]),
             ("due_ms", [due_ms for _, due_ms in timetable]),
             ("payloads", member.payloads()),
+            ("rotors", isinstance(plant, RotorPlant)),
+            ("senses", isinstance(plant, RotorPlant) and plant.own.errors is not None),
+            ("noise_step", 0),
+            ("noise_end", ahead),
+            ("noise_moves", ahead > MOST_STEPS),
             ("answer_bytes", 0),
             ("steady", 1),
         ):

@@ -61,6 +61,7 @@ def _compiled(build: int) -> Callable[..., Any]:
         rows: NDArray[Any],
         states: NDArray[np.float64],
         parameters: NDArray[np.float64],
+        plants: Any,
         frames: NDArray[np.int64],
         truth: NDArray[np.float64],
         flown: NDArray[np.int64],
@@ -75,7 +76,7 @@ def _compiled(build: int) -> Callable[..., Any]:
                     if have <= 0:
                         return 0, 0, 0, 0, 0, 0
                 at, many, others, written = steady_tick.fly(
-                    buffer[:have], at, marked, row_of, rows, states, parameters, frames, truth, flown, left, out
+                    buffer[:have], at, marked, row_of, rows, states, parameters, plants, frames, truth, flown, left, out
                 )
                 first = 0
             while first < many:

@@ -12,7 +12,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law.plants import RotorPlant
+from simvehicle.law.plants import Plant, RotorPlant
 from simvehicle.mavlink.codec import encode, message, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
@@ -34,30 +34,35 @@ Both are then shared by all forks, where each would make them for itself, in mem
 
 def warm_up() -> None:
     """Load, compile and run everything that a flying vehicle needs."""
-    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True))
+    _fly(Plant(), BUNDLES)
+
+
+def _fly(plant: Plant, bundles: int) -> None:
+    """Fly a vehicle on a plant for so many bundles, and then steadily."""
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant)
     connection = Connection(1)
     services = Services(vehicle, 1, [connection])
     unit = VehicleUnit(vehicle, services, None)
     grants = Grants(connection)
     grants.hello(unit.hello())
     unit.start_clock(0, 0)
-    for number in range(BUNDLES):
+    for number in range(bundles):
         bundle = grants.feed(tuple(split(_bundle(number))))
         assert isinstance(bundle, Bundle)
         for frame in bundle.frames:
             unit.receive(frame, connection)
         unit.advance(bundle.time_ms)
         grants.answer(bundle)
-    _fly_steadily(SteadyFlight([(Flyable(vehicle, services, None), connection, grants)]))
+    _fly_steadily(SteadyFlight([(Flyable(vehicle, services, None), connection, grants)]), bundles)
 
 
-def _fly_steadily(steady: SteadyFlight) -> None:
+def _fly_steadily(steady: SteadyFlight, first: int) -> None:
     """Fly some bundles in compiled code; they come from a supervisor on the loopback."""
     steady.hand_over(0, ())
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         with SupervisedLink(parse_supervisor(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
-            for number in range(BUNDLES, BUNDLES + STEADY_BUNDLES):
+            for number in range(first, first + STEADY_BUNDLES):
                 supervisor.sendto(_bundle(number), link.socket.getsockname())
             steady.serve(link)
     steady.take_back(0)
@@ -67,7 +72,7 @@ def _fly_steadily(steady: SteadyFlight) -> None:
 def warm_up_rotors() -> None:
     """Load and compile, if need be, what flies on rotors."""
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]))
-    Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), Start(airborne=True), plant).advance(PERIOD_MS)
+    _fly(plant, 2)
     plant.turn((0.0,) * ROTORS, time_s=0.0, dt_s=PERIOD_MS / 1e3)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from simvehicle.kernels import kernel
 from simvehicle.world.airframes import A_AREA, A_DENSITY, A_PROFILE, A_RADIUS, INDUCED_FACTOR
 
 Row = NDArray[np.float64]
@@ -53,7 +54,7 @@ def shaft_power(thrust_n: float, speeds: Row, across_m_s: float, along_m_s: floa
     return max(power_w, 0.0)
 
 
-@njit(error_model="numpy")
+@kernel(error_model="numpy")
 def cell_v(charge: float) -> float:
     """Open-circuit voltage of a lithium-polymer cell by its charge, 0 to 1 (M. Chen, G. A. Rincón-Mora, *Accurate
     electrical battery model capable of predicting runtime and I-V performance*, IEEE TEC 2006)."""

@@ -13,6 +13,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from simvehicle.kernels import kernel
 from simvehicle.world.airframes import (
     A_ALLOCATION,
     A_BODY_DRAG,
@@ -179,7 +180,7 @@ def euler_of(q: Row) -> tuple[float, float, float]:
     return roll, math.asin(sine), math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
 
-@njit(error_model="numpy")
+@kernel(error_model="numpy")
 def quaternion_of(roll: float, pitch: float, yaw: float, out: Row) -> None:
     """The quaternion of roll, pitch and yaw, rad, into out (4,)."""
     sr, cr = math.sin(0.5 * roll), math.cos(0.5 * roll)

@@ -23,12 +23,16 @@ from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
+from simvehicle.law.plants import Plant, RotorPlant
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STREAMS, WRITTEN, frame_table
 from simvehicle.sitl import loop
 from simvehicle.sitl.block import Block, Wanted
 from simvehicle.sitl.link import SupervisedLink
 from simvehicle.sitl.steady import SteadyFlight
+from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import Air, WorldVehicle
+from simvehicle.world.estimate import EstimateErrors
 
 EPOCH_US = 1_700_000_000_000_000
 FRAME = LocalFrame(47.397742, 8.545594, 488.0)
@@ -164,10 +168,17 @@ def compare(tmp_path: Path, wanted: Callable[[Path], list[Wanted]], datagrams: S
     return steady
 
 
-def vehicles(*sysids: int, start: Start = AIRBORNE, truth_hz: float | None = None, **params: float) -> Any:
+def vehicles(
+    *sysids: int,
+    start: Start = AIRBORNE,
+    truth_hz: float | None = None,
+    plant: Callable[[int], Plant] = lambda _: Plant(),
+    **params: float,
+) -> Any:
     def wanted(folder: Path) -> list[Wanted]:
         return [
-            Wanted(sysid, start, Parameters(params), folder / f"{sysid}.truth", truth_hz=truth_hz) for sysid in sysids
+            Wanted(sysid, start, Parameters(params), folder / f"{sysid}.truth", truth_hz=truth_hz, plant=plant(sysid))
+            for sysid in sysids
         ]
 
     return wanted
@@ -195,6 +206,51 @@ def test_a_flight_of_set_points_is_the_same_to_the_byte(
     assert flown.steadily >= len(sysids) * (len(datagrams) - 3)
     heard = {frame.msgid for datagram in flown.sent for frame in split(datagram)}
     assert len(heard) >= 13
+
+
+GUSTS = ((2.0, 1.0, 0.5, 3.0, -2.0, 1.0),)
+IN_WEATHER: dict[str, Callable[[int], Plant]] = {
+    "still air": lambda sysid: RotorPlant(WorldVehicle(AIRFRAMES["iris"]), sysid=sysid),
+    "gusts, with sensors": lambda sysid: RotorPlant(
+        WorldVehicle(AIRFRAMES["iris"], EstimateErrors()),
+        Air(mean_nwu=(4.0, 1.0, 0.0), turbulence_m_s=5.0, gusts_nwu=GUSTS),
+        seed=3,
+        sysid=sysid,
+    ),
+    "one on rotors, one not": lambda sysid: RotorPlant(WorldVehicle(AIRFRAMES["iris"])) if sysid == 2 else Plant(),
+}
+
+
+@pytest.mark.parametrize("air", IN_WEATHER)
+@pytest.mark.parametrize("sysids", [(2,), (1, 2)])
+def test_on_rotors_too(tmp_path: Path, sysids: tuple[int, ...], air: str) -> None:
+    """Twelve seconds, longer than noise is drawn ahead; with set points that end for a while, and odd ones."""
+    supervisor = Supervisor(sysids)
+    datagrams = []
+    for t in range(0, 12_001, 100):
+        bundles = []
+        for sysid in sysids:
+            contents = [circle(sysid, t)] if t not in (2000, 7300) else [set_point(sysid, (math.nan, 0.0, -5.0))]
+            bundles.append(supervisor.bundle(sysid, t, [heartbeat(), *contents]))
+        datagrams.append(b"".join(bundles))
+    flown = compare(tmp_path, vehicles(*sysids, plant=IN_WEATHER[air]), datagrams)
+    both_kinds = air.startswith("one") and len(sysids) > 1
+    assert flown.steadily > 100 * (1 if both_kinds else len(sysids))
+
+
+def test_on_rotors_from_the_ground_and_to_it(tmp_path: Path) -> None:
+    """Standing, it knows that it stands: the errors of its velocity do not count then."""
+    supervisor = Supervisor((1,))
+    ordered = {
+        100: [command(1, mav.MAV_CMD_DO_SET_MODE, 1.0, 6.0)],
+        200: [command(1, mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0)],
+    }
+    datagrams = []
+    for t in range(0, 14_001, 100):
+        place = set_point(1, (0.0, 0.0, -2.0 if t < 6000 else 1.5))
+        datagrams.append(supervisor.bundle(1, t, [heartbeat(), *ordered.get(t, ()), place]))
+    flown = compare(tmp_path, vehicles(1, start=Start(), plant=IN_WEATHER["gusts, with sensors"]), datagrams)
+    assert flown.steadily > 90
 
 
 def test_a_battery_that_runs_low_is_found_by_the_vehicle_itself(tmp_path: Path) -> None:

@@ -251,6 +251,16 @@ def fields(frame: Frame) -> Any:
     return _new(record, values)
 
 
+def sent_by(frame: Frame, compid: int) -> Frame:
+    """The frame as if another component had sent it, unsigned; as it is where the dialect lacks its id."""
+    raw = frame.raw
+    if raw[7:10] not in _SEEDS:
+        return frame
+    body = raw[:2] + b"\0" + raw[3:6] + bytes([compid]) + raw[7 : HEADER_BYTES + raw[1]]
+    crc = mcrf4xx(body + seed_of(raw), BEFORE_MARKER)
+    return frame._replace(compid=compid, raw=body + crc.to_bytes(CRC_BYTES, "little"))
+
+
 def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, ...]:
     shown = list(values)
     for index in text_at:

@@ -88,7 +88,7 @@ class TelemetryAdapter:
                 self._receive_battery(sys_status(codec.fields(frame), t_s))
             elif msgid == _BATTERY and (content := codec.fields(frame)).id == 0:
                 self._receive_battery(battery_status(content, t_s))
-            yield frame if frame.compid == AUTOPILOT else frame._replace(compid=AUTOPILOT)
+            yield frame if frame.compid == AUTOPILOT else codec.sent_by(frame, AUTOPILOT)
 
     def origin_of(self, frame: Frame) -> GlobalOrigin | None:
         """An origin for a common frame that has none yet, if this frame holds a place on the globe."""

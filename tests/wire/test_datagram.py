@@ -6,6 +6,7 @@ from itertools import groupby
 
 import pytest
 from oracle import CLASSES, peer_frame
+from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.datagram import MOST_BYTES, FrameRun, frame_at, raws_of, runs_of
@@ -163,3 +164,14 @@ def test_losses_are_counted_in_runs_as_in_frames() -> None:
             by_frames.feed(frame.sysid, frame.compid, frame.seq)
         assert by_runs.lost_of == by_frames.lost_of
     assert by_runs.lost > 100
+
+
+def test_a_frame_as_another_component_sent_it() -> None:
+    """Cut payloads and signed frames too, against pymavlink, whose writer then has that component."""
+    for component in (0, 1, 190):
+        sender, other = mav.MAVLink(None, 3, 77), mav.MAVLink(None, 3, component)
+        sender.signing.sign_outgoing, sender.signing.secret_key = True, bytes(32)
+        for message in (mav.MAVLink_heartbeat_message(2, 3, 81, 4, 4, 3), mav.MAVLink_ping_message(0, 0, 0, 0)):
+            (frame,) = codec.split(bytes(message.pack(sender))).frames
+            raw = bytes(message.pack(other))
+            assert codec.sent_by(frame, component) == codec.split(raw).frames[0]

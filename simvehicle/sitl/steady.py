@@ -81,7 +81,7 @@ def _payload(content: object) -> bytes:
     return frame[HEADER_BYTES : HEADER_BYTES + frame[1]].ljust(PAYLOAD_BYTES, b"\0")
 
 
-class Surroundings:
+class RotorRows:
     """Airframes, weathers, gusts and noise of vehicles on rotors, by rows."""
 
     def __init__(self, first: tuple[NDArray[np.float64], ...], n: int) -> None:
@@ -92,7 +92,7 @@ class Surroundings:
         """as `steady_tick.fly` has them"""
 
     @classmethod
-    def shared_by(cls, plants: Sequence[Plant], n: int) -> Surroundings | None:
+    def shared_by(cls, plants: Sequence[Plant], n: int) -> RotorRows | None:
         """For n rows, where these plants have rotors, and one air that is the same everywhere."""
         found = [plant.surroundings if isinstance(plant, RotorPlant) else None for plant in plants]
         if not found or found[0] is None:
@@ -122,8 +122,8 @@ class SteadyFlight:
         ]
         self._rows = np.zeros(n, STEADY)
         plants = [member.vehicle.plant for member in self._members if member is not None]
-        self._surroundings = Surroundings.shared_by(plants, n)
-        state_size = STATE_SIZE if self._surroundings is None else ROTOR_STATE_SIZE
+        self._rotors = RotorRows.shared_by(plants, n)
+        state_size = STATE_SIZE if self._rotors is None else ROTOR_STATE_SIZE
         self._states, self._parameters = np.zeros((n, state_size)), np.zeros((n, PARAMS_SIZE))
         self._row_of = np.full(256, -1)
         for row, (_, connection, _) in enumerate(members):
@@ -134,7 +134,7 @@ class SteadyFlight:
         self._buffer = np.zeros(SUPERVISED_BYTES, np.uint8)
         self._arguments = (
             *(self._buffer, n > 1, self._row_of, self._rows, self._states, self._parameters),
-            (np.zeros(0),) if self._surroundings is None else self._surroundings.arrays,
+            (np.zeros(0),) if self._rotors is None else self._rotors.arrays,
             *(frame_table(), self._truth, self._flown, self._left),
             np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8),
         )
@@ -194,8 +194,8 @@ class SteadyFlight:
         if member is None or not all(frame.msgid in _USUAL for frame in applied) or not member.is_steady:
             return
         plant, ahead = member.vehicle.plant, MOST_STEPS
-        if self._surroundings is not None and isinstance(plant, RotorPlant):
-            ahead = self._surroundings.put(row, plant)
+        if self._rotors is not None and isinstance(plant, RotorPlant):
+            ahead = self._rotors.put(row, plant)
         elif type(plant) is not Plant:
             return
         one, vehicle, grants = self._rows[row], member.vehicle, member.grants

@@ -9,7 +9,7 @@ import time
 from mavsdk.asyncio import ComponentType, Configuration, Mavsdk
 from mavsdk.asyncio.plugins.action import ActionAsync, ActionError
 from mavsdk.asyncio.plugins.failure import FailureAsync, FailureError, FailureType, FailureUnit
-from mavsdk.asyncio.plugins.follow_me import Config, FollowMeAsync, TargetLocation
+from mavsdk.asyncio.plugins.follow_me import Config, FollowMeAsync, FollowMeError, TargetLocation
 from mavsdk.asyncio.plugins.mission import MissionAsync, MissionItem, MissionPlan
 from mavsdk.asyncio.plugins.offboard import OffboardAsync, PositionNedYaw, VelocityBodyYawspeed, VelocityNedYaw
 from mavsdk.asyncio.plugins.param import ParamAsync, ParamError
@@ -215,7 +215,11 @@ async def follow(pilot):
         target.latitude_deg, target.longitude_deg = home.latitude_deg + north_m * PER_M, home.longitude_deg
         target.absolute_altitude_m = home.absolute_altitude_m
         target.velocity_x_m_s, target.velocity_y_m_s, target.velocity_z_m_s = 0.5, 0.0, 0.0
-        await pilot.follow_me.set_target_location(target)
+        try:
+            await pilot.follow_me.set_target_location(target)
+        except FollowMeError as error:  # MAVSDK's telemetry knows the mode a moment before its follow_me does
+            if north_m > 4.5 or "NOT_ACTIVE" not in str(error):
+                raise
         await asyncio.sleep(0.2)
         north_m += 0.1
         p = (await pilot.telemetry.position_velocity_ned()).position

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from gcs.mavlink.autopilots import FlightMode, Profile
+import numpy as np
+
+from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
 from gcs.renamed import warn_of_field
+from gcs.telemetry.columns import UNSTAMPED, Flags, FleetColumns, Floats
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
@@ -150,9 +154,18 @@ class FleetSnapshot:
     vehicles: tuple[VehicleView, ...]
     traffic: tuple[TrafficView, ...]
     _by_sysid: dict[int, VehicleView] = field(init=False, repr=False, compare=False)
+    _columns: FleetColumns | None = field(init=False, repr=False, compare=False, default=None)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "_by_sysid", {view.sysid: view for view in self.vehicles})
+
+    @property
+    def columns(self) -> FleetColumns:
+        """The vehicles as arrays, a row for each in the same order."""
+        if self._columns is None:
+            object.__setattr__(self, "_columns", _columns_of(self.vehicles))
+        assert self._columns is not None
+        return self._columns
 
     def vehicle(self, sysid: int) -> VehicleView:
         """The vehicle with this id; KeyError where the scenario has none."""
@@ -161,3 +174,39 @@ class FleetSnapshot:
     def of_role(self, role: str) -> tuple[VehicleView, ...]:
         """All vehicles of a role."""
         return tuple(view for view in self.vehicles if view.role == role)
+
+
+_UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
+
+
+def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
+    """The same vehicles as columns, not stamped."""
+    sysids = [view.sysid for view in views]
+    known = [view.p_ned is not None for view in views]
+    return FleetColumns(
+        sysids,
+        {sysid: row for row, sysid in enumerate(sysids)},
+        np.full(len(views), UNSTAMPED),
+        alive=_flags([view.alive for view in views]),
+        armed=_flags([view.armed for view in views]),
+        flying=_flags([view.flying for view in views]),
+        fresh=_flags([view.fresh for view in views]),
+        steerable=_flags([view.mode in STEERABLE for view in views]),
+        p_ned=_rows([view.p_ned or _UNKNOWN for view in views]),
+        v_ned=_rows([view.v_ned for view in views]),
+        p_now_ned=_rows([view.p_now_ned() if there else _UNKNOWN for view, there in zip(views, known, strict=True)]),
+        age_s=np.array([view.age_s for view in views], np.float64),
+        last_received_s=np.array([view.last_received_s for view in views], np.float64),
+        ground_down_m=np.array(
+            [math.nan if view.ground_down_m is None else view.ground_down_m for view in views], np.float64
+        ),
+        remaining_j=np.array([view.remaining_j for view in views], np.float64),
+    )
+
+
+def _flags(values: Sequence[bool]) -> Flags:
+    return np.array(values, np.bool_)
+
+
+def _rows(places: Sequence[Vec3]) -> Floats:
+    return np.array(places, np.float64).reshape(-1, 3)

@@ -130,7 +130,7 @@ class Supervisor:
         self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
-        self.set_points: list[SetPoint] = []
+        self.set_points: Sequence[SetPoint] = []
         self._placer = SetPointPlacer()
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
@@ -420,7 +420,9 @@ class Supervisor:
         self.command_queue.ask(commands, snapshot.time_s)
         self.events += self.externals.pop_events()
 
-    def _plan(self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
+    def _plan(
+        self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None
+    ) -> Sequence[SetPoint]:
         steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)

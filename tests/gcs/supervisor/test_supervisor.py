@@ -94,7 +94,7 @@ def test_the_digest_is_the_same_again_and_another_for_one_set_point(scripted: An
         session = scripted()
         for tick in range(20):
             if tick == 10:
-                session.supervisor.planner._leaders[1].p_ned[0] += nudge_m
+                session.supervisor.planner._p_ned[0, 0] += nudge_m
             session.fly(1)
         return str(session.supervisor.digest.hexdigest())
 

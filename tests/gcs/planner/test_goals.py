@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from gcs.planner.formation import ConstantSpeedPath, assign, ring_offsets
+from gcs.planner.goals import ConstantSpeedPath, assign, ring_offsets
 
 SQUARE = [(0.0, 0.0, -2.0), (4.0, 0.0, -2.0), (4.0, 4.0, -2.0), (0.0, 4.0, -2.0)]
 

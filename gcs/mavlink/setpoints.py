@@ -41,7 +41,7 @@ class SetPoints(Sequence[SetPoint]):
     __slots__ = ("_made", "p_ned", "sysids", "v_ned")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, sysids: Sequence[int], p_ned: NDArray[np.float64], v_ned: NDArray[np.float64]) -> None:
+    def __init__(self, sysids: tuple[int, ...], p_ned: NDArray[np.float64], v_ned: NDArray[np.float64]) -> None:
         self.sysids = sysids
         """of k vehicles; from a planner's tick to the next the same object, for as long as they are the same"""
         self.p_ned = p_ned
@@ -56,7 +56,7 @@ class SetPoints(Sequence[SetPoint]):
         if isinstance(points, cls):
             return points
         columns = np.array([(*point.p_ned, *point.v_ned) for point in points], np.float64).reshape(-1, 6)
-        return cls([point.sysid for point in points], columns[:, :3].copy(), columns[:, 3:].copy())
+        return cls(tuple([point.sysid for point in points]), columns[:, :3].copy(), columns[:, 3:].copy())
 
     def _points(self) -> list[SetPoint]:
         if self._made is None:
@@ -107,7 +107,7 @@ class SetPointPlacer:
     """Brings set points into their vehicles' own frames, which seldom move: how they lie is kept."""
 
     def __init__(self) -> None:
-        self._sysids: Sequence[int] = []
+        self._sysids: tuple[int, ...] = ()
         self._rows: dict[int, int] = {}
         self._offsets_ned: list[Vec3] = []
         self._turns_rad: list[float] = []

@@ -50,23 +50,28 @@ class SpeedLimits:
         """lookahead_s: by how much a vehicle is behind its leader anyhow. brake_m_s2: with which leaders brake before
         their goals; None where they need not."""
         self._leash_m, self._lookahead_s, self._brake_m_s2 = leash_m, lookahead_s, brake_m_s2
-        self._asked = np.empty(n, dtype=np.int64)
+        self._asked, self._stopping = np.empty(n, dtype=np.int64), np.empty(n, dtype=np.int64)
 
     def apply(self, leaders: LeaderRows, rows: IntArray, here_ned: FloatArray, route_m: FloatArray) -> None:
         """Lower `leaders.speed_m_s` of these rows (k,), whose vehicles are at here_ned (n, 3). route_m (n,): way that
         is left on a route, NaN where the way is straight."""
-        brakes = math.inf if self._brake_m_s2 is None else self._brake_m_s2
-        count = _limited(
+        brake_m_s2 = self._brake_m_s2
+        asked, stopping = _limited(
             rows, leaders.q_ned, here_ned, leaders.goal_ned, leaders.speed_m_s, route_m, self._leash_m,
-            self._lookahead_s, brakes, self._asked,
+            self._lookahead_s, math.inf if brake_m_s2 is None else brake_m_s2, self._asked, self._stopping,
         )  # fmt: skip
-        if not count:
-            return
-        some = self._asked[:count]
-        columns = (leaders.q_ned, here_ned, leaders.goal_ned, leaders.goal_v_ned, leaders.speed_m_s, route_m)
-        leaders.speed_m_s[some] = [
-            self._limit(*of_one) for of_one in zip(*(column[some].tolist() for column in columns), strict=True)
-        ]
+        q, goal, goal_v, speed = leaders.q_ned, leaders.goal_ned, leaders.goal_v_ned, leaders.speed_m_s
+        if stopping and brake_m_s2 is not None:
+            some, twice = self._stopping[:stopping], 2.0 * brake_m_s2
+            columns = (goal_v[some].tolist(), q[some].tolist(), goal[some].tolist(), speed[some].tolist())
+            speed[some] = [
+                min(speed_m_s, math.hypot(*v) + math.sqrt(twice * math.dist(from_ned, to_ned)))
+                for v, from_ned, to_ned, speed_m_s in zip(*columns, strict=True)
+            ]
+        if asked:
+            some = self._asked[:asked]
+            each = (column[some].tolist() for column in (q, here_ned, goal, goal_v, speed, route_m))
+            speed[some] = list(map(self._limit, *each))
 
     def _limit(
         self, q: list[float], here: list[float], goal: list[float], goal_v: list[float], speed: float, route_m: float
@@ -85,21 +90,27 @@ class SpeedLimits:
 @kernel()
 def _limited(
     rows: IntArray, q: FloatArray, here: FloatArray, goal: FloatArray, speed: FloatArray, route: FloatArray,
-    leash: float, lookahead: float, brake: float, asked: IntArray,
-) -> int:  # fmt: skip
-    """Kernel: writes into `asked` the rows that are not surely within both limits; how many."""
-    count = 0
+    leash: float, lookahead: float, brake: float, asked: IntArray, stopping: IntArray,
+) -> tuple[int, int]:  # fmt: skip
+    """Kernel: writes into `stopping` the rows that are surely not leashed, but near their goals on a straight way,
+    into `asked` all others that are not surely without a limit; how many of each."""
+    many = near = 0
     for row in rows:
         n, e, d = q[row, 0] - here[row, 0], q[row, 1] - here[row, 1], q[row, 2] - here[row, 2]
         half = 0.5 * (leash + lookahead * speed[row])
         free = n * n + e * e + d * d <= _SURE * half * half
+        stops = False
         if free and brake < math.inf:
-            way = route[row]
-            if math.isnan(way):
+            way, straight = route[row], math.isnan(route[row])
+            if straight:
                 n, e, d = q[row, 0] - goal[row, 0], q[row, 1] - goal[row, 1], q[row, 2] - goal[row, 2]
                 way = math.sqrt(n * n + e * e + d * d)
             free = way < math.inf and speed[row] * speed[row] <= _SURE * 2.0 * brake * way
-        if not free:
-            asked[count] = row
-            count += 1
-    return count
+            stops = straight and not free
+        if stops:
+            stopping[near] = row
+            near += 1
+        elif not free:
+            asked[many] = row
+            many += 1
+    return many, near

@@ -49,16 +49,16 @@ class SlowLinks:
 
     def __init__(self, n: int) -> None:
         self._newest_s = np.full(n, math.inf)
-        self.slow = np.zeros(n, np.bool_)
-        """(n,) of whom whatever they report has been flown long ago"""
-        self.any = False
 
     def receive(self, age_s: FloatArray, period_s: float) -> None:
         """Take in the vehicles' ages (n,), once a period."""
         self._newest_s += RISE * period_s
         np.minimum(age_s, self._newest_s, out=self._newest_s)
-        np.greater_equal(self._newest_s, SLOW_S, out=self.slow)
-        self.any = bool(self.slow.any())
+
+    def slow(self) -> NDArray[np.bool_]:
+        """(n,) of which vehicles whatever they report has been flown long ago; of none before the first ages."""
+        slow: NDArray[np.bool_] = (self._newest_s >= SLOW_S) & (self._newest_s < math.inf)
+        return slow
 
 
 @kernel()

@@ -56,7 +56,7 @@ class _Part(NamedTuple):
 
     role: str
     rows: IntArray
-    sysids: list[int]
+    sysids: tuple[int, ...]
 
 
 class _Team(NamedTuple):
@@ -64,7 +64,7 @@ class _Team(NamedTuple):
 
     key: tuple[frozenset[int], bytes, bytes]
     rows: IntArray
-    sysids: list[int]
+    sysids: tuple[int, ...]
     parts: list[_Part]
     flying: IntArray
     spheres: FloatArray
@@ -130,6 +130,7 @@ class Planner(TickPlanner):
             for target in vehicles.targets
         }
         self._targets = {target.sysid: target for target in vehicles.targets}
+        self._followed = vehicles.followed
         self._way_m = dict.fromkeys(self._paths, 0.0)
         self._slow = SlowLinks(n)
         reached_m = self._field.step_m
@@ -167,7 +168,7 @@ class Planner(TickPlanner):
         self._slots_of: dict[int, frozenset[int]] = {}
         self._followers: tuple[_Team, Mapping[int, int], list[_Followers]] | None = None
         none = np.zeros(0, np.int64)
-        self._team = _Team((frozenset(), b"", b""), none, [], [], none, np.zeros((0, COLUMNS)))
+        self._team = _Team((frozenset(), b"", b""), none, (), [], none, np.zeros((0, COLUMNS)))
 
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """`SetPoints` for the steered vehicles; each holds at the snapshot's time.
@@ -187,7 +188,7 @@ class Planner(TickPlanner):
             self._slow.receive(columns.age_s, period_s)
         team, leaders = self._team, self._leaders
         if not team.sysids:
-            return SetPoints([], _NO_PLACES, _NO_PLACES)
+            return SetPoints((), _NO_PLACES, _NO_PLACES)
         self._begin = leaders.q_ned.copy()
         np.copyto(leaders.lowest_d, self._floors.at(columns.ground_down_m))
         movers: tuple[FloatArray, FloatArray] | None = None
@@ -235,8 +236,8 @@ class Planner(TickPlanner):
         spheres = geometry.points(np.zeros((len(flying), 3)), self._radii_m[flying])
         return _Team(key, rows, self._named(rows), parts, flying, spheres)
 
-    def _named(self, rows: IntArray) -> list[int]:
-        return [self._sysids[row] for row in rows.tolist()]
+    def _named(self, rows: IntArray) -> tuple[int, ...]:
+        return tuple([self._sysids[row] for row in rows.tolist()])
 
     def _choose_courses(self) -> None:
         led = [row for row in self._courses.rows.tolist() if self._led[row]]
@@ -265,7 +266,8 @@ class Planner(TickPlanner):
                 self._follow_path(self._targets[sysid], row, moves=request.targets_move, period_s=request.period_s)
         elif part.role == "pursuer":
             np.copyto(leaders.goal_ned, leaders.q_ned)
-            self._keep_formation(request.snapshot.columns, request.pursuing)
+            if self._targets:
+                self._keep_formation(request.snapshot.columns, request.pursuing)
             self._follow_courses()
         else:
             leaders.goal_ned[rows], leaders.speed_m_s[rows] = self._waits_ned[rows], self._tanker_m_s[rows]
@@ -306,7 +308,7 @@ class Planner(TickPlanner):
         A target that is dead, silent, or not steered (it may be landing) leads no one: its pursuers hold.
         """
         leaders, rules = self._leaders, self._scenario.formation
-        for followers in self._grouped(self._scenario.vehicles.followed if pursuing is None else pursuing):
+        for followers in self._grouped(self._followed if pursuing is None else pursuing):
             row = self._row[followers.target]
             if not (columns.flying[row] and columns.fresh[row] and self._led[row]):
                 continue
@@ -395,8 +397,8 @@ class Planner(TickPlanner):
         columns, flying = snapshot.columns, self._team.flying
         v_ned = columns.v_ned[flying]
         at = self._here[flying] + v_ned * LOOKAHEAD_S
-        if self._rules.safety and self._slow.any:
-            for k in np.flatnonzero(self._slow.slow[flying] & columns.fresh[flying]).tolist():
+        if self._rules.safety:
+            for k in np.flatnonzero((self._slow.slow() & columns.fresh)[flying]).tolist():
                 at[k] = self._formed_on(int(flying[k]), columns)[0]
         table, ages_s = self._team.spheres, columns.age_s[flying]
         speeds = list(map(math.hypot, *v_ned.T.tolist()))

@@ -93,11 +93,12 @@ class SafePlanner(TickPlanner):
         every = sorted(vehicles.all, key=lambda vehicle: vehicle.sysid)
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(every)}
         n = len(every)
-        empty: Sequence[int] = ()
         self._led = np.zeros(n, np.bool_)
         self._p_ned, self._v_ned = np.zeros((n, 3)), np.zeros((n, 3))
         """leaders' places, m, and velocities, m/s"""
-        self._rows, self._sysids = np.zeros(0, np.int64), empty
+        self._sysids: tuple[int, ...] = ()
+        self._ids = self._rows = np.zeros(0, np.int64)
+        """of those that have a leader"""
         self.tracking = Tracking(n, LOOKAHEAD_S)
         speeds = {v.sysid: rules.cruise_m_s for v in vehicles.pursuers}
         speeds |= {t.sysid: CATCH_UP_SPEED * t.speed_m_s for t in vehicles.targets}
@@ -177,6 +178,7 @@ class SafePlanner(TickPlanner):
         if points.sysids is self._sysids:
             return
         self._sysids = points.sysids
+        self._ids = np.array(points.sysids, np.int64)
         self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
         kept = np.zeros(len(self._led), np.bool_)
         kept[self._rows] = True
@@ -201,7 +203,7 @@ class SafePlanner(TickPlanner):
         margin_m = np.minimum(np.maximum(self.tracking.error_m[rows] + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
         return filter_step(
             Leaders(
-                ids=points.sysids,
+                ids=self._ids,
                 p_ned=p,
                 v_ned=self._v_ned[rows],
                 v_max_m_s=self._speed_m_s[rows],

@@ -26,6 +26,7 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
+from gcs.recording.decision_lines import TickSetPoints
 from gcs.recording.digest import Digest
 from gcs.recording.recorder import Recorder
 from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
@@ -173,10 +174,10 @@ class Supervisor:
         relays = relayed(decision.relays, delivered)
         recording = TickRecord(self.time_ms, arrived, [], [])
         self._grant_all(set_points, snapshot, relays, recording)
-        recording.decisions += self._records(now_s, decision, set_points)
+        decisions = self._records(now_s, decision, set_points)
         flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
         self.metrics.update(snapshot, flown, pursuing)
-        recording.decisions += self._watch_goal(snapshot, decision.rendezvous.items())
+        recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.rendezvous.items())]
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
@@ -530,7 +531,9 @@ class Supervisor:
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or self.command_queue.awaits(ENDING)
 
-    def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
+    def _records(
+        self, t_s: float, decision: Decision, set_points: Sequence[SetPoint]
+    ) -> list[Mapping[str, Any] | TickSetPoints]:
         records, events = records_of_tick(
             t_s,
             decision,
@@ -543,7 +546,7 @@ class Supervisor:
         self.events += events
         interventions = self.planner.pop_records()
         self.events += [event_of(record) for record in interventions]
-        return self._new_records() + interventions + records
+        return [*self._new_records(), *interventions, *records]
 
     def _new_records(self) -> list[dict[str, Any]]:
         """Records of faults, of deaths and of operators' commands since the last call."""

@@ -462,9 +462,9 @@ class Supervisor:
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
             sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
-        recording.sent += sent
+        recording.sent = sent
         self.link.flush()
-        self.sent += len(recording.sent)
+        self.sent += len(sent)
         self.time_ms = grant_ms
 
     def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:

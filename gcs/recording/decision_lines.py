@@ -8,50 +8,85 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from itertools import groupby
-from typing import Any
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 
-SET_POINT_KEYS = 5
-_SET_POINT = '{"kind":"set_point","p_ned":[%s,%s,%s],"sysid":%s,"t_s":%s,"v_ned":[%s,%s,%s]}\n'
+if TYPE_CHECKING:
+    from gcs.mavlink.setpoints import SetPoint
+
+_SET_POINT = '{"kind":"set_point","p_ned":[%%s,%%s,%%s],"sysid":%d,"t_s":@,"v_ned":[%%s,%%s,%%s]}\n'
 _encode = json.JSONEncoder(sort_keys=True, allow_nan=False, separators=(",", ":")).encode
 _encode_numbers = msgspec.json.Encoder().encode
 _PLAIN = b"0123456789.,-"
 
 
-def decision_lines(decisions: Sequence[Mapping[str, Any]]) -> list[bytes]:
+class TickSetPoints(NamedTuple):
+    """All set points of one tick: a decision each."""
+
+    t_s: float
+    points: Sequence[SetPoint]
+
+    def decisions(self) -> list[dict[str, Any]]:
+        """Each as a decision."""
+        return [
+            {"t_s": self.t_s, "kind": "set_point", "sysid": sysid, "p_ned": p_ned, "v_ned": v_ned}
+            for sysid, p_ned, v_ned in self.points
+        ]
+
+
+Decisions = Sequence[Mapping[str, Any] | TickSetPoints]
+
+
+def each(decisions: Decisions) -> list[Mapping[str, Any]]:
+    """Decisions one by one."""
+    return [
+        decision
+        for some in decisions
+        for decision in (some.decisions() if isinstance(some, TickSetPoints) else (some,))
+    ]
+
+
+def decision_lines(decisions: Decisions) -> list[bytes]:
     """Each as its line: keys sorted, no NaN. Raises ValueError, TypeError as `json` does."""
     lines: list[bytes] = []
-    for are_set_points, run in groupby(decisions, lambda decision: decision.get("kind") == "set_point"):
-        some = list(run)
-        fast = _set_point_lines(some) if are_set_points else None
-        lines += fast if fast is not None else [_encode(decision).encode() + b"\n" for decision in some]
+    for some in decisions:
+        fast = _set_point_lines(some) if isinstance(some, TickSetPoints) else None
+        lines += [_encode(one).encode() + b"\n" for one in each([some])] if fast is None else fast
     return lines
 
 
-def _set_point_lines(points: Sequence[Mapping[str, Any]]) -> list[bytes] | None:
-    """The lines that `json` makes of set points. None where one is not the usual five keys with finite numbers: `json`
-    knows what is to become of it."""
-    flat: list[Any] = []
+def _set_point_lines(tick: TickSetPoints) -> list[bytes] | None:
+    """The lines that `json` makes of set points. None where one holds other things than finite numbers: `json` knows
+    what is to become of it."""
+    sysids: list[int] = []
+    flat: list[float] = []
+    for sysid, p_ned, v_ned in tick.points:
+        sysids.append(sysid)
+        flat += p_ned
+        flat += v_ned
     try:
-        for point in points:
-            (n, e, d), (v_n, v_e, v_d) = point["p_ned"], point["v_ned"]
-            flat += (n, e, d, point["sysid"], point["t_s"], v_n, v_e, v_d)
         text = _encode_numbers(flat)
-    except (KeyError, TypeError, ValueError):
+    except (TypeError, ValueError):
         return None
     other = text.translate(None, _PLAIN)
-    if other[1:-1].strip(b"e") or any(len(point) != SET_POINT_KEYS for point in points):
+    if other[1:-1].strip(b"e") or len(flat) != 6 * len(sysids) or any(type(sysid) is not int for sysid in sysids):
         return None
-    parts = text.decode()[1:-1].split(",")
+    parts = text.decode()[1:-1].split(",") if flat else []
     if other != b"[]" or b".0000" in text:
         parts = [
             _as_json(part, number) if "e" in part or ".0000" in part else part
             for part, number in zip(parts, flat, strict=True)
         ]
-    column = iter(parts)
-    return [(_SET_POINT % values).encode() for values in zip(*[column] * 8, strict=True)]
+    form = _form(tuple(sysids)).replace("@", _encode(tick.t_s))
+    return (form % tuple(parts)).encode().splitlines(keepends=True)
+
+
+@lru_cache(maxsize=4)  # the same vehicles are steered tick after tick
+def _form(sysids: tuple[int, ...]) -> str:
+    """Lines for the set points of these vehicles, without time and numbers."""
+    return "".join([_SET_POINT % sysid for sysid in sysids])
 
 
 def _as_json(part: str, number: Any) -> str:

@@ -9,19 +9,17 @@ from __future__ import annotations
 
 import contextlib
 import os
-import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Self
+from typing import Self
 
 from gcs.recording.changes import ChangeFilter
-from gcs.recording.decision_lines import decision_lines
+from gcs.recording.decision_lines import Decisions, decision_lines, each
 from gcs.recording.rotation import ROTATED, part
+from gcs.recording.tlog_frames import stamped
 
 TLOG, DECISIONS = ROTATED
 BATCH_BYTES = 1 << 16
-
-_TIME = struct.Struct(">Q").pack
 
 
 class RecorderError(Exception):
@@ -93,21 +91,18 @@ class Recorder:
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """Record frames in order, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
         if raws:
-            time = _TIME(t_us)
-            batch = self._tlog.batch
-            batch += time
-            batch += time.join(raws)
-            if len(batch) >= BATCH_BYTES or self._end is not None:
+            self._tlog.batch += stamped(t_us, raws)
+            if len(self._tlog.batch) >= BATCH_BYTES or self._end is not None:
                 self._write()
 
-    def decisions(self, decisions: Sequence[Mapping[str, Any]]) -> list[bytes]:
+    def decisions(self, decisions: Decisions) -> list[bytes]:
         """Record decisions, those that are to be written; the lines of all of them, for the digest.
 
         Raises ValueError for NaN or infinity in one, TypeError for what JSON has no form for; none is recorded then.
         """
         lines = written = decision_lines(decisions)
         if self._changes is not None:
-            written = [line for line, made in zip(lines, decisions, strict=True) if self._changes.is_change(made)]
+            written = [line for line, made in zip(lines, each(decisions), strict=True) if self._changes.is_change(made)]
         self._decisions.batch += b"".join(written)
         if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
             self._write()

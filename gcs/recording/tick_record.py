@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
+from gcs.recording.decision_lines import Decisions, TickSetPoints
 from gcs.refuelling.explain import sentence
 from gcs.scenario.guard import PluginFault
 from gcs.telemetry.events import Event, Level
@@ -24,9 +25,9 @@ class TickRecord:
     """Records of one tick, kept until the grants are out."""
 
     t_ms: int
-    arrived: list[bytes]
-    sent: list[bytes]
-    decisions: list[dict[str, Any]]
+    arrived: Sequence[bytes]
+    sent: Sequence[bytes]
+    decisions: Decisions
 
     def write(self, recorder: Recorder, digest: Digest, epoch_us: int) -> None:
         """Record and hash it; `epoch_us` is session time 0 in µs since 1970, UTC.
@@ -45,13 +46,13 @@ class TickRecord:
 def records_of_tick(
     t_s: float,
     decision: Decision,
-    set_points: Iterable[SetPoint],
+    set_points: Sequence[SetPoint],
     *,
     pursued: Iterable[Mapping[str, Any]],
     facts: Iterable[tuple[int, Fact]],
     problems: Iterable[PluginFault],
     competition_states: tuple[CompetitionState, CompetitionState],
-) -> tuple[list[dict[str, Any]], list[Event]]:
+) -> tuple[list[Mapping[str, Any] | TickSetPoints], list[Event]]:
     """Records and events of all that the tick at `t_s` decided or noticed, in the session's order.
 
     `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
@@ -59,10 +60,9 @@ def records_of_tick(
     """
     batteries = [{"kind": "battery", "sysid": sysid, **asdict(fact)} for sysid, fact in facts]
     blamed = [problem.record() for problem in problems]
-    records: list[dict[str, Any]] = [
-        {"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)
-    ]
-    events = [event_of(record) for record in records]
+    told = [{"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)]
+    events = [event_of(record) for record in told]
+    records: list[Mapping[str, Any] | TickSetPoints] = [*told]
     for competition_state, giver in zip(competition_states, ({}, {"giver": "base"}), strict=True):
         if competition_state.v:
             records.append(
@@ -76,10 +76,8 @@ def records_of_tick(
                     "share": competition_state.share,
                 }
             )
-    records += [
-        {"t_s": t_s, "kind": "set_point", "sysid": point.sysid, "p_ned": point.p_ned, "v_ned": point.v_ned}
-        for point in set_points
-    ]
+    if set_points:
+        records.append(TickSetPoints(t_s, set_points))
     return records, events
 
 

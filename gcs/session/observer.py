@@ -36,9 +36,10 @@ from gcs.session.messages import event_row, goal_of, goal_state, session_message
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.track import Member
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan

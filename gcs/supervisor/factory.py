@@ -16,7 +16,8 @@ from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
 from gcs.supervisor.faults import radio_faults
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
+from gcs.telemetry.track import Member
 
 _SHARES = {"loss", "delay_s", "jitter_s", "duplicate", "reorder"}
 

@@ -22,7 +22,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.changes import ChangeFilter
-from gcs.recording.decision_lines import decision_lines
+from gcs.recording.decision_lines import Decisions, decision_lines, each
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
@@ -140,7 +140,7 @@ class RecordedLink(TickLink):
         self._granted.add(key)
         return []
 
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
+    def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         self._granted.update(grants.keys)
         return []
 
@@ -162,10 +162,10 @@ class Comparer:
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """As `Recorder.frames`."""
 
-    def decisions(self, decisions: Sequence[Mapping[str, Any]]) -> list[bytes]:
+    def decisions(self, decisions: Decisions) -> list[bytes]:
         """As `Recorder.decisions`."""
         lines = decision_lines(decisions)
-        for line, decision in zip(lines, decisions, strict=True):
+        for line, decision in zip(lines, each(decisions), strict=True):
             written = self._changes is None or self._changes.is_change(decision)
             if written and decision["kind"] not in INPUTS:
                 self.made.append(json.loads(line))

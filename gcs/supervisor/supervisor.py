@@ -26,6 +26,7 @@ from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
+from gcs.recording.decision_lines import TickSetPoints
 from gcs.recording.digest import Digest
 from gcs.recording.recorder import Recorder
 from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
@@ -120,6 +121,9 @@ class Supervisor:
         """in the vehicles' sequence numbers, after the radio"""
         self.quality = LinkQuality(self.gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
+        self._greeting_due_ms = 0
+        self._granted_of: set[Key] = set()
+        self._keys: list[Key] = []
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -177,10 +181,10 @@ class Supervisor:
         relays = relayed(decision.relays, delivered)
         recording = TickRecord(self.time_ms, arrived, [], [])
         self._grant_all(set_points, snapshot, relays, recording)
-        recording.decisions += self._records(now_s, decision, set_points)
+        decisions = self._records(now_s, decision, set_points)
         flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
         self.metrics.update(snapshot, flown, pursuing)
-        recording.decisions += self._watch_goal(snapshot, decision.rendezvous.items())
+        recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.rendezvous.items())]
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
@@ -454,11 +458,9 @@ class Supervisor:
     ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         grant_ms = self.time_ms + self._periods * self.period_ms
-        keys = [key for key in sorted(self.link.joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        keys = self._granted(grant_ms)
         points = self._placed(set_points, snapshot)
-        greeted = {key[0] for key in keys if key != TRAFFIC and self.time_ms >= self._heartbeat_due_ms[key[0]]}
-        for sysid in greeted:
-            self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
+        greeted = self._greeted(keys)
         more = {}
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.rows else []
@@ -467,10 +469,28 @@ class Supervisor:
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
             sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
-        recording.sent += sent
+        recording.sent = sent
         self.link.flush()
-        self.sent += len(recording.sent)
+        self.sent += len(sent)
         self.time_ms = grant_ms
+
+    def _granted(self, grant_ms: int) -> Sequence[Key]:
+        """Those who may fly until then, in order."""
+        joined = self.link.joined
+        if joined != self._granted_of or len(self._keys) < len(joined):
+            self._granted_of, self._greeting_due_ms = set(joined), 0
+            self._keys = [key for key in sorted(joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        return self._keys
+
+    def _greeted(self, keys: Iterable[Key]) -> set[int]:
+        """System ids of those whose HEARTBEAT is due."""
+        now_ms, due_ms = self.time_ms, self._heartbeat_due_ms
+        if now_ms < self._greeting_due_ms:
+            return set()
+        greeted = {key[0] for key in keys if key != TRAFFIC and now_ms >= due_ms[key[0]]}
+        due_ms |= dict.fromkeys(greeted, now_ms + round(1e3 * HEARTBEAT_EVERY_S))
+        self._greeting_due_ms = min((due_ms[key[0]] for key in keys if key != TRAFFIC), default=0)
+        return greeted
 
     def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
         """Set points in their vehicles' own frames, which are asked for again where one may have changed."""
@@ -540,7 +560,9 @@ class Supervisor:
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or self.command_queue.awaits(ENDING)
 
-    def _records(self, t_s: float, decision: Decision, set_points: Iterable[SetPoint]) -> list[dict[str, Any]]:
+    def _records(
+        self, t_s: float, decision: Decision, set_points: Sequence[SetPoint]
+    ) -> list[Mapping[str, Any] | TickSetPoints]:
         records, events = records_of_tick(
             t_s,
             decision,
@@ -553,7 +575,7 @@ class Supervisor:
         self.events += events
         interventions = self.planner.pop_records()
         self.events += [event_of(record) for record in interventions]
-        return self._new_records() + interventions + records
+        return [*self._new_records(), *interventions, *records]
 
     def _new_records(self) -> list[dict[str, Any]]:
         """Records of faults, of deaths and of operators' commands since the last call."""

@@ -29,10 +29,11 @@ class FleetColumns:
     that is not known."""
     alive: Flags
     armed: Flags
-    flying: Flags
-    fresh: Flags
     steerable: Flags
     """whether it is in a mode in which it may fly set points"""
+    landed: Flags
+    flying: Flags
+    fresh: Flags
     p_ned: Floats
     """(n, 3) m; NaN where it is unknown, as in `p_now_ned`"""
     v_ned: Floats

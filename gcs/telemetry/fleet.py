@@ -19,42 +19,34 @@ import numpy as np
 import pymap3d
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink.autopilots import GENERIC, FlightMode, Profile, profile_of
 from gcs.mavlink.codec import Frame, fields
-from gcs.mavlink.common_frame import FramePlace, frame_place, turned
+from gcs.mavlink.common_frame import FramePlace, frame_place
 from gcs.mavlink.datagram import FrameRun, frame_at
-from gcs.mavlink.statustext import Texts
-from gcs.telemetry import plausibility
-from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount, Fact
+from gcs.telemetry import energy, plausibility
+from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
+from gcs.telemetry.columns import FleetColumns
+from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, POWER_W, REMAINING_J, fill
 from gcs.telemetry.readings import (
-    AUTOPILOT,
-    BASE_MODE,
     CLOCK_S,
-    CUSTOM_MODE,
     ELSEWHERE,
     END,
     FOUND,
-    LANDED,
-    LANDED_REPORTED,
     MESSAGES,
     MODE,
     PLACE,
-    SYSTEM_STATUS,
+    READINGS,
     kept_elsewhere,
-    new_readings,
     read,
 )
-from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3
+from gcs.telemetry.track import Instant, Member, VehicleTrack
 
-LANDED_M = 0.3
-"""A vehicle that does not report whether it has landed is in the air above this height."""
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
 MOST_TRAFFIC = 256
 """Aircraft that are kept at once; of further ones nothing is."""
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
-_FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
 
 
 @dataclass(frozen=True)
@@ -66,109 +58,11 @@ class GlobalOrigin:
     alt_m: float
 
 
-@dataclass(frozen=True)
-class Member:
-    """A vehicle's data from the scenario, before it reports anything itself."""
-
-    sysid: int
-    role: str
-    label: str
-    capacity_j: float
-    initial_j: float
-    external: bool = False
-    """not launched by the session: its clock is its own, and it may lack any message"""
-    profile: Profile | None = None
-    """whose habits it has; None: as its HEARTBEAT says"""
-    battery_apart: bool = False
-    """its battery takes energy whatever its autopilot does"""
-    airborne: bool = False
-    """launched in the air, where it is until it reports that it has landed; its frame is the common one"""
-
-
-class _Track:
-    """The latest of everything that one vehicle has reported."""
-
-    def __init__(self, member: Member) -> None:
-        self.member = member
-        self.alive = True
-        self.profile = member.profile or GENERIC
-        self.readings = new_readings()
-        self.readings[[LANDED, LANDED_REPORTED]] = not member.airborne, not member.external
-        if not member.external:
-            self.readings[CLOCK_S] = 0.0
-        self.home_amsl_m: float | None = None
-        self.home_down_m: float | None = None
-        self.mode = FlightMode.OTHER
-        self.custom_mode = 0
-        self.system_status = 0
-        self.armed = False
-        self.offset: Vec3 | None = None
-        self.turn_rad = 0.0
-        self.origin_alt_m = 0.0
-        self.origin_reported = False
-        self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
-        self.given_reported_s = self.received_reported_s = -math.inf
-        self.texts = Texts()
-        self.doubt = ""
-        self.doubted_s = -math.inf
-
-    def doubts(self, why: str, time_s: float) -> bool:
-        """Whether there is a reason not to believe what is told at a time; it is remembered."""
-        if why:
-            self.doubt, self.doubted_s = why, time_s
-        return bool(why)
-
-    def view(self, now_s: float) -> VehicleView:
-        (
-            north, east, down, v_north, v_east, v_down, position_s, heading_rad, roll_rad, pitch_rad,
-            landed_last, landed_reported, effort, effort_s, _, _, _, _, received_s, _,
-        ) = self.readings.tolist()  # fmt: skip
-        p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
-        v_ned: Vec3 = (v_north, v_east, v_down)
-        p_ned, offset = None, self.offset
-        if p_local is not None and offset is not None:
-            north, east, down = turned(p_local, self.turn_rad) if self.turn_rad else p_local
-            p_ned = (north + offset[0], east + offset[1], down + offset[2])
-        ground_down_m = self.home_down_m
-        if ground_down_m is None and offset is not None:
-            ground_down_m = offset[2]
-        landed = landed_last == 1.0
-        if not landed_reported and p_ned is not None and ground_down_m is not None:
-            landed = ground_down_m - p_ned[2] < LANDED_M
-        member, battery, turn_rad = self.member, self.battery, self.turn_rad
-        doubt = self.doubt if now_s - self.doubted_s < plausibility.DOUBTED_S else ""
-        # By place: by name it takes three times as long, once a tick and vehicle.
-        return VehicleView(
-            member.sysid, member.role, member.label, self.alive, self.profile, self.mode, self.armed, landed,
-            received_s,
-            p_ned,
-            turned(v_ned, turn_rad) if turn_rad else v_ned,
-            max(now_s - position_s, 0.0),
-            heading_rad + turn_rad,
-            offset,
-            self.origin_alt_m if self.home_amsl_m is None else self.home_amsl_m,
-            battery.capacity_j, battery.initial_j, battery.reported,
-            battery.drawn_j, battery.received_j, battery.given_j, self.given_reported_s,
-            battery.power_w, str(battery.source),
-            effort,
-            ground_down_m,
-            self.custom_mode,
-            turn_rad,
-            self.armed and self.system_status in _FAILSAFE,
-            p_local,
-            doubt or plausibility.charge(battery.remaining_j, battery.capacity_j),
-            roll_rad, pitch_rad,
-            self.received_reported_s,
-            max(now_s - effort_s, 0.0) if effort_s == effort_s else 0.0,  # noqa: PLR0124 - NaN is not
-            member.battery_apart,
-        )  # fmt: skip
-
-
 class Fleet:
     """Collects telemetry; `snapshot` is what everything else reads."""
 
     def __init__(self, members: Iterable[Member], origin: GlobalOrigin) -> None:
-        self._tracks = {member.sysid: _Track(member) for member in sorted(members, key=lambda m: m.sysid)}
+        self._tracks = {member.sysid: VehicleTrack(member) for member in members}
         self.origin = origin
         for track in self._tracks.values():
             if track.member.airborne:  # it holds unless it soon gets set points, which need its place
@@ -178,6 +72,27 @@ class Fleet:
         self.acks: list[tuple[int, Any]] = []
         self.facts: list[tuple[int, Fact]] = []
         self._found = np.zeros(FOUND)
+        self._stamps = np.zeros(0, np.int64)
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Let the vehicles live in tables with a row each, in order of system id; all get a new stamp."""
+        self._tracks = dict(sorted(self._tracks.items()))
+        count = len(self._tracks)
+        self._rows = {sysid: row for row, sysid in enumerate(self._tracks)}
+        self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
+        self._accounts = np.zeros(count, energy.ACCOUNT)
+        self._seen, self._stamps = np.full(count, -1), np.full(count, self._stamps.max(initial=0) + 1)
+        for row, track in enumerate(self._tracks.values()):
+            track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
+        self._statuses = [track.status() for track in self._tracks.values()]
+
+    def _settle(self, track: VehicleTrack) -> None:
+        """After something else than figures may have changed."""
+        row, status = self._rows[track.member.sysid], track.status()
+        if status != self._statuses[row]:
+            self._statuses[row] = status
+            self._stamps[row] += 1
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
@@ -197,7 +112,7 @@ class Fleet:
         for frame in frames:
             self.ingest(frame, time_s)
 
-    def _read(self, track: _Track, data: bytes, begin: int, end: int, time_s: float) -> None:
+    def _read(self, track: VehicleTrack, data: bytes, begin: int, end: int, time_s: float) -> None:
         """Read the frames of one vehicle, which lie there whole and one after the other."""
         battery, found = track.battery, self._found
         while begin < end:
@@ -209,28 +124,35 @@ class Fleet:
                 begin += len(frame.raw)
                 _HANDLERS[frame.msgid](self, track, fields(frame), time_s)
             elif why == MODE:
-                self._mode(track)
+                track.take_mode()
             elif why == PLACE:
                 fault, moved_m = found[:2].tolist()
                 track.doubts(plausibility.impossible_place(int(fault), moved_m), time_s)
             else:
-                track.doubts(battery.taken(time_s, *found.tolist()), time_s)
+                source = battery.source
+                doubted = track.doubts(battery.taken(time_s, *found.tolist()), time_s)
                 if battery.facts:
                     self.facts += [(track.member.sysid, fact) for fact in battery.facts]
                     battery.facts.clear()
+                if battery.source is source and not doubted:
+                    track.facts[POWER_W] = battery.power_w
+                    continue
+            self._settle(track)
 
     def join(self, member: Member) -> None:
         """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""
-        self._tracks[member.sysid] = _Track(member)
-        self._tracks = dict(sorted(self._tracks.items()))
+        self._tracks[member.sysid] = VehicleTrack(member)
+        self._lay_out()
 
     def lost(self, sysid: int) -> None:
         """A vehicle's process has died."""
         self._tracks[sysid].alive = False
+        self._settle(self._tracks[sysid])
 
     def found(self, sysid: int) -> None:
         """A vehicle that was lost reports again."""
         self._tracks[sysid].alive = True
+        self._settle(self._tracks[sysid])
 
     def set_clock(self, sysid: int, offset_s: float) -> None:
         """Offset from this vehicle's own time to the session's, s."""
@@ -255,28 +177,33 @@ class Fleet:
     def book(self, sysid: int, joules: int) -> None:
         """Energy that a vehicle was given by a base and cannot report itself."""
         self._tracks[sysid].battery.book(joules)
+        self._settle(self._tracks[sysid])
 
     def snapshot(self, time_s: float) -> FleetSnapshot:
         """Everything known at a session time."""
-        return FleetSnapshot(
-            time_s,
-            tuple(track.view(time_s) for track in self._tracks.values()),
-            tuple(
-                TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
-                for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
-                if time_s - seen_s <= TRAFFIC_FORGOTTEN_S
-            ),
+        count = len(self._statuses)
+        flags, places = np.empty((FLAGS, count), np.bool_), np.empty((PLACES, count, 3))
+        figures = np.empty((FIGURES, count))
+        fill(time_s, self._readings, self._facts, self._accounts, self._seen, self._stamps, flags, places, figures)
+        columns = FleetColumns(
+            tuple(self._rows),
+            self._rows,
+            self._stamps.copy(),
+            *flags,
+            *places,
+            *figures[: REMAINING_J + 1],
         )
+        instant = Instant(
+            time_s, tuple(self._statuses), self._readings.copy(), self._facts.copy(), flags, places, figures
+        )
+        traffic = tuple(
+            TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
+            for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
+            if time_s - seen_s <= TRAFFIC_FORGOTTEN_S
+        )
+        return FleetSnapshot.of_columns(time_s, columns, instant.view, traffic)
 
-    def _mode(self, track: _Track) -> None:
-        """Take over what the last HEARTBEAT told."""
-        autopilot, *modes = map(int, track.readings[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]])
-        track.custom_mode, base_mode, track.system_status = modes
-        track.profile = track.member.profile or profile_of(autopilot)
-        track.mode = track.profile.mode(track.custom_mode)
-        track.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
-
-    def _global_origin(self, track: _Track, content: Any, time_s: float) -> None:
+    def _global_origin(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
             return
         told = (1e-7 * content.latitude, 1e-7 * content.longitude, 1e-3 * content.altitude)
@@ -290,7 +217,7 @@ class Fleet:
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True
 
-    def _home(self, track: _Track, content: Any, time_s: float) -> None:
+    def _home(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
         if not track.member.external:
             return
@@ -309,29 +236,29 @@ class Fleet:
         track.offset, track.turn_rad = frame_place(float(lat_deg), float(lon_deg), alt_m, *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
 
-    def _named_int(self, track: _Track, content: Any, time_s: float) -> None:
+    def _named_int(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.name not in (RECEIVED, GIVEN):
             return
         if track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
             return
-        reported_s = _session_s(track, content.time_boot_ms, time_s)
+        reported_s = track.session_s(content.time_boot_ms, time_s)
         if content.name == GIVEN:
             track.given_reported_s = max(track.given_reported_s, reported_s)
         else:
             track.received_reported_s = max(track.received_reported_s, reported_s)
 
-    def _parameter(self, track: _Track, content: Any, time_s: float) -> None:
+    def _parameter(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.param_id in BATTERY_PARAMETERS:
             value = track.profile.parameter(content.param_value, content.param_type)
             track.doubts(track.battery.parameter(content.param_id, value), time_s)
 
-    def _statustext(self, track: _Track, content: Any, time_s: float) -> None:
+    def _statustext(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
 
-    def _ack(self, track: _Track, content: Any, time_s: float) -> None:
+    def _ack(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))
 
-    def _traffic_of(self, track: _Track, content: Any, time_s: float) -> None:
+    def _traffic_of(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self._receive_traffic(content, time_s)
 
     def _receive_traffic(self, content: Any, time_s: float) -> None:
@@ -360,13 +287,7 @@ def _origin_place(told: Vec3, external: bool, origin: GlobalOrigin) -> FramePlac
     return frame_place(*told, *astuple(origin)) if external else FramePlace(_ned(*told, origin), 0.0)
 
 
-def _session_s(track: _Track, boot_ms: int, time_s: float) -> float:
-    """When a vehicle said something, by its own clock if that is known; it was not later than now."""
-    offset_s = float(track.readings[CLOCK_S])
-    return time_s if math.isnan(offset_s) else min(boot_ms / 1e3 + offset_s, time_s)
-
-
-_HANDLERS: Mapping[int, Callable[[Fleet, _Track, Any, float], None]] = {
+_HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN: Fleet._global_origin,
     mav.MAVLINK_MSG_ID_HOME_POSITION: Fleet._home,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_INT: Fleet._named_int,

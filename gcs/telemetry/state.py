@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -146,30 +147,50 @@ class TrafficView:
     age_s: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class FleetSnapshot:
-    """The fleet at one instant of the session; vehicles in order of system id."""
+    """The fleet at one instant of the session; vehicles in order of system id.
+
+    Views, and columns, are made when somebody first asks for them.
+    """
 
     time_s: float
     vehicles: tuple[VehicleView, ...]
     traffic: tuple[TrafficView, ...]
-    _by_sysid: dict[int, VehicleView] = field(init=False, repr=False, compare=False)
-    _columns: FleetColumns | None = field(init=False, repr=False, compare=False, default=None)
 
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "_by_sysid", {view.sysid: view for view in self.vehicles})
+    @classmethod
+    def of_columns(
+        cls, time_s: float, columns: FleetColumns, view: Callable[[int], VehicleView], traffic: tuple[TrafficView, ...]
+    ) -> FleetSnapshot:
+        """A snapshot that has its columns; `view` makes the view of a row."""
+        snapshot = cls.__new__(cls)
+        snapshot.__dict__.update(time_s=time_s, columns=columns, traffic=traffic, _view=view, _views={})
+        return snapshot
 
-    @property
+    def __getattr__(self, name: str) -> tuple[VehicleView, ...]:
+        """Makes `vehicles` where they are not there yet."""
+        if name != "vehicles" or "columns" not in self.__dict__:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        views: tuple[VehicleView, ...] = tuple(map(self.vehicle, self.columns.sysids))
+        self.__dict__["vehicles"] = views
+        return views
+
+    @cached_property
     def columns(self) -> FleetColumns:
         """The vehicles as arrays, a row for each in the same order."""
-        if self._columns is None:
-            object.__setattr__(self, "_columns", _columns_of(self.vehicles))
-        assert self._columns is not None
-        return self._columns
+        return _columns_of(self.vehicles)
+
+    @cached_property
+    def _views(self) -> dict[int, VehicleView]:
+        return {view.sysid: view for view in self.vehicles}
 
     def vehicle(self, sysid: int) -> VehicleView:
         """The vehicle with this id; KeyError where the scenario has none."""
-        return self._by_sysid[sysid]
+        view = self._views.get(sysid)
+        if view is None:
+            row = self.columns.row[sysid]
+            view = self._views[sysid] = self.__dict__["_view"](row)
+        return view
 
     def of_role(self, role: str) -> tuple[VehicleView, ...]:
         """All vehicles of a role."""
@@ -189,9 +210,10 @@ def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
         np.full(len(views), UNSTAMPED),
         alive=_flags([view.alive for view in views]),
         armed=_flags([view.armed for view in views]),
+        steerable=_flags([view.mode in STEERABLE for view in views]),
+        landed=_flags([view.landed for view in views]),
         flying=_flags([view.flying for view in views]),
         fresh=_flags([view.fresh for view in views]),
-        steerable=_flags([view.mode in STEERABLE for view in views]),
         p_ned=_rows([view.p_ned or _UNKNOWN for view in views]),
         v_ned=_rows([view.v_ned for view in views]),
         p_now_ned=_rows([view.p_now_ned() if there else _UNKNOWN for view, there in zip(views, known, strict=True)]),

@@ -9,7 +9,8 @@ import pytest
 from gcs.mavlink import codec
 from gcs.mavlink.common_frame import Vec3, frame_place, turned
 from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
+from gcs.telemetry.track import Member
 
 COMMON = (47.397742, 8.545594, 488.0)
 RADIUS_M = 6_371_000.0

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import textwrap
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gcs.frame_spans import FrameSpans
 from gcs.mavlink import codec
-from gcs.recording.decision_lines import decision_lines
+from gcs.mavlink.setpoints import SetPoint
+from gcs.recording.decision_lines import TickSetPoints, decision_lines, each
 from gcs.recording.digest import Digest
 from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Recorder, RecorderError
 
@@ -50,6 +52,21 @@ def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
     log.close()
 
 
+def test_frames_side_by_side_are_recorded_and_counted_as_frames_apart(tmp_path: Path) -> None:
+    raws = [attitude(k, sysid=k % 5 + 1) for k in range(40)]
+    gaps, ends = b"?" + b"?".join(raws), np.cumsum([len(raw) + 1 for raw in raws])
+    apart = FrameSpans(gaps, np.array([(end - len(raw), end) for raw, end in zip(raws, ends, strict=True)]))
+    assert list(apart) == raws
+    for name, frames in (("apart", raws), ("side by side", apart)):
+        (tmp_path / name).mkdir()
+        with Recorder(tmp_path / name) as recorder:
+            recorder.frames(EPOCH_US, frames)
+            recorder.frames(EPOCH_US, frames[:0])
+    recorded = {(tmp_path / name / TLOG).read_bytes() for name in ("apart", "side by side")}
+    assert recorded == {b"".join(struct.pack(">Q", EPOCH_US) + raw for raw in raws)}
+    assert digest_of((100, raws, [])) == digest_of((100, list(apart), [])) == digest_of((100, apart, []))
+
+
 def test_decisions_are_one_sorted_json_line_each(tmp_path: Path) -> None:
     decisions = [{"t_s": 0.1, "kind": "win", "bids": {"3": 0.5}}, {"kind": "läuft\n"}]
     with Recorder(tmp_path) as recorder:
@@ -68,14 +85,21 @@ def test_decision_with_no_number_is_refused_and_leaves_no_trace(tmp_path: Path, 
     assert (tmp_path / DECISIONS).read_text() == '{"value":1}\n'
 
 
-@pytest.mark.parametrize("t_s", [0.1, 0, 1e300, True])
+def json_line(decision: Mapping[str, Any]) -> bytes:
+    return json.dumps(decision, sort_keys=True, separators=(",", ":")).encode() + b"\n"
+
+
+def set_point(t_s: Any, sysid: Any, p_ned: Any, v_ned: Any) -> dict[str, Any]:
+    return {"t_s": t_s, "kind": "set_point", "sysid": sysid, "p_ned": p_ned, "v_ned": v_ned}
+
+
+@pytest.mark.parametrize("t_s", [0.1, 0, 1e300, 1e-7, True])
 @pytest.mark.parametrize("number", [0.1, -0.0, 1e-7, 1e22, 3, np.float64(2.5), 5e-324, 1.7e308])
-@pytest.mark.parametrize("more", [{}, {"more": 1}])
-def test_a_set_point_is_the_line_that_json_makes_of_it(number: float, t_s: float, more: dict[str, int]) -> None:
-    point = {"t_s": t_s, "kind": "set_point", "sysid": 7, "p_ned": (number, 1.5, -2.0), "v_ned": (0.0, number, 1.0)}
-    point |= more
-    expected = json.dumps(point, sort_keys=True, separators=(",", ":")).encode() + b"\n"
-    assert decision_lines([point]) == [expected]
+def test_a_set_point_is_the_line_that_json_makes_of_it(number: float, t_s: float) -> None:
+    point = SetPoint(7, (number, 1.5, -2.0), (0.0, number, 1.0))
+    expected = json_line(set_point(t_s, *point))
+    assert decision_lines([TickSetPoints(t_s, [point])]) == [expected]
+    assert decision_lines([set_point(t_s, *point) | {"more": 1}]) == [json_line(set_point(t_s, *point) | {"more": 1})]
 
 
 def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
@@ -83,26 +107,25 @@ def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
     random = np.random.default_rng(5)
     sizes = 10.0 ** random.integers(-9, 20, (4000, 6))
     values = (random.normal(size=(4000, 6)) * sizes * (random.random((4000, 6)) < 0.9)).tolist()
-    decisions: list[dict[str, Any]] = [
-        {"t_s": k / 10, "kind": "set_point", "sysid": k % 254 + 1, "p_ned": tuple(row[:3]), "v_ned": tuple(row[3:])}
-        for k, row in enumerate(values)
-    ]
-    decisions[100:100] = [{"kind": "win", "t_s": 1e-7}, {}]
-    strange = {"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (0.0, 1.0, 2.0), "v_ned": (0.0, 0.0, 0.0)}
-    odd = ({"sysid": True}, {"sysid": None}, {"t_s": "e"}, {"p_ned": ("-", ",", "ä")}, {"p_ned": ([1.5], {}, 1)})
-    decisions += [strange | one for one in odd]
-    expected = [json.dumps(one, sort_keys=True, separators=(",", ":")).encode() + b"\n" for one in decisions]
-    assert decision_lines(decisions) == expected
+    points: list[Any] = [SetPoint(k % 254 + 1, tuple(row[:3]), tuple(row[3:])) for k, row in enumerate(values)]
+    odd = (True, (0.0,) * 3), (None, (0.0,) * 3), (7, ("-", ",", "ä")), (7, ([1.5], {}, 1)), (7, (1.0, 2.0))
+    points += [SetPoint(sysid, p_ned, (0.0, 0.0, 0.0)) for sysid, p_ned in odd]
+    expected = [json_line(set_point(0.3, *point)) for point in points]
+    assert decision_lines([TickSetPoints(0.3, points)]) == expected
     for k in range(0, 4000, 50):  # as many as a tick has: those with an odd one among them go another way
-        assert decision_lines(decisions[k : k + 50]) == expected[k : k + 50]
+        tick = TickSetPoints(0.3, points[k : k + 50])
+        other = {"kind": "win", "t_s": 1e-7}
+        assert decision_lines([other, tick, {}]) == [json_line(other), *expected[k : k + 50], b"{}\n"]
+        assert [json_line(one) for one in each([tick])] == expected[k : k + 50]
+    assert decision_lines([TickSetPoints(0.3, [])]) == []
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
     with pytest.raises(ValueError, match="JSON"):
-        decision_lines(
-            [{"t_s": 0.1, "kind": "set_point", "sysid": 7, "p_ned": (bad, 0.0, 0.0), "v_ned": (0.0, 0.0, 0.0)}]
-        )
+        decision_lines([TickSetPoints(0.1, [SetPoint(7, (bad, 0.0, 0.0), (0.0, 0.0, 0.0))])])
+    with pytest.raises(ValueError, match="JSON"):
+        decision_lines([TickSetPoints(bad, [SetPoint(7, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))])])
 
 
 def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:
@@ -201,7 +224,9 @@ def test_full_device_is_told_as_such() -> None:
     assert run.stdout == "/session/session.tlog cannot be written: no space left on device; recording has ended.\n"
 
 
-def digest_of(*ticks: tuple[int, list[bytes], list[bytes]], decisions: tuple[dict[str, float], ...] = ()) -> str:
+def digest_of(
+    *ticks: tuple[int, Sequence[bytes], Sequence[bytes]], decisions: tuple[dict[str, float], ...] = ()
+) -> str:
     digest = Digest()
     for t_ms, came, went in ticks:
         digest.frames_in(t_ms, came)

@@ -10,7 +10,8 @@ from gcs.mavlink.command_protocol import CommandResult, CommandTarget
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, ExternalFleet
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
+from gcs.telemetry.track import Member
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 

@@ -9,8 +9,9 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import PX4, FlightMode, Profile
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from gcs.telemetry.track import Member
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 DEG_E7 = (473977420, 85455940, 488000)

@@ -13,8 +13,9 @@ from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
 from gcs.mavlink.datagram import runs_of
 from gcs.telemetry import energy, fleet, plausibility, readings
-from gcs.telemetry.fleet import Fleet, GlobalOrigin, Member
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.readings import FOUND, new_readings, read
+from gcs.telemetry.track import Member
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 NOTHING = readings.kept_elsewhere((), ())

@@ -1,0 +1,93 @@
+"""A snapshot's columns against its views, which are made one by one in Python; and the stamps against their words."""
+
+import random
+from dataclasses import fields
+
+import numpy as np
+
+from gcs.mavlink.codec import Frame
+from gcs.telemetry.columns import FleetColumns
+from gcs.telemetry.fleet import Fleet, GlobalOrigin
+from gcs.telemetry.state import FleetSnapshot, VehicleView
+from gcs.telemetry.track import Member
+from tests.gcs.telemetry.test_fleet import DEG_E7, battery, counter, frame, heartbeat, parameter, position
+
+ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
+FIGURES = {
+    "last_received_s", "p_ned", "p_local_ned", "v_ned", "age_s", "heading_rad", "roll_rad", "pitch_rad", "capacity_j",
+    "initial_j", "drawn_j", "power_w", "control_effort", "effort_age_s", "given_reported_s", "received_reported_s",
+}  # fmt: skip
+
+
+def origin(sysid: int, lat: int, lon: int) -> Frame:
+    return frame("GPS_GLOBAL_ORIGIN", sysid=sysid, latitude=lat, longitude=lon, altitude=DEG_E7[2])
+
+
+def said(chance: random.Random, now_s: float) -> Frame:
+    """Something that a vehicle may say, now and then what cannot be."""
+    sysid, t_ms = chance.choice((3, 4, 9)), round(1e3 * now_s)
+    at = tuple(chance.choice((-1.0, 0.1, 2.5, -40.0)) * chance.random() for _ in range(3))
+    return chance.choice(
+        (
+            lambda: heartbeat(chance.choice((6 << 16, 4 << 16)), chance.choice((0x81, 0x01)), sysid=sysid),
+            lambda: position(t_ms, at, (0.3, -0.2, 0.1), sysid=sysid),
+            lambda: position(t_ms, (9e7, 0.0, 0.0), sysid=sysid),
+            lambda: origin(sysid, DEG_E7[0] + chance.randrange(900), DEG_E7[1] + chance.randrange(900)),
+            lambda: frame("EXTENDED_SYS_STATE", sysid=sysid, landed_state=chance.choice((1, 2))),
+            lambda: battery(energy_consumed=chance.choice((1, 40, 9_000))),
+            lambda: counter("XferIn", chance.choice((0, 500)), t_ms),
+            lambda: parameter("SIM_BAT_CAP_J", chance.choice((24_000.0, 900.0))),
+            lambda: frame("ATTITUDE", sysid=sysid, roll=0.1, yaw=chance.random()),
+        )
+    )()
+
+
+def told(snapshot: FleetSnapshot) -> list[tuple[object, ...]]:
+    """All of each vehicle but figures."""
+    unread = [
+        view._replace(**dict.fromkeys(FIGURES), doubt=view.doubt.split(" would hold ")[0]) for view in snapshot.vehicles
+    ]
+    known = [(view.p_ned is None, view.last_received_s >= 0.0, view.fresh) for view in snapshot.vehicles]
+    return [(*one, *other) for one, other in zip(unread, known, strict=True)]
+
+
+def made_of_views(snapshot: FleetSnapshot) -> FleetColumns:
+    return FleetSnapshot(snapshot.time_s, snapshot.vehicles, snapshot.traffic).columns
+
+
+def test_columns_are_the_views_and_stamps_move_with_all_that_is_no_figure() -> None:
+    changes = 0
+    for seed in range(12):
+        chance = random.Random(seed)
+        members = [Member(sysid, "pursuer", f"p {sysid}", 24_000.0, 18_000.0, external=sysid == 9) for sysid in (9, 3)]
+        fleet = Fleet(members, ORIGIN)
+        fleet.join(Member(4, "tanker", "t", 24_000.0, 18_000.0, airborne=True))
+        earlier: list[tuple[FleetSnapshot, tuple[VehicleView, ...]]] = []
+        last = fleet.snapshot(0.0)
+        for tick in range(1, 80):
+            now_s = tick * chance.choice((0.1, 0.1, 0.9))
+            for _ in range(chance.randrange(4)):
+                fleet.ingest(said(chance, now_s), now_s)
+            if chance.random() < 0.05:
+                (fleet.lost if chance.random() < 0.5 else fleet.found)(3)
+            snapshot = fleet.snapshot(now_s)
+            if tick % 3:
+                assert fleet.snapshot(now_s).vehicles == snapshot.vehicles
+            else:
+                earlier.append((snapshot, fleet.snapshot(now_s).vehicles))
+            expected = made_of_views(fleet.snapshot(now_s))
+            for field in fields(FleetColumns):
+                if field.name not in ("stamps", "sysids"):
+                    actual = getattr(snapshot.columns, field.name)
+                    np.testing.assert_array_equal(actual, getattr(expected, field.name), err_msg=field.name)
+            assert list(snapshot.columns.sysids) == [3, 4, 9]
+            before, after = told(last), told(snapshot) if tick % 3 else told(fleet.snapshot(now_s))
+            moved = last.columns.stamps != snapshot.columns.stamps
+            for row in range(3):
+                assert moved[row] or before[row] == after[row], (seed, tick, row)
+                changes += before[row] != after[row]
+            last = fleet.snapshot(now_s)
+        for snapshot, views in earlier:  # made long after the vehicles have said more
+            assert snapshot.vehicles == views
+    assert changes > 500
+    assert (last.columns.stamps == fleet.snapshot(last.time_s).columns.stamps).all()

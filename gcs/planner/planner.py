@@ -104,7 +104,7 @@ class Planner(TickPlanner):
             full_steps=rules.full_steps,
         )
         self.obstacles = geometry.of_scenario(scenario.obstacles)
-        self._sysids = sorted(vehicle.sysid for vehicle in vehicles.all)
+        self._sysids: Sequence[int] = [vehicle.sysid for vehicle in vehicles.all]
         self._row = {sysid: row for row, sysid in enumerate(self._sysids)}
         n = len(self._row)
         role = {vehicle.sysid: vehicle.role for vehicle in vehicles.all}
@@ -177,9 +177,9 @@ class Planner(TickPlanner):
         """
         columns, period_s = request.snapshot.columns, request.period_s
         if columns.sysids is not self._sysids:
-            if list(columns.sysids) != self._sysids:
-                raise ValueError(f"the snapshot is of vehicles {list(columns.sysids)}, not {self._sysids}")
-            self._sysids = columns.sysids  # type: ignore[assignment]
+            if tuple(columns.sysids) != tuple(self._sysids):
+                raise ValueError(f"the snapshot is of vehicles {list(columns.sysids)}, not {list(self._sysids)}")
+            self._sysids = columns.sysids
         np.copyto(self._here, columns.p_now_ned)
         key = (request.steered, np.isnan(self._here[:, 0]).tobytes(), columns.flying.tobytes())
         if key != self._team.key:

@@ -90,7 +90,7 @@ class SafePlanner(TickPlanner):
         self._scenario = scenario
         self._planner = planner
         self.obstacles = planner.obstacles
-        every = sorted(vehicles.all, key=lambda vehicle: vehicle.sysid)
+        every = vehicles.all
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(every)}
         n = len(every)
         self._led = np.zeros(n, np.bool_)

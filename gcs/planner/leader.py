@@ -22,7 +22,7 @@ from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstant
 from gcs.scenario.geometry import COLUMNS, DOWN, EAST, NORTH, SIZE_1, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
-_FEW_MOVING = 50_000
+_FEW_MOVING = 8_000
 """Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
 _ROUNDING_M = 1e-6
 _ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads

@@ -175,7 +175,7 @@ class SafePlanner(TickPlanner):
 
     def _keep(self, points: SetPoints, columns: FleetColumns) -> None:
         """A leader for each set point, and none for who has none."""
-        if points.sysids is self._sysids:
+        if points.sysids == self._sysids:
             return
         self._sysids = points.sysids
         self._ids = np.array(points.sysids, np.int64)

@@ -315,3 +315,13 @@ def test_what_cannot_come_into_range_adds_nothing_to_the_last_bit(seed: int) -> 
         for i in range(n)
     ]  # fmt: skip
     assert np.array(alone).tobytes() == every[0].tobytes()
+
+
+@pytest.mark.parametrize(("ahead_m", "felt"), [(1.19, True), (1.21, False)])
+def test_what_comes_into_range_on_the_way_is_felt_from_there_on(ahead_m: float, felt: bool) -> None:
+    """Three steps of 0.1 m: the last begins 0.2 m on, and the range is 1 m."""
+    there, free = (
+        one((0, 0, 0), (9, 0, 0), moving=moving, speed_m_s=[3.0], escape=False)[0]
+        for moving in (np.array([(ahead_m, 0.0, 0.0)]), np.zeros((0, 3)))
+    )
+    assert (there.tobytes() != free.tobytes()) is felt

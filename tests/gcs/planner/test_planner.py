@@ -366,3 +366,11 @@ def test_a_tanker_meets_a_receiver_that_is_off_its_plan_where_it_flies() -> None
     world.at[1] = (0.0, 5.0, -4.0)
     world.fly(20.0, rendezvous={201: 1})
     assert math.dist(world.at[201], (0.0, 5.0, -5.2)) < 0.05
+
+
+def test_a_snapshot_of_other_vehicles_than_the_scenarios_is_refused() -> None:
+    world = World(scenario(vehicles={"pursuers": FIVE}))
+    whole = world.snapshot()
+    fewer = replace(whole, vehicles=whole.vehicles[1:])
+    with pytest.raises(ValueError, match=r"^the snapshot is of vehicles \[2, 3, 4, 5\], not \[1, 2, 3, 4, 5\]$"):
+        world.planner.plan(PlanRequest(fewer, frozenset(world.at), PERIOD_S))

@@ -136,9 +136,6 @@ class Supervisor:
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
-        self._stages: list[Stage] = []
-        self._steered: frozenset[int] = frozenset()
-        """system ids of those to whom set points go, by these stages"""
         self._placer = SetPointPlacer()
         self._framed: tuple[tuple[int, ...], bytes] = ((), b"")
         self._frames: tuple[list[Vec3], list[float]] = ([], [])
@@ -434,17 +431,14 @@ class Supervisor:
     def _plan(
         self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None
     ) -> Sequence[SetPoint]:
-        stages = [arming.stage for arming in self.arming.values()]
-        if stages != self._stages or Stage.BASE in stages or self.externals.rules:  # of these stages tell not all
-            self._stages = stages
-            self._steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
+        steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)
             self.targets_move = ready or self.time_s > self._wait_for_fleet_s
         return self.planner.plan(
             PlanRequest(
                 snapshot,
-                self._steered,
+                steered,
                 self._periods * self.scenario.clock.period_s,
                 targets_move=self.targets_move,
                 rendezvous=decision.rendezvous,

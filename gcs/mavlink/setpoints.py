@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +32,63 @@ class SetPoint(NamedTuple):
     v_ned: Vec3
 
 
+class SetPoints(Sequence[SetPoint]):
+    """Set points of one tick, in order of system id: a sequence of `SetPoint` that equals a list of the same ones.
+
+    Who wants all of them takes the columns, which nobody writes into; each `SetPoint` is made when it is asked for.
+    """
+
+    __slots__ = ("_made", "p_ned", "sysids", "v_ned")
+    __hash__ = None  # type: ignore[assignment]
+
+    def __init__(self, sysids: tuple[int, ...], p_ned: NDArray[np.float64], v_ned: NDArray[np.float64]) -> None:
+        self.sysids = sysids
+        """of k vehicles; from a planner's tick to the next the same object, for as long as they are the same"""
+        self.p_ned = p_ned
+        """(k, 3) m"""
+        self.v_ned = v_ned
+        """(k, 3) m/s"""
+        self._made: list[SetPoint] | None = None
+
+    @classmethod
+    def of(cls, points: Sequence[SetPoint]) -> SetPoints:
+        """The same set points with columns."""
+        if isinstance(points, cls):
+            return points
+        columns = np.array([(*point.p_ned, *point.v_ned) for point in points], np.float64).reshape(-1, 6)
+        return cls(tuple([point.sysid for point in points]), columns[:, :3].copy(), columns[:, 3:].copy())
+
+    def _points(self) -> list[SetPoint]:
+        if self._made is None:
+            places = ((n, e, d) for n, e, d in self.p_ned.tolist())
+            velocities = ((n, e, d) for n, e, d in self.v_ned.tolist())
+            self._made = list(map(SetPoint, self.sysids, places, velocities))
+        return self._made
+
+    def __len__(self) -> int:
+        return len(self.sysids)
+
+    def __iter__(self) -> Iterator[SetPoint]:
+        return iter(self._points())
+
+    @overload
+    def __getitem__(self, index: int) -> SetPoint: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[SetPoint]: ...
+
+    def __getitem__(self, index: int | slice) -> SetPoint | list[SetPoint]:
+        return self._points()[index]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Sequence):
+            return NotImplemented
+        return self._points() == list(other)
+
+    def __repr__(self) -> str:
+        return f"SetPoints({self._points()!r})"
+
+
 class PlacedSetPoints(NamedTuple):
     """Set points of one tick, each in its vehicle's own frame, as they are sent."""
 
@@ -51,7 +107,7 @@ class SetPointPlacer:
     """Brings set points into their vehicles' own frames, which seldom move: how they lie is kept."""
 
     def __init__(self) -> None:
-        self._sysids: list[int] = []
+        self._sysids: tuple[int, ...] = ()
         self._rows: dict[int, int] = {}
         self._offsets_ned: list[Vec3] = []
         self._turns_rad: list[float] = []
@@ -62,25 +118,24 @@ class SetPointPlacer:
         self, points: Sequence[SetPoint], offsets_ned: list[Vec3], turns_rad: list[float], time_ms: int
     ) -> PlacedSetPoints:
         """These set points; for each where its vehicle's own frame lies in the common one, as `FramePlace` says."""
-        if offsets_ned != self._offsets_ned or turns_rad != self._turns_rad:
-            self._offsets_ned, self._turns_rad = offsets_ned, turns_rad
+        if offsets_ned is not self._offsets_ned and offsets_ned != self._offsets_ned:
             self._origins = np.array(offsets_ned, np.float64).reshape(-1, 3)
+        if turns_rad is not self._turns_rad and turns_rad != self._turns_rad:
             self._aslant = [row for row, turn_rad in enumerate(turns_rad) if turn_rad]
-        sysids: list[int] = []
-        flat: list[float] = []
-        for sysid, p_ned, v_ned in points:
-            sysids.append(sysid)
-            flat += p_ned
-            flat += v_ned
-        values = np.empty((len(sysids), 6))
-        struct.pack_into(f"{len(flat)}d", values.data, 0, *flat)  # a third of the time of np.array
-        values[:, :3] -= self._origins
+        self._offsets_ned, self._turns_rad = offsets_ned, turns_rad
+        columns = SetPoints.of(points)
+        values = np.empty((len(points), 6))
+        np.subtract(columns.p_ned, self._origins, out=values[:, :3])
+        values[:, 3:] = columns.v_ned
         for row in self._aslant:
             n, e, d, *v_ned = values[row].tolist()
             values[row, :3] = turned((n, e, d), -turns_rad[row])
             values[row, 3:] = turned((v_ned[0], v_ned[1], v_ned[2]), -turns_rad[row])
-        if sysids != self._sysids:
-            self._sysids, self._rows = sysids, {sysid: row for row, sysid in enumerate(sysids)}
+        sysids = columns.sysids
+        if sysids is not self._sysids:
+            if sysids != self._sysids:
+                self._rows = {sysid: row for row, sysid in enumerate(sysids)}
+            self._sysids = sysids
         return PlacedSetPoints(time_ms, self._rows, values)
 
 

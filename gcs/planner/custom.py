@@ -9,14 +9,14 @@ A scenario names it: `planner: {method: MODULE:CLASS}`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from gcs.mavlink.setpoints import SetPoint
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safe_planner import SafePlanner
@@ -69,23 +69,23 @@ class OwnPlanner(TickPlanner):
         self._follows = scenario.vehicles.followed
         self._held: dict[int, Vec3] = {}
 
-    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+    def anchor(self, sysids: Sequence[int], p_ned: NDArray[np.float64]) -> None:
         """As `Planner.anchor`; a user's planner keeps its points."""
-        self._shipped.anchor(sysid, p_ned)
+        self._shipped.anchor(sysids, p_ned)
 
-    def plan(self, request: PlanRequest) -> list[SetPoint]:
+    def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """As `Planner.plan`, which also leads the pursuers that have a station."""
         snapshot, steered = request.snapshot, request.steered
         own_pursuers = self._pursuers - request.stations.keys()
         follows = self._follows if request.pursuing is None else request.pursuing
         situation = Situation(snapshot.time_s, request.period_s, snapshot, follows, self._scenario.obstacles)
-        points = self._shipped.plan(replace(request, steered=steered - own_pursuers))
+        shipped = self._shipped.plan(replace(request, steered=steered - own_pursuers))
         self._guard.begin_tick()
         led = steered & own_pursuers
         own = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]
         self._held = {view.sysid: self._held.get(view.sysid, view.p_now_ned()) for view in own}
-        points += [self._point(view, situation) for view in own]
-        return sorted(points, key=lambda point: point.sysid)
+        points = [*shipped, *(self._point(view, situation) for view in own)]
+        return SetPoints.of(sorted(points, key=lambda point: point.sysid))
 
     def _point(self, view: VehicleView, situation: Situation) -> SetPoint:
         answer = self._guard.call(view.sysid, lambda: _checked(self._planner.plan(view, situation)))

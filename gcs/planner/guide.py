@@ -102,6 +102,9 @@ class RouteFollower:
     def __init__(self, router: Router, rules: GuideSettings | None = None) -> None:
         self._router, self._rules = router, rules or GuideSettings()
         self._rows: dict[int, int] = {}
+        self._asked: tuple[int, ...] | None = None
+        self._asked_rows = np.zeros(0, np.int64)
+        """of the vehicles asked for last"""
         self._kept = _new_routes(0)
         self._paused: dict[int, tuple[FloatArray, FloatArray]] = {}
         self.searches = 0
@@ -200,6 +203,8 @@ class RouteFollower:
 
     def _rows_of(self, sysids: Sequence[int], p: FloatArray) -> IntArray:
         """A row for each vehicle; those left out are forgotten."""
+        if sysids is self._asked:
+            return self._asked_rows
         if len(set(sysids)) != len(sysids):
             raise ValueError("sysids names a vehicle twice; each has one route")
         if self._rows.keys() != set(sysids):
@@ -211,7 +216,9 @@ class RouteFollower:
             for sysid, row in self._rows.items():
                 if sysid in known:
                     _copy(old, known[sysid], self._kept, row)
-        return np.array([self._rows[sysid] for sysid in sysids], dtype=np.int64)
+        self._asked = sysids if isinstance(sysids, tuple) else None
+        self._asked_rows = np.array([self._rows[sysid] for sysid in sysids], dtype=np.int64)
+        return self._asked_rows
 
 
 def _new_routes(rows: int) -> _Routes:

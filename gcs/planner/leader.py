@@ -10,17 +10,21 @@ to none at |F_o| = k0/4, so that near obstacles the field alone decides. The sum
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.kernels import kernel
 from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
-from gcs.planner.neighbours import IntArray, within_range
+from gcs.planner.neighbours import FEW, IntArray, everyone, within_range
 from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
-from gcs.scenario.geometry import COLUMNS, FloatArray, points
+from gcs.scenario.geometry import COLUMNS, DOWN, EAST, NORTH, SIZE_1, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
+_FEW_MOVING = 8_000
+"""Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
+_ROUNDING_M = 1e-6
 _ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads
 
 BoolArray = NDArray[np.bool_]
@@ -90,31 +94,99 @@ def advance(
     if draws.shape != (n, len(others)):
         raise ValueError(f"drawn has shape {draws.shape}; it must be {(n, len(others))}: leaders, attractors")
 
-    reach_of_obstacles = np.full(n, field.repulsion_range_m) if obstacle_ranges_m is None else obstacle_ranges_m
-    start = q.copy()
-    reach_m = speeds * period_s
-    spheres, ranges = points(at, radii_m), _array("ranges_m", ranges_m, (m,))
-    _advance_all(
-        q,
-        following,
-        _array("goals", goals, (n, 3)),
-        _array("goal_velocity", goal_velocity, (n, 3)),
-        others,
-        _array("attraction_ranges_m", attraction_ranges_m, (len(others),)),
-        draws,
-        repulsors,
-        *within_range(q, reach_m, repulsors, field.repulsion_range_m),
-        spheres,
-        ranges,
-        exempted,
-        *within_range(q, reach_m, spheres, ranges),
-        field.constants(),
-        _array("obstacle_ranges_m", reach_of_obstacles, (n,)),
-        speeds,
-        period_s,
-        escape,
+    if obstacle_ranges_m is None:
+        reach_of_obstacles = np.full(n, field.repulsion_range_m)
+    else:
+        reach_of_obstacles = _array("obstacle_ranges_m", obstacle_ranges_m, (n,))
+    v = np.empty((n, 3))
+    lead(
+        LeaderRows(
+            q,
+            v,
+            following,
+            _array("goals", goals, (n, 3)),
+            _array("goal_velocity", goal_velocity, (n, 3)),
+            speeds,
+            reach_of_obstacles,
+            np.full(n, math.inf),
+        ),
+        np.arange(n),
+        obstacles=repulsors,
+        moving=Moving(points(at, radii_m), _array("ranges_m", ranges_m, (m,)), exempted),
+        attracting=Attracting(others, _array("attraction_ranges_m", attraction_ranges_m, (len(others),)), draws),
+        field=field,
+        period_s=period_s,
+        escape=escape,
     )
-    return q, following, (q - start) / period_s
+    return q, following, v
+
+
+class LeaderRows(NamedTuple):
+    """Leaders, a row each; frame NED. `lead` moves the first three."""
+
+    q_ned: FloatArray
+    """(n, 3) m"""
+    v_ned: FloatArray
+    """(n, 3) m/s, the mean of the last period"""
+    memory: FloatArray
+    """(n, MEMORY_SIZE), `fuzzy_escape.new_memory` at first"""
+    goal_ned: FloatArray
+    """(n, 3) m at the start of the period"""
+    goal_v_ned: FloatArray
+    """(n, 3) m/s"""
+    speed_m_s: FloatArray
+    """(n,) limits, at least 0"""
+    obstacle_range_m: FloatArray
+    """(n,) how far obstacles repel each; none does at 0"""
+    lowest_d: FloatArray
+    """(n,) m, the greatest down; infinite where there is none"""
+
+
+class Moving(NamedTuple):
+    """Spheres that repel k leaders, m of them; held where they are for the period."""
+
+    table: FloatArray
+    """obstacle table (m, COLUMNS) of points or spheres"""
+    ranges_m: FloatArray
+    """(m,) from their surfaces"""
+    exempt: BoolArray
+    """(k, m) whom each does not repel"""
+
+
+class Attracting(NamedTuple):
+    """Points that draw k leaders beside their goals (paper eq. 10), m of them; held where they are for the period."""
+
+    p_ned: FloatArray
+    """(m, 3) m"""
+    ranges_m: FloatArray
+    """(m,)"""
+    drawn: BoolArray
+    """(k, m) whom each draws"""
+
+
+def lead(
+    leaders: LeaderRows,
+    rows: IntArray,
+    *,
+    obstacles: FloatArray,
+    moving: Moving,
+    attracting: Attracting,
+    field: FieldConstants,
+    period_s: float,
+    escape: bool,
+) -> None:
+    """Move the leaders `rows` (k,) by one period, in place; all is as `advance` says, and nothing is checked."""
+    q, speed = leaders.q_ned, leaders.speed_m_s
+    if len(rows) * len(obstacles) <= FEW:
+        near_obstacles = everyone(len(rows), len(obstacles))
+    else:
+        near_obstacles = within_range(q[rows], speed[rows] * period_s, obstacles, field.repulsion_range_m)
+    if len(rows) * len(moving.table) <= _FEW_MOVING:
+        near_moving = everyone(len(rows), len(moving.table))
+    else:
+        near_moving = within_range(q[rows], speed[rows] * period_s, moving.table, moving.ranges_m)
+    _lead(rows, *leaders, *attracting, obstacles, *near_obstacles, *moving, *near_moving, field.constants(), period_s,
+          escape)  # fmt: skip
 
 
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -133,75 +205,67 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
 
 
 @kernel()
-def _advance_all(
-    q: FloatArray,
-    memory: FloatArray,
-    goals: FloatArray,
-    goal_velocity: FloatArray,
-    attractors: FloatArray,
-    attraction_ranges: FloatArray,
-    draws: BoolArray,
-    obstacles: FloatArray,
-    obstacle_rows: IntArray,
-    obstacle_first: IntArray,
-    obstacle_end: IntArray,
-    moving: FloatArray,
-    ranges: FloatArray,
-    exempt: BoolArray,
-    moving_rows: IntArray,
-    moving_first: IntArray,
-    moving_end: IntArray,
-    constants: FloatArray,
-    obstacle_ranges: FloatArray,
-    speed: FloatArray,
-    period: float,
-    escape: bool,
-) -> None:
-    """Kernel: moves `q` and `memory` in place. Leader i heeds rows[first[i]:end[i]] of obstacles and of moving."""
-    for i in range(q.shape[0]):
-        reach = speed[i] * period
+def _lead(
+    rows: IntArray, all_q: FloatArray, all_v: FloatArray, all_memory: FloatArray, all_goals: FloatArray,
+    all_goal_velocity: FloatArray, speed: FloatArray, obstacle_range: FloatArray, lowest: FloatArray,
+    attractors: FloatArray, attraction_ranges: FloatArray, draws: BoolArray, obstacles: FloatArray,
+    obstacle_rows: IntArray, obstacle_first: IntArray, obstacle_end: IntArray, moving: FloatArray, ranges: FloatArray,
+    exempt: BoolArray, moving_rows: IntArray, moving_first: IntArray, moving_end: IntArray, constants: FloatArray,
+    period: float, escape: bool,
+) -> None:  # fmt: skip
+    """Kernel: moves leaders in place. Leader rows[i] heeds rows[first[i]:end[i]] of obstacles and of moving."""
+    near = np.empty(len(moving), dtype=np.int64)
+    for i in range(len(rows)):
+        q, v, memory = all_q[rows[i]], all_v[rows[i]], all_memory[rows[i]]
+        goal, goal_velocity = all_goals[rows[i]], all_goal_velocity[rows[i]]
+        begin_n, begin_e, begin_d = q[0], q[1], q[2]
+        reach = speed[rows[i]] * period
         steps = math.ceil(reach / constants[STEP] - 1e-9)
-        if steps == 0:
-            continue
-        full_step = reach / steps
-        dt = period / steps
+        full_step, dt = (reach / steps, period / steps) if steps else (0.0, 0.0)
+        count = 0
+        for k in range(moving_first[i], moving_end[i] if steps else moving_first[i]):
+            j = moving_rows[k]
+            # What is left out stays out of range, and would add nothing.
+            n, e, d = q[0] - moving[j, NORTH], q[1] - moving[j, EAST], q[2] - moving[j, DOWN]
+            around = reach + ranges[j] + moving[j, SIZE_1] + _ROUNDING_M
+            if not exempt[i, j] and n * n + e * e + d * d <= around * around:
+                near[count] = j
+                count += 1
         for step in range(steps):
-            gn = goals[i, 0] + goal_velocity[i, 0] * dt * step
-            ge = goals[i, 1] + goal_velocity[i, 1] * dt * step
-            gd = goals[i, 2] + goal_velocity[i, 2] * dt * step
-            an, ae, ad = attraction_to(gn, ge, gd, math.inf, q[i, 0], q[i, 1], q[i, 2], constants)
+            gn = goal[0] + goal_velocity[0] * dt * step
+            ge = goal[1] + goal_velocity[1] * dt * step
+            gd = goal[2] + goal_velocity[2] * dt * step
+            an, ae, ad = attraction_to(gn, ge, gd, math.inf, q[0], q[1], q[2], constants)
             for k in range(attractors.shape[0]):
                 if draws[i, k]:
                     hn, he, hd = attractors[k, 0], attractors[k, 1], attractors[k, 2]
                     reach_m = attraction_ranges[k]
-                    fn, fe, fd = attraction_to(hn, he, hd, reach_m, q[i, 0], q[i, 1], q[i, 2], constants)
+                    fn, fe, fd = attraction_to(hn, he, hd, reach_m, q[0], q[1], q[2], constants)
                     an += fn
                     ae += fe
                     ad += fd
             on = 0.0
             oe = 0.0
             od = 0.0
-            for k in range(obstacle_first[i], obstacle_end[i] if obstacle_ranges[i] > 0.0 else obstacle_first[i]):
-                fn, fe, fd = repulsion_of_shape(
-                    obstacles, obstacle_rows[k], obstacle_ranges[i], q[i, 0], q[i, 1], q[i, 2], constants
-                )
+            heeded = obstacle_range[rows[i]]
+            for k in range(obstacle_first[i], obstacle_end[i] if heeded > 0.0 else obstacle_first[i]):
+                fn, fe, fd = repulsion_of_shape(obstacles, obstacle_rows[k], heeded, q[0], q[1], q[2], constants)
                 on += fn
                 oe += fe
                 od += fd
-            for k in range(moving_first[i], moving_end[i]):
-                j = moving_rows[k]
-                if not exempt[i, j]:
-                    fn, fe, fd = repulsion_of_shape(moving, j, ranges[j], q[i, 0], q[i, 1], q[i, 2], constants)
-                    on += fn
-                    oe += fe
-                    od += fd
-            distance = math.sqrt((gn - q[i, 0]) ** 2 + (ge - q[i, 1]) ** 2 + (gd - q[i, 2]) ** 2)
+            for k in range(count):
+                j = near[k]
+                fn, fe, fd = repulsion_of_shape(moving, j, ranges[j], q[0], q[1], q[2], constants)
+                on += fn
+                oe += fe
+                od += fd
+            distance = math.sqrt((gn - q[0]) ** 2 + (ge - q[1]) ** 2 + (gd - q[2]) ** 2)
             en = 0.0
             ee = 0.0
             ed = 0.0
             if escape:
                 en, ee, ed = escape_force(
-                    memory[i], q[i, 0], q[i, 1], q[i, 2], an, ae, ad, on, oe, od, distance, full_step, constants[STEP]
+                    memory, q[0], q[1], q[2], an, ae, ad, on, oe, od, distance, full_step, constants[STEP]
                 )
             fn, fe, fd = an + on + en, ae + oe + ee, ad + od + ed
             if constants[FULL_STEPS] != 0.0:
@@ -209,14 +273,16 @@ def _advance_all(
             else:
                 sn, se, sd = _field_step(fn, fe, fd, full_step, constants[K0])
             share = _fed_forward(on, oe, od, distance, constants)
-            sn += share * goal_velocity[i, 0] * dt
-            se += share * goal_velocity[i, 1] * dt
-            sd += share * goal_velocity[i, 2] * dt
+            sn += share * goal_velocity[0] * dt
+            se += share * goal_velocity[1] * dt
+            sd += share * goal_velocity[2] * dt
             length = math.sqrt(sn * sn + se * se + sd * sd)
             shorten = full_step / length if length > full_step else 1.0
-            q[i, 0] += shorten * sn
-            q[i, 1] += shorten * se
-            q[i, 2] += shorten * sd
+            q[0] += shorten * sn
+            q[1] += shorten * se
+            q[2] += shorten * sd
+        q[2] = min(q[2], lowest[rows[i]])
+        v[0], v[1], v[2] = (q[0] - begin_n) / period, (q[1] - begin_e) / period, (q[2] - begin_d) / period
 
 
 @kernel()

@@ -9,6 +9,12 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.kernels import kernel
+from gcs.scenario.geometry import FloatArray
+
 LEAST_S, MOST_S = 0.35, 1.0
 """Age of a report from which a vehicle is silent, at least and at most."""
 USUAL_SHARE, SPARE_S = 1.5, 0.2
@@ -24,36 +30,46 @@ RISE = 0.1
 
 
 class LinkAge:
-    """Oldest report of late of each vehicle, at the time when the next one came."""
+    """Oldest report of late of each of n vehicles, at the time when the next one came."""
 
-    def __init__(self) -> None:
-        self._oldest_s: dict[int, float] = {}
-        self._age_s: dict[int, float] = {}
+    def __init__(self, n: int) -> None:
+        self._oldest_s = np.full(n, FIRST_S)
+        self._last_s, self._age_s = np.full(n, math.nan), np.empty(n)
+        self.silent = np.zeros(n, np.bool_)
+        """(n,) whose last report is older than the link explains"""
 
-    def receive(self, sysid: int, age_s: float, period_s: float) -> None:
-        """Take in a vehicle's age, once a period."""
-        before_s, oldest_s = self._age_s.get(sysid, age_s), self._oldest_s.get(sysid, FIRST_S)
-        oldest_s *= math.exp(-period_s / DECAY_S)
-        if age_s < before_s + 0.5 * period_s:  # a report has come
-            oldest_s = max(oldest_s, before_s, age_s)
-        self._age_s[sysid], self._oldest_s[sysid] = age_s, min(oldest_s, MOST_S)
-
-    def silent(self, sysid: int, age_s: float) -> bool:
-        """Whether a vehicle's last report is older than its link explains."""
-        usual_s = USUAL_SHARE * self._oldest_s.get(sysid, FIRST_S) + SPARE_S
-        return age_s > min(max(usual_s, LEAST_S), MOST_S)
+    def receive(self, age_s: FloatArray, period_s: float) -> None:
+        """Take in the vehicles' ages (n,), once a period."""
+        np.copyto(self._age_s, age_s)
+        _receive(self._age_s, period_s, math.exp(-period_s / DECAY_S), self._last_s, self._oldest_s, self.silent)
 
 
 class SlowLinks:
-    """Age of the newest report of late of each vehicle."""
+    """Age of the newest report of late of each of n vehicles."""
 
-    def __init__(self) -> None:
-        self._newest_s: dict[int, float] = {}
+    def __init__(self, n: int) -> None:
+        self._newest_s = np.full(n, math.inf)
 
-    def receive(self, sysid: int, age_s: float, period_s: float) -> None:
-        """Take in a vehicle's age, once a period."""
-        self._newest_s[sysid] = min(age_s, self._newest_s.get(sysid, math.inf) + RISE * period_s)
+    def receive(self, age_s: FloatArray, period_s: float) -> None:
+        """Take in the vehicles' ages (n,), once a period."""
+        self._newest_s += RISE * period_s
+        np.minimum(age_s, self._newest_s, out=self._newest_s)
 
-    def slow(self, sysid: int) -> bool:
-        """Whether whatever a vehicle reports has been flown long ago."""
-        return self._newest_s.get(sysid, 0.0) >= SLOW_S
+    def slow(self) -> NDArray[np.bool_]:
+        """(n,) of which vehicles whatever they report has been flown long ago; of none before the first ages."""
+        slow: NDArray[np.bool_] = (self._newest_s >= SLOW_S) & (self._newest_s < math.inf)
+        return slow
+
+
+@kernel()
+def _receive(
+    age: FloatArray, period: float, decay: float, last: FloatArray, oldest: FloatArray, silent: NDArray[np.bool_]
+) -> None:
+    """Kernel: writes the last three; `last` is NaN before there was an age."""
+    for row in range(len(age)):
+        before = age[row] if math.isnan(last[row]) else last[row]
+        most = oldest[row] * decay
+        if age[row] < before + 0.5 * period:  # a report has come
+            most = max(most, before, age[row])
+        last[row], oldest[row] = age[row], min(most, MOST_S)
+        silent[row] = age[row] > min(max(USUAL_SHARE * oldest[row] + SPARE_S, LEAST_S), MOST_S)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
@@ -38,8 +38,9 @@ class TickPlanner(Protocol):
     obstacles: NDArray[np.float64]
     """obstacle table (gcs/scenario/geometry.py)"""
 
-    def plan(self, request: PlanRequest) -> list[SetPoint]:
-        """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time."""
+    def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
+        """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time; the
+        shipped ones give `SetPoints`."""
 
     def pop_records(self) -> list[dict[str, Any]]:
         """Decisions since the last call that the set points do not show; a planner that does not say has none."""
@@ -49,5 +50,5 @@ class TickPlanner(Protocol):
         """Distance that is added for a vehicle's tracking error; None without the safety filter."""
         return None
 
-    def anchor(self, sysid: int, p_ned: Vec3) -> None:
-        """Go on planning from here: where the safety filter takes a vehicle's planned point to."""
+    def anchor(self, sysids: Sequence[int], p_ned: NDArray[np.float64]) -> None:
+        """Go on planning from here: where the safety filter takes these k vehicles' planned points to, (k, 3) m NED."""

@@ -10,24 +10,25 @@ vehicles have followed their leaders.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass
-from statistics import median
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.mavlink.setpoints import SetPoint
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.fence import FenceBorder
+from gcs.planner.limits import FLOOR_M, Floors
 from gcs.planner.link_age import LinkAge
-from gcs.planner.planner import CATCH_UP_SPEED, FLOOR_M, LEAST_MARGIN_M, LOOKAHEAD_S, STILL, floor_d, vec
+from gcs.planner.planner import CATCH_UP_SPEED, LEAST_MARGIN_M, LOOKAHEAD_S, STILL
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
 from gcs.planner.silence import STEP_M, between, braked, failsafe_of, flown_on, presumed_places
 from gcs.planner.tracking import Tracking
+from gcs.scenario.geometry import FloatArray
 from gcs.scenario.model import Scenario, VehicleBase
+from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import Vec3, VehicleView
 
 MOST_MARGIN_M = 1.5
@@ -56,20 +57,14 @@ cause."""
 REPEAT_AFTER_S = 2.0
 
 
-@dataclass(slots=True)
-class _Leader:
-    p_ned: NDArray[np.float64]
-    v_ned: NDArray[np.float64]
-
-
 @dataclass(frozen=True, slots=True)
 class _Other:
     """A vehicle that gives no way; `owner`: a vehicle that is led but silent, and need not keep away from itself."""
 
     name: str
     owner: int | None
-    p_ned: NDArray[np.float64]
-    v_ned: NDArray[np.float64]
+    p_ned: FloatArray
+    v_ned: FloatArray
     radius_m: float
     growth_m_s: float
 
@@ -85,28 +80,39 @@ class _Other:
 
 
 class SafePlanner(TickPlanner):
-    """A planner whose set points pass the safety filter."""
+    """A planner whose set points pass the safety filter.
+
+    Arrays have a row for each of the scenario's n vehicles, in order of system id, as `FleetColumns` has.
+    """
 
     def __init__(self, scenario: Scenario, planner: TickPlanner) -> None:
+        rules, vehicles = scenario.planner, scenario.vehicles
         self._scenario = scenario
         self._planner = planner
         self.obstacles = planner.obstacles
-        self._leaders: dict[int, _Leader] = {}
-        self.tracking = Tracking((v.sysid for v in scenario.vehicles.all), LOOKAHEAD_S)
-        self._speed_m_s = {v.sysid: scenario.planner.cruise_m_s for v in scenario.vehicles.pursuers}
-        self._speed_m_s |= {t.sysid: CATCH_UP_SPEED * t.speed_m_s for t in scenario.vehicles.targets}
-        self._speed_m_s |= {t.sysid: t.speed_m_s for t in scenario.vehicles.tankers}
-        self._a_max = {v.sysid: _acceleration_m_s2(scenario, v) for v in scenario.vehicles.all}
-        self._grounded = {v.sysid for v in scenario.vehicles.all if not v.airborne}
-        launched = (v for v in scenario.vehicles.all if v.foreign is None)
+        every = vehicles.all
+        self._row = {vehicle.sysid: row for row, vehicle in enumerate(every)}
+        n = len(every)
+        self._led = np.zeros(n, np.bool_)
+        self._p_ned, self._v_ned = np.zeros((n, 3)), np.zeros((n, 3))
+        """leaders' places, m, and velocities, m/s"""
+        self._sysids: tuple[int, ...] = ()
+        self._ids = self._rows = np.zeros(0, np.int64)
+        """of those that have a leader"""
+        self.tracking = Tracking(n, LOOKAHEAD_S)
+        speeds = {v.sysid: rules.cruise_m_s for v in vehicles.pursuers}
+        speeds |= {t.sysid: CATCH_UP_SPEED * t.speed_m_s for t in vehicles.targets}
+        speeds |= {t.sysid: t.speed_m_s for t in vehicles.tankers}
+        self._speed_m_s = np.array([max(speeds[v.sysid], SLOWEST_M_S) for v in every])
+        self._a_max = np.array([_acceleration_m_s2(scenario, v) for v in every])
+        self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
+        launched = (v for v in every if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
-        self._failsafes = {
-            v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in scenario.vehicles.all if v.foreign is None
-        }
-        self._link_age = LinkAge()
-        self._fence = FenceBorder(scenario, scenario.planner.clearance_m)
+        self._failsafes = {v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in every if v.foreign is None}
+        self._link_age = LinkAge(n)
+        self._fence = FenceBorder(scenario, rules.clearance_m)
         self._solid = np.concatenate([planner.obstacles, self._fence.walls])
         self._settings: FilterSettings | None = None
         self._reported_s: dict[tuple[int, str], float] = {}
@@ -114,7 +120,7 @@ class SafePlanner(TickPlanner):
 
     def margin_m(self, sysid: int) -> float:
         """Margin added to the separation for a vehicle's tracking error."""
-        error_m = float(self.tracking.error_m[self.tracking.row[sysid]])
+        error_m = float(self.tracking.error_m[self._row[sysid]])
         return min(max(error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
 
     def pop_records(self) -> list[dict[str, Any]]:
@@ -122,97 +128,87 @@ class SafePlanner(TickPlanner):
         taken, self._records = self._records, []
         return taken
 
-    def anchor(self, sysid: int, p_ned: Vec3) -> None:
+    def anchor(self, sysids: Sequence[int], p_ned: FloatArray) -> None:
         """Same as the planner's."""
-        self._planner.anchor(sysid, p_ned)
+        self._planner.anchor(sysids, p_ned)
 
-    def plan(self, request: PlanRequest) -> list[SetPoint]:
-        """The planner's set points, filtered."""
+    def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
+        """The planner's set points, filtered, as `SetPoints`."""
         snapshot, period_s = request.snapshot, request.period_s
-        views = {view.sysid: view for view in snapshot.vehicles}
-        for view in snapshot.vehicles:
-            self._link_age.receive(view.sysid, view.age_s, period_s)
-        self._follow(request, views)
-        points = self._planner.plan(request)
-        self._keep(points, views)
-        if not points:
-            return []
-        others = self._others(request, {point.sysid for point in points})
-        filtered = self._filter(points, request, views, others)
-        set_points = []
-        for row, point in enumerate(points):
-            leader = self._leaders[point.sysid]
-            mean = leader.v_ned + 0.5 * period_s * filtered.u_ned[row]
-            set_points.append(SetPoint(point.sysid, vec(leader.p_ned), vec(mean)))
-            leader.p_ned, leader.v_ned = filtered.p_next_ned[row], filtered.v_next_ned[row]
-            self.tracking.lead(point.sysid, snapshot.time_s + period_s, leader.p_ned)
-            self._planner.anchor(point.sysid, vec(leader.p_ned))
-        self._record(points, filtered, snapshot.time_s, others)
+        columns = snapshot.columns
+        self._link_age.receive(columns.age_s, period_s)
+        self._follow(request, columns)
+        points = SetPoints.of(self._planner.plan(request))
+        self._keep(points, columns)
+        if not points.sysids:
+            return points
+        others = self._others(request, columns)
+        filtered = self._filter(points, request, columns, others)
+        rows = self._rows
+        v_ned = self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
+        set_points = SetPoints(points.sysids, self._p_ned[rows], v_ned)
+        self._p_ned[rows], self._v_ned[rows] = filtered.p_next_ned, filtered.v_next_ned
+        self.tracking.lead(rows, snapshot.time_s + period_s, filtered.p_next_ned)
+        self._planner.anchor(points.sysids, filtered.p_next_ned)
+        self._record(points.sysids, filtered, snapshot.time_s, others)
         return set_points
 
-    def _follow(self, request: PlanRequest, views: dict[int, VehicleView]) -> None:
+    def _follow(self, request: PlanRequest, columns: FleetColumns) -> None:
         """Measure each vehicle against its leader; one that is far off, or follows none, gets one where it is."""
-        led = [views[sysid] for sysid in self._leaders]
-        known = [view for view in led if view.p_ned is not None and not self._silent(view)]
-        following = [view for view in known if view.mode in STEERABLE]
-        tracking = self.tracking
-        tracking.measure(
-            [view.sysid for view in following],
-            [view.p_now_ned() for view in following],
-            request.snapshot.time_s,
-            request.period_s,
-            self.lag_s,
-        )
-        for view in known:
-            if view.mode not in STEERABLE or tracking.now_m[tracking.row[view.sysid]] > OFF_LEADER_M:
-                leader = self._leaders[view.sysid]
-                leader.v_ned = self._within_speed(view.sysid, np.array(view.v_ned))
-                leader.p_ned = np.array(view.p_now_ned()) + self.lag_s * leader.v_ned
-                tracking.restart(view.sysid)
-                self._planner.anchor(view.sysid, vec(leader.p_ned))
-        lags = [tracking.lag_s[tracking.row[sysid]] for sysid in self._leaders]
-        self.lag_s = max(float(median(lags)), LOOKAHEAD_S) if lags else LOOKAHEAD_S
+        rows, tracking = self._rows, self.tracking
+        if not len(rows):
+            self.lag_s = LOOKAHEAD_S
+            return
+        known = ~(self._link_age.silent | np.isnan(columns.p_now_ned[:, 0]))
+        following = rows[(known & columns.steerable)[rows]]
+        tracking.measure(following, columns.p_now_ned[following], request.snapshot.time_s, request.period_s, self.lag_s)
+        lost = known & (~columns.steerable | (tracking.now_m > OFF_LEADER_M))
+        for row in rows[lost[rows]].tolist():
+            self._v_ned[row] = self._within_speed(row, columns.v_ned[row])
+            self._p_ned[row] = columns.p_now_ned[row] + self.lag_s * self._v_ned[row]
+            tracking.restart(row)
+            self._planner.anchor((columns.sysids[row],), self._p_ned[row : row + 1])
+        lags_s = sorted(tracking.lag_s[rows].tolist())
+        half = len(lags_s) // 2
+        median_s = lags_s[half] if len(lags_s) % 2 else (lags_s[half - 1] + lags_s[half]) / 2
+        self.lag_s = max(median_s, LOOKAHEAD_S)
 
-    def _keep(self, points: Iterable[SetPoint], views: dict[int, VehicleView]) -> None:
+    def _keep(self, points: SetPoints, columns: FleetColumns) -> None:
         """A leader for each set point, and none for who has none."""
-        kept = {point.sysid for point in points}
-        for sysid in self._leaders.keys() - kept:
-            del self._leaders[sysid]
-            self.tracking.restart(sysid)
-        for point in points:
-            if point.sysid not in self._leaders:
-                v_ned = self._within_speed(point.sysid, np.array(views[point.sysid].v_ned))
-                self._leaders[point.sysid] = _Leader(np.array(point.p_ned), v_ned)
+        if points.sysids == self._sysids:
+            return
+        self._sysids = points.sysids
+        self._ids = np.array(points.sysids, np.int64)
+        self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
+        kept = np.zeros(len(self._led), np.bool_)
+        kept[self._rows] = True
+        for row in np.flatnonzero(self._led & ~kept).tolist():
+            self.tracking.restart(row)
+        for row, p_ned in zip(self._rows.tolist(), points.p_ned, strict=True):
+            if not self._led[row]:
+                self._p_ned[row] = p_ned
+                self._v_ned[row] = self._within_speed(row, columns.v_ned[row])
+        self._led = kept
 
-    def _silent(self, view: VehicleView) -> bool:
-        return self._link_age.silent(view.sysid, view.age_s)
+    def _within_speed(self, row: int, v_ned: FloatArray) -> FloatArray:
+        return v_ned * min(1.0, float(self._speed_m_s[row]) / max(math.hypot(*v_ned.tolist()), 1e-9))
 
-    def _within_speed(self, sysid: int, v_ned: NDArray[np.float64]) -> NDArray[np.float64]:
-        most = max(self._speed_m_s[sysid], SLOWEST_M_S)
-        return v_ned * min(1.0, most / max(math.hypot(*v_ned), 1e-9))
-
-    def _filter(
-        self, points: list[SetPoint], request: PlanRequest, views: dict[int, VehicleView], others: list[_Other]
-    ) -> Filtered:
-        rules = self._scenario.planner
-        ids = [point.sysid for point in points]
-        p = np.array([self._leaders[sysid].p_ned for sysid in ids])
-        v = np.array([self._leaders[sysid].v_ned for sysid in ids])
-        planned = np.array([point.v_ned for point in points])
-        wanted_ned = planned + (np.array([point.p_ned for point in points]) - p) / SETTLE_S
-        silent = np.array([self._silent(views[sysid]) for sysid in ids])
-        wanted_ned[silent] = 0.0
-        speeds = np.array([max(self._speed_m_s[sysid], SLOWEST_M_S) for sysid in ids])
-        floor = np.full((len(ids), 3), np.inf)
-        floor[:, 2] = [floor_d(views[sysid]) if sysid in self._grounded else math.inf for sysid in ids]
+    def _filter(self, points: SetPoints, request: PlanRequest, columns: FleetColumns, others: list[_Other]) -> Filtered:
+        rules, rows = self._scenario.planner, self._rows
+        p = self._p_ned[rows]
+        wanted_ned = points.v_ned + (points.p_ned - p) / SETTLE_S
+        wanted_ned[self._link_age.silent[rows]] = 0.0
+        floor = np.full((len(rows), 3), np.inf)
+        floor[:, 2] = self._floors.at(columns.ground_down_m)[rows]
+        margin_m = np.minimum(np.maximum(self.tracking.error_m[rows] + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
         return filter_step(
             Leaders(
-                ids=ids,
+                ids=self._ids,
                 p_ned=p,
-                v_ned=v,
-                v_max_m_s=speeds,
-                a_max_m_s2=[self._a_max[sysid] for sysid in ids],
-                margin_m=[self.margin_m(sysid) for sysid in ids],
+                v_ned=self._v_ned[rows],
+                v_max_m_s=self._speed_m_s[rows],
+                a_max_m_s2=self._a_max[rows],
+                margin_m=margin_m,
                 high_ned=floor,
             ),
             wanted_ned,
@@ -237,17 +233,17 @@ class SafePlanner(TickPlanner):
         pairs = request.rendezvous.items()
         return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in pairs]
 
-    def _others(self, request: PlanRequest, led: set[int]) -> list[_Other]:
+    def _others(self, request: PlanRequest, columns: FleetColumns) -> list[_Other]:
         """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""
         rules, others = self._scenario.planner, []
-        for view in request.snapshot.vehicles:
-            silent = self._silent(view)
+        for row in self._unled(columns) if rules.vehicles_repel else ():
+            view = request.snapshot.vehicle(columns.sysids[row])
             place = self._place(view)
-            follows = view.sysid in led and not silent and view.mode in STEERABLE
-            if not rules.vehicles_repel or place is None or follows:
+            if place is None:
                 continue
+            silent = bool(self._link_age.silent[row])
             radius_m = rules.separation_m + self.margin_m(view.sysid)
-            name, owner = f"vehicle {view.sysid}", view.sysid if view.sysid in led else None
+            name, owner = f"vehicle {view.sysid}", view.sysid if self._led[row] else None
             age_s = min(view.age_s, request.snapshot.time_s)
             home, failsafe = self._failsafes.get(view.sysid, (STILL, None))
             v_ned, lead_s = view.v_ned, self.lag_s
@@ -265,6 +261,14 @@ class SafePlanner(TickPlanner):
             others.append(_Other.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
         return others
 
+    def _unled(self, columns: FleetColumns) -> list[int]:
+        """Rows of those that live, follow no leader and are not surely on the ground."""
+        unled = ~(self._led & columns.steerable & ~self._link_age.silent) & columns.alive
+        if not unled.any():
+            return []
+        down = ~columns.flying & (columns.ground_down_m - columns.p_ned[:, 2] <= FLOOR_M)
+        return np.flatnonzero(unled & ~down).tolist()
+
     def _place(self, view: VehicleView) -> Vec3 | None:
         """Place of a vehicle that is not on the ground, whether or not its arming has been reported; None on the
         ground.
@@ -279,10 +283,10 @@ class SafePlanner(TickPlanner):
         start = self._airborne.get(view.sysid)
         return None if start is None else view.p_local_ned or start
 
-    def _record(self, points: list[SetPoint], filtered: Filtered, now_s: float, others: list[_Other]) -> None:
-        for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2):
-            sysid = points[row].sysid
-            by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), points, others)
+    def _record(self, sysids: Sequence[int], filtered: Filtered, now_s: float, others: list[_Other]) -> None:
+        for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2).tolist():
+            sysid = sysids[row]
+            by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), sysids, others)
             if now_s < self._reported_s.get((sysid, by), -math.inf) + REPEAT_AFTER_S:
                 continue
             self._reported_s[sysid, by] = now_s
@@ -292,10 +296,10 @@ class SafePlanner(TickPlanner):
                 {"t_s": now_s, "kind": "safety", "sysid": sysid, "by": by, "change_m_s2": change, "braked": braked}
             )
 
-    def _named(self, kind: int, index: int, points: list[SetPoint], others: list[_Other]) -> str:
+    def _named(self, kind: int, index: int, sysids: Sequence[int], others: list[_Other]) -> str:
         """Constraint that bound the filter, for a person."""
         if KINDS[kind] == "vehicle":
-            return f"vehicle {points[index].sysid}"
+            return f"vehicle {sysids[index]}"
         if KINDS[kind] == "other":
             return others[index].name
         if KINDS[kind] == "obstacle":

@@ -180,25 +180,31 @@ def filter_step(
             _check(name, array, bound)
         _check("others: radius_m and growth_m_s", moving[:, 6:], 0.0)
         raise ValueError("low_ned and high_ned must be numbers; infinite ones stand for no wall")
+    pairs = _special(pair_required_m, ids, ids, order, pairs=True)
+    singles = _special(other_required_m, ids, np.arange(m), order, pairs=False)
+    astray = np.zeros(n, dtype=np.bool_) if beyond is None else beyond
+    by_vehicle = [p, v, wanted, v_max, a_max, margin]
+    if order is not None:
+        by_vehicle = [column[order] for column in by_vehicle]
+        ids, astray, walls = ids[order], astray[order], walls[order]
     u, changed, kind, binding, checked = solve(
-        p[order], v[order], wanted[order], v_max[order], a_max[order], margin[order], ids[order], moving, table,
-        np.zeros(n, dtype=np.bool_) if beyond is None else beyond[order], walls[order],
-        _special(pair_required_m, ids, ids, order, back), _special(other_required_m, ids, np.arange(m), order, None),
+        *by_vehicle, ids, moving, table, astray, walls, pairs, singles,
         apart, rules.separation_m, rules.clearance_m, rules.brake_share, rules.period_s, rules.horizon_s,
         rules.buffer_m, rules.recover_m_s, rules.turn_rad, rules.climb_rad, rules.rounds, rules.sweeps,
     )  # fmt: skip
-    pairs = kind == PAIR
-    binding[pairs] = order[binding[pairs]]
-    u = u[back]
+    if order is not None:
+        paired = kind == PAIR
+        binding[paired] = order[binding[paired]]
+        u, changed, kind, binding, checked = u[back], changed[back], kind[back], binding[back], checked[back]
     p_next = p + rules.period_s * v + 0.5 * rules.period_s**2 * u
     v_next = v + rules.period_s * u
-    return Filtered(u, p_next, v_next, changed[back], kind[back], binding[back], checked[back])
+    return Filtered(u, p_next, v_next, changed, kind, binding, checked)
 
 
-def _order(ids: IntArray) -> tuple[IntArray, IntArray]:
-    """Rows in order of id, and the way back. ValueError where two have the same."""
+def _order(ids: IntArray) -> tuple[IntArray | None, IntArray | None]:
+    """Rows in order of id, and the way back; None where they are in order. ValueError where two have the same."""
     if ids.ndim == 1 and (ids[1:] > ids[:-1]).all():
-        return (rows := np.arange(len(ids))), rows
+        return None, None
     if ids.ndim != 1 or len(np.unique(ids)) != len(ids):
         raise ValueError("ids must be (n,) integers that differ from each other")
     order = np.argsort(ids, kind="stable")
@@ -207,6 +213,8 @@ def _order(ids: IntArray) -> tuple[IntArray, IntArray]:
 
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     array = np.ascontiguousarray(value, dtype=np.float64)
+    if array.shape == shape and array.size:
+        return array
     if np.ndim(value) == 0 and len(shape) == 1:
         array = np.full(shape, array[0])
     if array.size == 0 and 0 in shape:
@@ -243,19 +251,19 @@ def _check(name: str, array: FloatArray, least: float | None) -> None:
         raise ValueError(f"{name} holds {float(array.min())!r}; it must be at least {least!r}")
 
 
-def _special(rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray, back: IntArray | None) -> FloatArray:
+def _special(rows: ArrayLike, ids: IntArray, seconds: IntArray, order: IntArray | None, *, pairs: bool) -> FloatArray:
     """Required distances of single pairs (k, 3), by their rows in order of id; pairs with an absent vehicle are passed
-    over."""
+    over. pairs: of two vehicles, instead of a vehicle and the row of another."""
     given = np.asarray(rows, dtype=np.float64).reshape(-1, 3)
     if not len(given):
         return given
     if not np.isfinite(given).all() or (given[:, 2] < 0).any():
         raise ValueError("required distances must be rows of two numbers that name a pair and a length of at least 0 m")
-    first = {int(sysid): row for row, sysid in enumerate(ids[order])}
-    second = first if back is not None else {int(k): int(k) for k in seconds}
+    first = {int(sysid): row for row, sysid in enumerate(ids if order is None else ids[order])}
+    second = first if pairs else {int(k): int(k) for k in seconds}
     found = []
     for a, b, required in given:
-        if int(a) in first and int(b) in second and (back is None or a != b):
+        if int(a) in first and int(b) in second and not (pairs and a == b):
             i, j = first[int(a)], second[int(b)]
-            found.append((min(i, j), max(i, j), required) if back is not None else (i, j, required))
+            found.append((min(i, j), max(i, j), required) if pairs else (i, j, required))
     return np.array(found, dtype=np.float64).reshape(-1, 3)

@@ -8,13 +8,11 @@ aside.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcs.kernels import kernel
-from gcs.telemetry.state import Vec3
 
 KEPT = 32
 """Places of each leader's way, one a period."""
@@ -27,14 +25,13 @@ LAG_SHARE = 0.1
 MOST_LAG_S = 2.5
 
 Floats = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 
 class Tracking:
-    """Errors and lags of a fleet; each vehicle has a row for as long as the session lasts."""
+    """Errors and lags of n vehicles, a row each."""
 
-    def __init__(self, sysids: Iterable[int], lag_s: float) -> None:
-        self.row = {sysid: row for row, sysid in enumerate(sysids)}
-        n = len(self.row)
+    def __init__(self, n: int, lag_s: float) -> None:
         self.now_m = np.zeros(n)
         """error in the last tick"""
         self.error_m = np.zeros(n)
@@ -44,34 +41,32 @@ class Tracking:
         self._way = np.zeros((n, KEPT, 3))
         self._count = np.zeros(n, dtype=np.int64)
 
-    def lead(self, sysid: int, time_s: float, p_ned: Sequence[float] | Floats) -> None:
-        """Append a place of a leader (NED, m) at a session time."""
-        row = self.row[sysid]
-        at = self._count[row] % KEPT
-        self._time_s[row, at], self._way[row, at] = time_s, p_ned
-        self._count[row] += 1
+    def lead(self, rows: IntArray, time_s: float, p_ned: Floats) -> None:
+        """Append a place (k, 3) of the leader of each of these rows (k,), NED m, at a session time."""
+        count = self._count[rows]
+        at = count % KEPT
+        self._time_s[rows, at], self._way[rows, at] = time_s, p_ned
+        self._count[rows] = count + 1
 
-    def measure(
-        self, sysids: Sequence[int], p_ned: Sequence[Vec3], time_s: float, period_s: float, lag_s: float
-    ) -> None:
-        """Hold vehicles' places (NED, m) at a session time against their leaders', the fleet's lag before."""
-        if sysids:
-            rows = np.array([self.row[sysid] for sysid in sysids], dtype=np.int64)
+    def measure(self, rows: IntArray, p_ned: Floats, time_s: float, period_s: float, lag_s: float) -> None:
+        """Hold places (k, 3) of the vehicles of these rows (k,), NED m, at a session time against their leaders', the
+        fleet's lag before."""
+        if len(rows):
             _measure(
-                rows, np.array(p_ned, dtype=np.float64), time_s, math.exp(-period_s / DECAY_S), lag_s, self._time_s,
-                self._way, self._count, self.now_m, self.error_m, self.lag_s,
+                rows, p_ned, time_s, math.exp(-period_s / DECAY_S), lag_s, self._time_s, self._way, self._count,
+                self.now_m, self.error_m, self.lag_s,
             )  # fmt: skip
 
-    def restart(self, sysid: int) -> None:
+    def restart(self, row: int) -> None:
         """Forget a leader's way: it begins anew."""
-        self._count[self.row[sysid]] = 0
-        self.now_m[self.row[sysid]] = 0.0
+        self._count[row] = 0
+        self.now_m[row] = 0.0
 
 
 @kernel()
 def _measure(
-    rows: NDArray[np.int64], p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
-    count: NDArray[np.int64], now: Floats, error: Floats, lag: Floats,
+    rows: IntArray, p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
+    count: IntArray, now: Floats, error: Floats, lag: Floats,
 ) -> None:  # fmt: skip
     """Kernel: writes `now`, `error` and `lag` of the rows."""
     for k in range(len(rows)):

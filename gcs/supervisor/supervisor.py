@@ -23,7 +23,7 @@ from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.datagram import raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
+from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
 from gcs.recording.decision_lines import TickSetPoints
@@ -51,10 +51,11 @@ from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
+from gcs.telemetry.columns import UNSTAMPED
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
@@ -134,8 +135,11 @@ class Supervisor:
         self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
-        self.set_points: list[SetPoint] = []
+        self.set_points: Sequence[SetPoint] = []
         self._placer = SetPointPlacer()
+        self._framed: tuple[tuple[int, ...], bytes] = ((), b"")
+        self._frames: tuple[list[Vec3], list[float]] = ([], [])
+        """by the stamps of whose own frames: their origins in the common one, and their turns"""
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -424,7 +428,9 @@ class Supervisor:
         self.command_queue.ask(commands, snapshot.time_s)
         self.events += self.externals.pop_events()
 
-    def _plan(self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None) -> list[SetPoint]:
+    def _plan(
+        self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None
+    ) -> Sequence[SetPoint]:
         steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)
@@ -487,11 +493,15 @@ class Supervisor:
         return greeted
 
     def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
-        """Set points in their vehicles' own frames."""
-        views = [snapshot.vehicle(point.sysid) for point in set_points]
-        offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
-        assert len(offsets_ned) == len(views)
-        return self._placer.place(set_points, offsets_ned, [view.turn_rad for view in views], self.time_ms)
+        """Set points in their vehicles' own frames, which are asked for again where one may have changed."""
+        points, columns = SetPoints.of(set_points), snapshot.columns
+        stamped = (points.sysids, columns.stamps.tobytes())
+        if stamped != self._framed or (points.sysids and columns.stamps[0] == UNSTAMPED):
+            views = [snapshot.vehicle(sysid) for sysid in points.sysids]
+            offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
+            assert len(offsets_ned) == len(views)
+            self._framed, self._frames = stamped, (offsets_ned, [view.turn_rad for view in views])
+        return self._placer.place(points, *self._frames, self.time_ms)
 
     def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
         """Those of these to whom more goes than HEARTBEAT and set point, or over a radio that may hold it back."""

@@ -75,10 +75,10 @@ def _rehearse_bundles() -> None:
 
 def _rehearse_tracking() -> None:
     """A vehicle behind its leader."""
-    tracking = Tracking([1], 0.3)
+    tracking, rows = Tracking(1, 0.3), np.zeros(1, np.int64)
     for k in range(3):
-        tracking.lead(1, 0.1 * k, (0.1 * k, 0.0, 0.0))
-    tracking.measure([1], [(0.0, 0.0, 0.0)], 0.3, 0.1, 0.3)
+        tracking.lead(rows, 0.1 * k, np.array([[0.1 * k, 0.0, 0.0]]))
+    tracking.measure(rows, np.zeros((1, 3)), 0.3, 0.1, 0.3)
 
 
 @functools.cache

@@ -18,7 +18,7 @@ import numpy as np
 import pyrvo
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.planner import formation
+from gcs.planner import goals
 from gcs.planner.custom import Situation
 from gcs.planner.guide import RouteFollower
 from gcs.planner.route import Router
@@ -53,7 +53,7 @@ class AStarOrca:
         self._ends = {p.sysid: p.waypoints_m[-1] for p in scenario.vehicles.pursuers if p.waypoints_m}
         ring_m = scenario.formation.ring_m or 0.0
         ids = [p.sysid for p in scenario.vehicles.pursuers]
-        offsets = formation.ring_offsets(len(ids), ring_m, scenario.formation.height_m)
+        offsets = goals.ring_offsets(len(ids), ring_m, scenario.formation.height_m)
         self._offsets = dict(zip(ids, offsets, strict=True))
         self._p: dict[int, FloatArray] = {}
         self._v: dict[int, FloatArray] = {}

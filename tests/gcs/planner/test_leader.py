@@ -278,3 +278,50 @@ def test_full_steps_neither_shrink_before_a_way_point_nor_pass_the_goal() -> Non
     assert resting[0] == pytest.approx(course[1])
     beside, *_ = one(course[1] + (0.03, 0.0, 0.0), course[1], field=replace(FIELD, full_steps=True), speed_m_s=[1.0])
     assert beside[0] == pytest.approx(course[1])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_cannot_come_into_range_adds_nothing_to_the_last_bit(seed: int) -> None:
+    """Also one whose range ends where a leader's way may end, a rounding before it or beyond."""
+    rng = np.random.default_rng(seed)
+    n, speed, period_s = 40, 3.0, 0.1
+    q, goals = rng.uniform(-10, 10, (n, 3)), rng.uniform(-10, 10, (n, 3))
+    memory, velocity = fuzzy_escape.new_memory(n), rng.uniform(-1, 1, (n, 3))
+
+    def moved(at: np.ndarray, radii: np.ndarray, ranges: np.ndarray) -> tuple[np.ndarray, ...]:
+        return tick(
+            q, memory, goals, velocity, moving=at, radii_m=radii, ranges_m=ranges,
+            speed_m_s=np.full(n, speed), period_s=period_s,
+        )  # fmt: skip
+
+    at, radii, ranges = rng.uniform(-12, 12, (60, 3)), rng.uniform(0, 0.5, 60), rng.uniform(0.2, 1.5, 60)
+    edge = rng.normal(size=(n, 3))
+    edge = q + edge / np.linalg.norm(edge, axis=1)[:, None] * (
+        1.0 + speed * period_s + rng.uniform(-1e-9, 1e-9, (n, 1))
+    )
+    at, radii, ranges = np.vstack([at, edge]), np.append(radii, np.zeros(n)), np.append(ranges, np.ones(n))
+    apart_m = np.linalg.norm(q[:, None] - at, axis=2) - (radii + ranges + speed * period_s)
+    near = (apart_m <= 1e-7).any(axis=0)
+    assert 0 < np.count_nonzero(~near) < len(at)
+    every, some, none = (moved(at[k], radii[k], ranges[k]) for k in (near | True, near, near & False))
+    assert [x.tobytes() for x in every] == [x.tobytes() for x in some]
+    assert every[0].tobytes() != none[0].tobytes()
+    alone = [
+        advance(
+            q[i : i + 1], memory[i : i + 1], goals[i : i + 1], velocity[i : i + 1], repulsors=NO_OBSTACLE, moving=at,
+            radii_m=radii, ranges_m=ranges, owner=np.full(len(at), -1), field=FIELD, speed_m_s=speed,
+            period_s=period_s, escape=True, exempt=(apart_m[i : i + 1] > 1e-7),
+        )[0][0]
+        for i in range(n)
+    ]  # fmt: skip
+    assert np.array(alone).tobytes() == every[0].tobytes()
+
+
+@pytest.mark.parametrize(("ahead_m", "felt"), [(1.19, True), (1.21, False)])
+def test_what_comes_into_range_on_the_way_is_felt_from_there_on(ahead_m: float, felt: bool) -> None:
+    """Three steps of 0.1 m: the last begins 0.2 m on, and the range is 1 m."""
+    there, free = (
+        one((0, 0, 0), (9, 0, 0), moving=moving, speed_m_s=[3.0], escape=False)[0]
+        for moving in (np.array([(ahead_m, 0.0, 0.0)]), np.zeros((0, 3)))
+    )
+    assert (there.tobytes() != free.tobytes()) is felt

@@ -14,10 +14,10 @@ PERIOD_S = 0.1
 
 def silent_at(ages_s: Iterable[float]) -> list[bool]:
     """Whether the vehicle is silent, period by period, where its reports are so old."""
-    link, told = LinkAge(), []
+    link, told = LinkAge(1), []
     for age_s in ages_s:
-        link.receive(1, age_s, PERIOD_S)
-        told.append(link.silent(1, age_s))
+        link.receive(np.array([age_s]), PERIOD_S)
+        told.append(bool(link.silent[0]))
     return told
 
 
@@ -65,7 +65,7 @@ def test_who_is_back_is_not_silent() -> None:
     ],
 )
 def test_a_link_is_slow_whose_newest_reports_are_old(ages_s: list[float], slow: bool) -> None:
-    links = SlowLinks()
+    links = SlowLinks(1)
     for age_s in ages_s:
-        links.receive(1, age_s, PERIOD_S)
-    assert links.slow(1) is slow
+        links.receive(np.array([age_s]), PERIOD_S)
+    assert links.slow().tolist() == [slow]

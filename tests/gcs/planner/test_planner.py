@@ -14,7 +14,7 @@ from field import surface
 
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
-from gcs.planner.formation import assign, ring_offsets
+from gcs.planner.goals import assign, ring_offsets
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.scenario import geometry
@@ -245,7 +245,7 @@ def test_an_obstacle_on_the_line_is_passed_with_the_escape_and_stops_without(esc
         vehicles=content, obstacles=[{"point_m": (5.0, 0.0, -4.0)}], planner={"escape": escape},
         formation={"ring_m": 1.2},
     ))  # fmt: skip
-    world.planner._slots, world.planner._slots_of = {1: (-1.2, 0.0, 0.0)}, {101: frozenset({1})}
+    world.planner._slots[0], world.planner._slots_of = (-1.2, 0.0, 0.0), {101: frozenset({1})}
     trail = world.fly(25.0)
     assert min(math.dist(at[1], (5, 0, -4)) for at in trail) > 0.3
     assert (math.dist(world.at[1], (8.8, 0, -4)) < 0.1) is escape
@@ -258,9 +258,10 @@ def test_slots_are_assigned_anew_when_one_is_lost() -> None:
     world.fly(15.0)
     whole = world.snapshot()
     lost = replace(whole, vehicles=tuple(v._replace(alive=v.sysid != 3) for v in whole.vehicles))
-    wanted = world.planner._formation(lost)
-    assert set(wanted) == {1, 2, 4, 5}
-    goals = [want.p_ned for want in wanted.values()]
+    world.planner.plan(PlanRequest(lost, frozenset(world.at), PERIOD_S, targets_move=False))
+    wanted = world.planner._leaders.goal_ned
+    assert (wanted[2] == world.planner._begin[2]).all()
+    goals = wanted[[0, 1, 3, 4]]
     nearest = min(math.dist(a, b) for a, b in itertools.combinations(goals, 2))
     assert nearest == pytest.approx(2.0 * math.sqrt(2.0), abs=1e-6)  # a square
 
@@ -365,3 +366,11 @@ def test_a_tanker_meets_a_receiver_that_is_off_its_plan_where_it_flies() -> None
     world.at[1] = (0.0, 5.0, -4.0)
     world.fly(20.0, rendezvous={201: 1})
     assert math.dist(world.at[201], (0.0, 5.0, -5.2)) < 0.05
+
+
+def test_a_snapshot_of_other_vehicles_than_the_scenarios_is_refused() -> None:
+    world = World(scenario(vehicles={"pursuers": FIVE}))
+    whole = world.snapshot()
+    fewer = replace(whole, vehicles=whole.vehicles[1:])
+    with pytest.raises(ValueError, match=r"^the snapshot is of vehicles \[2, 3, 4, 5\], not \[1, 2, 3, 4, 5\]$"):
+        world.planner.plan(PlanRequest(fewer, frozenset(world.at), PERIOD_S))

@@ -74,6 +74,20 @@ def test_set_points_are_in_the_vehicles_own_frame_with_position_and_velocity(scr
         assert (content.vx, content.vy, content.vz) == pytest.approx(plan["v_ned"], abs=1e-6)
 
 
+def test_a_vehicle_whose_own_origin_moves_is_sent_its_set_points_in_the_new_frame(scripted: Any) -> None:
+    session = scripted()
+    session.fly(4)
+    session.link.vehicles[(1, 1)].offset = moved = (25.0, -10.0, 3.0)
+    session.fly(3)
+    planned = [d for d in map(json.loads, _decisions(session)) if d["kind"] == "set_point" and d["sysid"] == 1]
+    sent = [content for _, content in session.link.sent("SET_POSITION_TARGET_LOCAL_NED", (1, 1))]
+    assert len(sent) == len(planned) == 7
+    for k, (content, plan) in enumerate(zip(sent, planned, strict=True)):
+        origin = moved if k >= 4 else (0.0, 0.0, 0.0)
+        common = [x + o for x, o in zip((content.x, content.y, content.z), origin, strict=True)]
+        assert common == pytest.approx(plan["p_ned"], abs=0.012)
+
+
 def _decisions(session: Any) -> list[str]:
     session.recorder.close()
     return list((session.folder / "decisions.jsonl").read_text().splitlines())
@@ -94,7 +108,7 @@ def test_the_digest_is_the_same_again_and_another_for_one_set_point(scripted: An
         session = scripted()
         for tick in range(20):
             if tick == 10:
-                session.supervisor.planner._leaders[1].p_ned[0] += nudge_m
+                session.supervisor.planner._p_ned[0, 0] += nudge_m
             session.fly(1)
         return str(session.supervisor.digest.hexdigest())
 

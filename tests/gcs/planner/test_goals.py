@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from gcs.planner.formation import ConstantSpeedPath, assign, ring_offsets
+from gcs.planner.goals import ConstantSpeedPath, Courses, assign, ring_offsets
 
 SQUARE = [(0.0, 0.0, -2.0), (4.0, 0.0, -2.0), (4.0, 4.0, -2.0), (0.0, 4.0, -2.0)]
 
@@ -74,3 +74,35 @@ def test_an_open_path_ends_at_its_last_point_whatever_the_laps() -> None:
 
 def test_a_path_of_one_point_stands_there() -> None:
     assert ConstantSpeedPath([(1.0, 2.0, 3.0)], closed=False, laps=1).at(0.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
+
+
+def just(above: bool, reached_m: float, direction: np.ndarray) -> np.ndarray:
+    """A place as near as can be to a sphere about 0 of this radius, on the one side of it or the other."""
+    place = direction / np.linalg.norm(direction) * reached_m
+    while (math.dist(place, (0.0, 0.0, 0.0)) > reached_m) != above:
+        place[0] = np.nextafter(place[0], math.inf if (place[0] > 0) == above else -math.inf)
+    return place
+
+
+@pytest.mark.parametrize("above", [True, False])
+def test_a_way_point_is_left_behind_by_who_is_as_near_as_math_dist_says(above: bool) -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(200):
+        q = np.full((3, 3), 50.0)
+        q[1] = just(above, 0.3, rng.normal(size=3) + 0.01)
+        courses = Courses(3, {1: [(0.0, 0.0, 0.0), (5.0, 5.0, 5.0)]}, 0.3, keeps_last=True)
+        assert courses.go_on(courses.rows, q) is not above
+        assert courses.goal_ned[1].tolist() == ([0.0, 0.0, 0.0] if above else [5.0, 5.0, 5.0])
+
+
+@pytest.mark.parametrize("keeps_last", [True, False])
+def test_way_points_are_left_behind_one_in_a_tick_and_the_last_is_kept_or_not(keeps_last: bool) -> None:
+    q = np.zeros((2, 3))
+    courses = Courses(2, {0: [(0.0, 0.0, 0.1), (0.0, 0.0, 0.2)], 1: [(9.0, 0.0, 0.0)]}, 0.3, keeps_last=keeps_last)
+    assert courses.go_on(courses.rows, q)
+    assert courses.goal_ned[0].tolist() == [0.0, 0.0, 0.2]
+    assert courses.goes_on(0) is not keeps_last
+    assert courses.go_on(courses.rows, q) is not keeps_last
+    assert courses.ended.tolist() == [not keeps_last, False]
+    assert not courses.go_on(courses.rows, q)
+    assert courses.goal_ned[1].tolist() == [9.0, 0.0, 0.0]

@@ -25,8 +25,8 @@ from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, geometry.fill_clearances, metrics._track, approach.look, bundle_frames.write_bundles,
-           digest._count, datagram._find, readings.read]
+kernels = [leader._advance_all, geometry.fill_clearances, metrics._measure, approach.look,
+           bundle_frames.write_bundles, digest._count, datagram._find, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)

@@ -25,7 +25,7 @@ from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._advance_all, geometry.fill_clearances, metrics._measure, approach.look,
+kernels = [leader._advance_all, geometry.fill_clearances, metrics._measure, approach.look, approach.pass_points,
            bundle_frames.write_bundles, digest._count, datagram._find, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
@@ -40,8 +40,8 @@ print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded)]))
 def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after, again, imported_later = json.loads(done.stdout)
-    assert before == [0] * 8
-    assert after == again == [1] * 8
+    assert before == [0] * 9
+    assert after == again == [1] * 9
     assert imported_later == []
 
 

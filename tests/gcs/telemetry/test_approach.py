@@ -129,7 +129,7 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
     p_last, v_last = np.full((n, 3), np.nan), np.zeros((n, 3))
     before, clear_m, clear_at = np.empty((n, 3)), np.empty(n), np.empty(n)
     found, expected_found = np.empty((64, 4)), np.empty((64, 4))
-    near_in_all = 0
+    near_in_all = too_near_in_all = 0
     for tick in range(60):
         p, v, flying = rng.uniform(-2.0, 2.0, (n, 3)), rng.uniform(-3.0, 3.0, (n, 3)), rng.random(n) < 0.8
         p[rng.random(n) < 0.2 * (tick % 3 > 0)] = np.nan
@@ -145,10 +145,13 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         own = ours[rows]
         expected_m, expected_at = clearances(shapes, was[own], p[rows][own], 0.5)
         known = np.where(np.isin(np.arange(n), rows)[:, None], p, np.nan)
-        count, *told = approach.look(
-            p, v, p_last, v_last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5,
+        count, *told, clearest = approach.look(
+            p, v, p_last, v_last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5, 0.3,
             before, clear_m, clear_at, found,
         )  # fmt: skip
+        clear = expected_m < 0.5
+        assert clearest == (rows[own][expected_m.argmin()] if clear.any() else -1)
+        too_near_in_all += int(clear.any())
         assert count == len(rows)
         assert told == [least, *((rows[one], rows[other]) if one >= 0 else (-1, -1)), share, near]
         told_rows = found[:near, :2].astype(int)
@@ -163,3 +166,4 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         np.testing.assert_array_equal(p_last, known)
         near_in_all += near
     assert near_in_all > 50
+    assert 0 < too_near_in_all < 60

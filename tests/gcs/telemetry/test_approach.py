@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -167,3 +168,28 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         near_in_all += near
     assert near_in_all > 50
     assert 0 < too_near_in_all < 60
+
+
+def test_way_points_are_passed_in_their_order_on_the_straight_way_from_tick_to_tick() -> None:
+    rng, within_m = np.random.default_rng(3), 0.5
+    ways = [rng.uniform(-1.5, 1.5, (count, 3)) for count in (5, 0, 60, 1)]
+    end = np.cumsum([len(way) for way in ways])
+    ahead = end - [len(way) for way in ways]
+    points, last, left = np.concatenate(ways), np.full((4, 3), np.nan), [way.tolist() for way in ways]
+    before: list[Any] = [None] * 4
+    for _ in range(400):
+        p = rng.uniform(-1.5, 1.5, (4, 3))
+        p[rng.random(4) < 0.1] = np.nan
+        some_left = approach.pass_points(p, last, points, ahead, end, within_m**2)
+        for row, place in enumerate(p):
+            known = not np.isnan(place[0])
+            begin = place if before[row] is None else before[row]
+            shares = np.linspace(0.0, 1.0, 2001)[:, None]
+            on_way = begin + shares * (place - begin)
+            while known and left[row] and np.linalg.norm(on_way - left[row][0], axis=1).min() <= within_m:
+                left[row].pop(0)
+            before[row] = place if known else None
+        assert (end - ahead).tolist() == [len(way) for way in left]
+        assert some_left == sum(map(bool, left))
+    assert not (left[0] or left[1] or left[3])
+    assert len(left[2]) < 60

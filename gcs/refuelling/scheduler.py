@@ -16,7 +16,7 @@ from typing import Any
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base_service import BaseSteps, Stock
-from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, is_servable
+from gcs.refuelling.bidding import NO_COMPETITION, Award, BiddingRule, CompetitionState, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
@@ -95,8 +95,8 @@ class Scheduler:
         """The competitions as they stand: for the tankers, and for the bases."""
         tanker, base = self._bidding, self._base_bidding
         return (
-            CompetitionState() if tanker is None else tanker.competition_state,
-            CompetitionState() if base is None else base.competition_state,
+            NO_COMPETITION if tanker is None else tanker.competition_state,
+            NO_COMPETITION if base is None else base.competition_state,
         )
 
     @property

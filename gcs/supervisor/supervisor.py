@@ -449,7 +449,7 @@ class Supervisor:
             )
         )
 
-    def _flown(self, set_points: list[SetPoint]) -> list[SetPoint]:
+    def _flown(self, set_points: Sequence[SetPoint]) -> Sequence[SetPoint]:
         """Those of vehicles that nobody else flies."""
         yielded = self._fleet_arming.yielded
         return [point for point in set_points if point.sysid not in yielded] if yielded else set_points

@@ -72,7 +72,7 @@ class Metrics:
             fresh,
             p_ned,
             self._rows,
-            np.array(planned, np.float64),
+            np.array(planned, np.float64).reshape(-1, 3),
             self._pairs,
             self._last,
             self._lengths_m,
@@ -154,7 +154,7 @@ def _measure(
 ) -> None:
     """Kernel: one tick of n vehicles, who count while they are flying and fresh (n,), with their places p_ned (n, 3).
 
-    rows (k,), planned (3 k,): who has a set point, and where. pairs (m, 3): rows of pursuer and target, and the column
+    rows (k,), planned (k, 3): who has a set point, and where. pairs (m, 3): rows of pursuer and target, and the column
     of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
     on: last (n, 3), places of the last tick, NaN where they do not count; lengths_m (n,), the ways flown, NaN before
     the second place in a row; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points and how many there were
@@ -177,7 +177,7 @@ def _measure(
         before = -1 - counts[i]
         newest = before % memory
         for axis in range(3):
-            plans[i, newest, axis] = planned[3 * k + axis]
+            plans[i, newest, axis] = planned[k, axis]
         counts[i] = before + 1
         if before + 1 >= memory and not math.isnan(last[i, 0]):
             error_m = distance_to_path(plans[i], (newest + 1) % memory, last[i, 0], last[i, 1], last[i, 2])

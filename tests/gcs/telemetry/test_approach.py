@@ -191,5 +191,5 @@ def test_way_points_are_passed_in_their_order_on_the_straight_way_from_tick_to_t
             before[row] = place if known else None
         assert (end - ahead).tolist() == [len(way) for way in left]
         assert some_left == sum(map(bool, left))
-    assert not (left[0] or left[1] or left[3])
+    assert [len(left[row]) for row in (0, 1, 3)] == [0, 0, 0]
     assert len(left[2]) < 60

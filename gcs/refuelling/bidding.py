@@ -41,6 +41,10 @@ class CompetitionState:
         return CompetitionState(v, self.tau, self.need)
 
 
+NO_COMPETITION = CompetitionState()
+"""While nobody competes."""
+
+
 class Award(NamedTuple):
     """A giver has its next receiver."""
 

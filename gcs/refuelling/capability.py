@@ -36,6 +36,11 @@ class ReceiverCapability:
         self._first_received_s: dict[int, float] = {}
         self._asked: set[int] = set()
 
+    @property
+    def open(self) -> bool:
+        """Whether there is somebody to ask, or something to record."""
+        return bool(self.unknown or self._unrecorded)
+
     def decide(self, snapshot: FleetSnapshot, requests: ServiceRequests) -> None:
         """Ask whom there is to ask, and record who turned out to be unable."""
         for sysid in sorted(self.unknown):

@@ -16,7 +16,7 @@ from typing import Any
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.base_service import BaseSteps, Stock
-from gcs.refuelling.bidding import Award, BiddingRule, CompetitionState, is_servable
+from gcs.refuelling.bidding import NO_COMPETITION, Award, BiddingRule, CompetitionState, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
@@ -95,8 +95,8 @@ class Scheduler:
         """The competitions as they stand: for the tankers, and for the bases."""
         tanker, base = self._bidding, self._base_bidding
         return (
-            CompetitionState() if tanker is None else tanker.competition_state,
-            CompetitionState() if base is None else base.competition_state,
+            NO_COMPETITION if tanker is None else tanker.competition_state,
+            NO_COMPETITION if base is None else base.competition_state,
         )
 
     @property
@@ -140,6 +140,10 @@ class Scheduler:
 
     def decide(self, snapshot: FleetSnapshot) -> Decision:
         """Move the competition and every service to the snapshot's time."""
+        if self._nothing_to_do:
+            self._last_s = snapshot.time_s
+            self._requests.clear()
+            return Decision()
         dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
         self._last_s = snapshot.time_s
         self._requests.clear()
@@ -169,6 +173,12 @@ class Scheduler:
             records=tuple(self._requests.records),
         )
 
+    @property
+    def _nothing_to_do(self) -> bool:
+        """Whether nobody is, was or can soon be served, so that time changes nothing."""
+        competes = self._bidding is not None or self._base_bidding is not None
+        return not (competes or self.services or self.asked or self._ability.open)
+
     def _compete(self, snapshot: FleetSnapshot) -> None:
         """Move both competitions on, and give every free tanker and base who is decided for it."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
@@ -180,7 +190,7 @@ class Scheduler:
         if self._bidding is not None:
             self._bidding.advance(snapshot, served | unable | self._ability.unknown, tankers, self.tanker_times)
         if self._base_bidding is not None:
-            able = {view.sysid for view in snapshot.vehicles} - unable
+            able = snapshot.columns.row.keys() - unable
             self._base_bidding.advance(snapshot, served | able, bases, self.base_times)
         self._approaches = {}
         if not self._rules.enabled:
@@ -227,7 +237,7 @@ class Scheduler:
         """Every tanker that flies and has something to spare, busy ones from where and when their service ends."""
         serves = {service.tanker: service for service in self.open_services}
         found = []
-        for view in snapshot.of_role("tanker"):
+        for view in map(snapshot.vehicle, sorted(self._tankers.keys() & snapshot.columns.row.keys())):
             if view.sysid in self.out or not (view.flying and view.fresh):
                 continue
             service, available_j = serves.get(view.sysid), self._steps.available_j(view, math.inf)

@@ -93,6 +93,8 @@ class ArmingSequence:
         """why it must not be armed, as a sentence; empty while it may be"""
         self.left_out = ""
         """why it takes no part, as a sentence; empty while it does"""
+        self.touched: set[int] = set()
+        """where it enters itself when somebody wants something of it, for whoever asks it only then"""
 
     @property
     def sends_set_points(self) -> bool:
@@ -111,16 +113,19 @@ class ArmingSequence:
     def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._order_sent = mode, False
+        self.touched.add(self.sysid)
 
     def release(self) -> None:
         """Leave it to another ground station, at once."""
         self.released = True
         self.ordered = None
+        self.touched.add(self.sysid)
 
     def rejoin(self) -> None:
         """Bring a vehicle back that was taken or is down, from where it is."""
         self.ordered, self.released, self.rejoining = None, False, True
         self.stage, self._asked_s = Stage.IDENTIFY, -RETRY_S
+        self.touched.add(self.sysid)
 
     def excuse(self, now_s: float) -> None:
         """The vehicle does not hear the ground station: what its failsafe does is put down to that, for a while."""
@@ -152,6 +157,22 @@ class ArmingSequence:
             self._arming_tries += self.stage is Stage.ARM
             self._refused_j = view.remaining_j
         return commands, requests
+
+    def rests(self, view: VehicleView) -> bool:
+        """Whether, having decided on this view, it would decide nothing and stay as it is at every later time, as long
+        as nobody wants anything of it and nothing of the vehicle changes but figures.
+
+        It has no parameters to ask for then, and what it looks at is no figure: while a view is `fresh`, its age is
+        none that cuts it off. Charge, check list and time count only on the way into the air.
+        """
+        if not view.battery_reported:
+            return False
+        if self.stage is Stage.TAKEN:
+            return self._order_sent or self.ordered is None
+        if self.ordered is not None or self.grounded:
+            return False
+        steered = view.fresh and view.armed and view.mode in STEERABLE
+        return self.stage is Stage.DOWN or (self.stage is Stage.FLY and steered and not self.rejoining)
 
     def _wait_s(self, view: VehicleView) -> float:
         """Time from one command to the next."""

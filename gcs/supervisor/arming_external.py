@@ -103,6 +103,10 @@ class ExternalArmingSequence(ArmingSequence):
             return [], []
         return super().decide(view, now_s, bound=bound)
 
+    def rests(self, view: VehicleView) -> bool:
+        """Never: how long ago it was asked last is what it judges silence and late ticks by."""
+        return False
+
     def _requests(self, view: VehicleView) -> list[Message]:
         if self._reads >= PARAMETER_TRIES:
             return []

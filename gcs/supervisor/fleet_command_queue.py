@@ -30,6 +30,8 @@ class FleetCommandQueue:
         self._waiting: defaultdict[int, list[Message]] = defaultdict(list)
         """of those for whom something waits"""
         self._under_way: set[tuple[int, str]] = set()
+        self._commanded: set[int] = set()
+        """those of whom a command has been under way since `pending` was asked for last"""
 
     @property
     def resent(self) -> int:
@@ -58,6 +60,7 @@ class FleetCommandQueue:
         """Send each request in a COMMAND_LONG to the vehicle's autopilot."""
         for request in requests:
             self._under_way.add((request.sysid, request.token))
+            self._commanded.add(request.sysid)
             command = CommandLong(CommandTarget(request.sysid, AUTOPILOT), request.command, request.params)
             self.put(request.sysid, self._queues[request.sysid].send(command, now_s, token=request.token))
 
@@ -81,7 +84,9 @@ class FleetCommandQueue:
     @property
     def pending(self) -> list[int]:
         """System ids of the vehicles that have not acknowledged a command yet, in order."""
-        return [sysid for sysid, queue in self._queues.items() if queue.pending]
+        if self._commanded:
+            self._commanded = {sysid for sysid in self._commanded if self._queues[sysid].pending}
+        return sorted(self._commanded)
 
     def poll(self, sysid: int, now_s: float) -> list[CommandResult]:
         """Send again what a vehicle has not acknowledged in time; the commands that have ended by silence."""

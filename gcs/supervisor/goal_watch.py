@@ -10,7 +10,7 @@ Who counts (docs/protocol.md#goal):
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -23,16 +23,17 @@ from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
+from gcs.supervisor.fleet_arming import FleetArming
 from gcs.telemetry import approach
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
+from gcs.telemetry.stamps import StampWatch
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
 """Records and events."""
-UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
@@ -46,24 +47,33 @@ _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 class GoalWatch:
     """All that is measured for the goal, and what of it has been reported."""
 
-    def __init__(self, scenario: Scenario, shapes: Floats, arming: Mapping[int, ArmingSequence]) -> None:
+    def __init__(self, scenario: Scenario, shapes: Floats, arming: FleetArming) -> None:
         self._scenario = scenario
         self._shapes = shapes
-        self._arming = arming
+        self._arming = arming.sequences
         self._asked = goal.asked(scenario)
         self._vehicles = scenario.vehicles.all
         self._rows = {vehicle.sysid: row for row, vehicle in enumerate(self._vehicles)}
         self.believed = self.judged = Proximity(scenario, shapes)
         self.from_truth = False
         self._waypoints = WayPoints(scenario)
-        self._up = [False] * len(self._vehicles)
-        self._flew = [False] * len(self._vehicles)
+        self._stamps, self._others_moved = StampWatch(), arming.listen()
+        self._restless: set[int] = set()
+        """those who have to be looked at again though nothing of them changes but figures"""
+        count = len(self._vehicles)
+        self._flying, self._ours_now, self._up, self._flew = ([False] * count for _ in range(4))
+        self._counts = [False] * count
+        """whose place counts: they fly, and their places are fresh"""
+        self._all_count = False
+        self._some_up = False
+        self._unknown_m = np.full(count, np.nan)
+        self._exempted: list[tuple[int, int]] = []
         near_m = self._asked.get("separation", 0.0)
         self._parting_s = PARTING_S if scenario.refuelling.height_m < near_m else 0.0
         self._partners: dict[tuple[int, int], float] = {}
-        self._counts: tuple[Any, ...] = ()
-        """of which vehicles what counts, as `_airspace` says it"""
         self._airspace: Airspace | None = None
+        """None where it has changed"""
+        self._uncounted = np.empty(0, np.bool_)
         self._log: list[tuple[float, Airspace, tuple[str, ...], Floats]] = []
         """of each tick: time, who counts, and the traffic's callsigns and places (n, 3), which may be many"""
         self._external_p_ned: list[Floats] = []
@@ -78,31 +88,26 @@ class GoalWatch:
 
     # in flight
 
-    def update(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> Notices:
+    def update(self, snapshot: FleetSnapshot, partners: Collection[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
-        now_s, count = snapshot.time_s, len(self._vehicles)
-        p_ned, height_m = [UNKNOWN] * count, [math.nan] * count
-        flying, ours = [False] * count, [False] * count
-        for row, view in enumerate(snapshot.vehicles):
-            arming = self._arming[view.sysid]
-            flies = flying[row] = view.flying
-            if not flies and not self._up[row]:
-                self._see_loss(view, arming, now_s)
-                continue
-            self._flew[row] = True
-            by_failsafe = view.mode in GOING_DOWN and arming.stage is not Stage.BASE and not arming.grounded
-            ours[row] = arming.stage not in _OTHERS and not by_failsafe
-            if view.p_ned is not None and view.fresh:
-                p_now_ned = view.p_now_ned()
-                if flies:
-                    p_ned[row] = p_now_ned
-                if view.ground_down_m is not None:
-                    height_m[row] = view.ground_down_m - p_now_ned[2]
-            self._see_height(row, view, arming, height_m)
-            self._see_loss(view, arming, now_s)
-        airspace = self._airspace_of(flying, ours, self._exempt(partners, now_s))
+        now_s, columns = snapshot.time_s, snapshot.columns
+        looked_at = self._restless.union(self._stamps.new(columns), self._others_moved)
+        self._others_moved.clear()
+        empty = columns.remaining_j <= 0.0
+        if np.count_nonzero(empty):
+            looked_at.update(columns.sysids[row] for row in np.flatnonzero(empty).tolist())
+        height_m = self._unknown_m
+        if looked_at or self._some_up:
+            height_m = columns.ground_down_m - columns.p_now_ned[:, 2]
+        for sysid in sorted(looked_at):
+            self._look_at(snapshot.vehicle(sysid), height_m, now_s)
+        airspace = self._airspace_of(self._exempt(partners, now_s))
+        p_ned = columns.p_now_ned
+        if not self._all_count:
+            p_ned = p_ned.copy()
+            p_ned[self._uncounted] = np.nan
         traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
-        places = Places(np.array(p_ned).reshape(-1, 3), np.array(height_m), traffic=traffic)
+        places = Places(p_ned, height_m, traffic=traffic)
         if self._keeps_log:
             callsigns = tuple(traffic)
             if self._log and self._log[-1][2] == callsigns:
@@ -114,29 +119,58 @@ class GoalWatch:
         self._waypoints.update(p_ned)
         return self._notices_of(now_s, self.believed.update(now_s, airspace, places), "reports")
 
-    def _airspace_of(self, flying: list[bool], ours: list[bool], exempt: list[tuple[int, int]]) -> Airspace:
+    def _look_at(self, view: VehicleView, height_m: Floats, now_s: float) -> None:
+        """See what of a vehicle counts, and that its height does only where it does."""
+        row, arming = self._rows[view.sysid], self._arming[view.sysid]
+        was = self._flying[row], self._ours_now[row], self._up[row], self._counts[row]
+        flies, ours, counts, above_m, rising = view.flying, False, False, math.nan, False
+        measured = flies or self._up[row]
+        if measured:
+            self._flew[row] = True
+            by_failsafe = view.mode in GOING_DOWN and arming.stage is not Stage.BASE and not arming.grounded
+            ours = arming.stage not in _OTHERS and not by_failsafe
+            if view.p_ned is not None and view.fresh:
+                counts, above_m = flies, float(height_m[row])
+            above_m, rising = self._see_height(row, view, arming, above_m)
+        height_m[row] = above_m
+        self._flying[row], self._ours_now[row], self._counts[row] = flies, ours, counts
+        if was != (flies, ours, self._up[row], counts):
+            self._airspace = None
+        self._see_loss(view, arming, now_s)
+        unsettled = rising or (measured and not (flies and view.fresh))
+        if unsettled or (view.alive and view.sysid in self._lost):
+            self._restless.add(view.sysid)
+        else:
+            self._restless.discard(view.sysid)
+
+    def _airspace_of(self, exempt: list[tuple[int, int]]) -> Airspace:
         """The last one while nothing has changed, as at nearly every tick."""
-        counts = (flying, ours, self._up.copy(), exempt)
-        if self._airspace is None or counts != self._counts:
-            self._counts = counts
-            up = np.array(self._up, dtype=np.bool_)
-            pairs = np.array(exempt, dtype=np.int64).reshape(-1, 2)
-            self._airspace = Airspace(np.array(flying, dtype=np.bool_), np.array(ours, dtype=np.bool_), up, pairs)
+        if self._airspace is None or exempt != self._exempted:
+            self._exempted = exempt
+            flying, ours, up = (np.array(each, dtype=np.bool_) for each in (self._flying, self._ours_now, self._up))
+            self._some_up = any(self._up)
+            self._airspace = Airspace(flying, ours, up, np.array(exempt, dtype=np.int64).reshape(-1, 2))
+            self._uncounted, self._all_count = ~np.array(self._counts, dtype=np.bool_), all(self._counts)
         return self._airspace
 
-    def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: list[float]) -> None:
-        """Whether it is up, and must not touch the ground; one that says it has landed touches it."""
+    def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: float) -> tuple[float, bool]:
+        """Whether it is up, and must not touch the ground; one that says it has landed touches it. Its height, m, NaN
+        where that is not known; and whether it may be up a moment later."""
         follows = arming.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
         follows = follows and view.age_s <= CUT_OFF_S  # else its failsafe may be landing it
         if not follows or self._vehicles[row].airborne or arming.grounded:
             self._up[row] = False
         elif self._up[row] and view.landed:
-            height_m[row] = min(0.0, height_m[row]) if not math.isnan(height_m[row]) else 0.0
-        elif not view.landed and height_m[row] >= UP_M:
-            self._up[row] = True
+            return (min(0.0, height_m) if not math.isnan(height_m) else 0.0), False
+        elif not view.landed:
+            self._up[row] = self._up[row] or height_m >= UP_M
+            return height_m, not self._up[row]
+        return height_m, False
 
-    def _exempt(self, partners: Iterable[tuple[int, int]], now_s: float) -> list[tuple[int, int]]:
+    def _exempt(self, partners: Collection[tuple[int, int]], now_s: float) -> list[tuple[int, int]]:
         """Rows of those who may come near each other: partners, also over the interval in which they cease to be."""
+        if not partners and not self._partners:
+            return []
         kept = {pair: until_s for pair, until_s in self._partners.items() if until_s >= now_s - 1e-9}
         period_s = self._scenario.clock.period_s
         for a, b in partners:
@@ -158,10 +192,13 @@ class GoalWatch:
     def lose(self, sysid: int, t_s: float, why: str) -> None:
         """Count a vehicle as lost, or the traffic, 255."""
         self._lost[sysid] = Loss(sysid, t_s, why)
+        if sysid in self._rows:
+            self._restless.add(sysid)
 
     def find(self, sysid: int) -> None:
         """A vehicle that was lost is there again."""
         self._lost.pop(sysid, None)
+        self._restless.add(sysid)
 
     def losses(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, in order of time; with those that never flew, and those on their failsafe's way
@@ -226,9 +263,9 @@ class GoalWatch:
         for tick, (t_s, airspace, callsigns, traffic_ned) in enumerate(self._log):
             traffic = {name: (n, e, d) for name, (n, e, d) in zip(callsigns, traffic_ned.tolist(), strict=True)}
             in_flight = np.where(airspace.flying[:, None], p_ned[tick], np.nan)
-            waypoints.update(in_flight.tolist())
+            waypoints.update(in_flight)
             height_m = 0.0 - p_ned[tick, :, 2]
-            places = Places(p_ned[tick], height_m, v_ned[tick] if curved else approach.STRAIGHT, traffic)
+            places = Places(p_ned[tick], height_m, traffic, v_ned[tick] if curved else approach.STRAIGHT)
             breaches += judged.update(t_s, airspace, places)
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
         return self._notices_of(now_s, breaches, "truth")

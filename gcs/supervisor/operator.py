@@ -56,11 +56,6 @@ class Operator:
         self.pursuing: dict[int, int] | None = None
         """the target of each pursuer once an operator has changed one; None: as the scenario says"""
 
-    @property
-    def ordered(self) -> dict[int, End]:
-        """Mode of each vehicle that an operator has taken over."""
-        return {sysid: arming.ordered for sysid, arming in self._arming.items() if arming.ordered is not None}
-
     def obey(self, content: Mapping[str, Any], snapshot: FleetSnapshot) -> tuple[OperatorReply, Event]:
         """Take an order, an object of the session's socket, or refuse it; never raises.
 

@@ -89,6 +89,8 @@ class Preflight:
             if any(plans.values()) or v.external is not None
         }
         self._events: list[Event] = []
+        self.under_way = tuple(self._lists)
+        """system ids of the vehicles whose list has not ended"""
 
     def items(self, sysid: int) -> list[CheckItem]:
         """Entries of a vehicle's list so far."""
@@ -107,9 +109,8 @@ class Preflight:
 
     def receive(self, delivered: Mapping[int, Iterable[Frame]], unix_us: int, now_s: float) -> None:
         """Take what vehicles have said; `unix_us` is the time by our clock."""
-        for sysid, checks in self._lists.items():
-            if checks.ended:
-                continue
+        for sysid in self.under_way:
+            checks = self._lists[sysid]
             for frame in delivered.get(sysid, ()):
                 if (frame.sysid, frame.compid) != (sysid, AUTOPILOT):
                     continue
@@ -125,9 +126,9 @@ class Preflight:
     def decide(self, snapshot: FleetSnapshot) -> dict[int, list[Message]]:
         """Messages by system id that bring the lists of those who have been received further."""
         now_s, out = snapshot.time_s, {}
-        for sysid, checks in self._lists.items():
-            view = snapshot.vehicle(sysid)
-            if checks.ended or not view.alive or view.last_received_s < 0.0:
+        for sysid in self.under_way:
+            view, checks = snapshot.vehicle(sysid), self._lists[sysid]
+            if not view.alive or view.last_received_s < 0.0:
                 continue
             messages = self._ask_clock(sysid, checks, now_s)
             if checks.pace_open and now_s >= PACE_WITHIN_S:
@@ -143,6 +144,7 @@ class Preflight:
             if checks.items.keys() >= checks.clients.keys() and not checks.clock_open and not checks.pace_open:
                 checks.ended = True
                 self._report(sysid, checks, now_s)
+        self.under_way = tuple(sysid for sysid in self.under_way if not self._lists[sysid].ended)
         return out
 
     def pop_events(self) -> list[Event]:

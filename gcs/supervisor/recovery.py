@@ -34,6 +34,8 @@ class Recovery:
 
     def look(self, snapshot: FleetSnapshot) -> list[Event]:
         """Bring back who can be; what to tell of it."""
+        if not self._flown:
+            return []
         events = []
         for sysid in sorted(self._flown):
             view, arming = snapshot.vehicle(sysid), self._arming[sysid]

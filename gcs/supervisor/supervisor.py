@@ -44,6 +44,7 @@ from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
+from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
@@ -101,7 +102,8 @@ class Supervisor:
             self.pursuit = TargetAssignment(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario)
         self.arming = make_arming_sequences(scenario)
-        self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self.arming)
+        self._fleet_arming = FleetArming(self.arming)
+        self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self._fleet_arming)
         self.operator = Operator(scenario, self.arming, self.schedule)
         self.recovery = Recovery(self.arming)
         stations = dict.fromkeys(scenario.vehicles.external, scenario.station.ids)
@@ -165,7 +167,7 @@ class Supervisor:
             self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
         ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
-        self.events += self._watch.look(snapshot, ordered | self.operator.ordered)
+        self.events += self._watch.look(snapshot, ordered | self._fleet_arming.ordered)
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
         self._prepare(snapshot)
@@ -182,8 +184,7 @@ class Supervisor:
         recording = TickRecord(self.time_ms, arrived, [], [])
         self._grant_all(set_points, snapshot, relays, recording)
         decisions = self._records(now_s, decision, set_points)
-        flown = [point for point in set_points if self.arming[point.sysid].stage is not Stage.YIELDED]
-        self.metrics.update(snapshot, flown, pursuing)
+        self.metrics.update(snapshot, self._flown(set_points), pursuing)
         recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.rendezvous.items())]
         self._record(recording)
 
@@ -227,11 +228,12 @@ class Supervisor:
         """Measure the tick for the goal; records of what has just been broken."""
         self._partners = frozenset(partners)
         watch, now_s = self.goal_watch, snapshot.time_s
-        for sysid in self.externals.lost - self._reported_lost:
-            watch.lose(sysid, now_s, "silent")
-        for sysid in self._reported_lost - self.externals.lost:
-            watch.find(sysid)
-        self._reported_lost = set(self.externals.lost)
+        if self.externals.lost != self._reported_lost:
+            for sysid in self.externals.lost - self._reported_lost:
+                watch.lose(sysid, now_s, "silent")
+            for sysid in self._reported_lost - self.externals.lost:
+                watch.find(sysid)
+            self._reported_lost = set(self.externals.lost)
         broken, events = watch.update(snapshot, self._partners)
         lost, of_losses = watch.new_losses(now_s)
         self.events += events + of_losses
@@ -372,9 +374,9 @@ class Supervisor:
 
     def _serve_at_bases(self, decision: Decision) -> None:
         """Let land who is to land, and let bases speak to those they charge, or their books for those who cannot."""
-        self.grounded = decision.grounded
-        for sysid, arming in self.arming.items():
-            arming.grounded = sysid in decision.grounded
+        if decision.grounded != self.grounded:
+            self.grounded = decision.grounded
+            self._fleet_arming.ground(decision.grounded)
         for report in decision.giver_reports:
             self.command_queue.put(report.sysid, giver_messages(report, self.scenario.origin, self.time_ms))
         for sysid, joules in decision.booked.items():
@@ -382,21 +384,25 @@ class Supervisor:
 
     def _prepare(self, snapshot: FleetSnapshot) -> None:
         """Go on with the check lists; who fails his is not armed."""
+        under_way = self.preflight.under_way
+        if not under_way:
+            return
         for sysid, messages in self.preflight.decide(snapshot).items():
             self.command_queue.put(sysid, messages)
-        for sysid, arming in self.arming.items():
+        for sysid in under_way:
+            arming = self.arming[sysid]
             arming.checked, arming.unfit = self.preflight.ended(sysid), self.preflight.failed(sysid)
         self.events += self.preflight.pop_events()
 
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         late_s = (self._periods - 1) * self.scenario.clock.period_s
-        for view in snapshot.vehicles:
-            sysid = view.sysid
+        for sysid in self._fleet_arming.due(snapshot.columns):
             if self.time_ms < self._join_ms[sysid]:
                 continue
-            arming = self.arming[sysid]
+            view, arming = snapshot.vehicle(sysid), self.arming[sysid]
             before = arming.stage
             commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=late_s)
+            self._fleet_arming.asked(sysid, view)
             changed = arming.stage is not before
             if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):
                 self.command_queue.withdraw(sysid)
@@ -422,6 +428,8 @@ class Supervisor:
             self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
 
     def _keep_streams(self, snapshot: FleetSnapshot) -> None:
+        if not self.externals.rules:
+            return
         commands, messages = self.externals.decide(snapshot)
         for sysid, requests in messages.items():
             self.command_queue.put(sysid, requests)
@@ -431,7 +439,7 @@ class Supervisor:
     def _plan(
         self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None
     ) -> Sequence[SetPoint]:
-        steered = frozenset(sysid for sysid, arming in self.arming.items() if arming.sends_set_points)
+        steered = self._fleet_arming.steered
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)
             self.targets_move = ready or self.time_s > self._wait_for_fleet_s
@@ -446,6 +454,11 @@ class Supervisor:
                 stations=decision.stations,
             )
         )
+
+    def _flown(self, set_points: Sequence[SetPoint]) -> Sequence[SetPoint]:
+        """Those of vehicles that nobody else flies."""
+        yielded = self._fleet_arming.yielded
+        return [point for point in set_points if point.sysid not in yielded] if yielded else set_points
 
     # out
 

@@ -26,6 +26,7 @@ from gcs.recording.tlog_frames import stamped
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_arming_sequences, make_fleet
+from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry import approach
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
@@ -52,7 +53,7 @@ def rehearse(scenario: Scenario) -> None:
     snapshot = FleetSnapshot(0.0, tuple(views), ())
     planner = behind_filter(scenario, Planner(scenario))
     metrics = Metrics(scenario)
-    watch = GoalWatch(scenario, planner.obstacles, make_arming_sequences(scenario))
+    watch = GoalWatch(scenario, planner.obstacles, FleetArming(make_arming_sequences(scenario)))
     set_points = planner.plan(PlanRequest(snapshot, frozenset(place), scenario.clock.period_s))
     if scenario.planner.safety:
         _rehearse_tracking()

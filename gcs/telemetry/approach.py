@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.scenario import geometry
 
 Floats = NDArray[np.float64]
@@ -200,19 +200,21 @@ def look(
     shapes: Floats,
     limit_m: float,
     worth_m: float,
-    clear_of_m: float,
+    clear_limit_m: float,
+    clear_worth_m: float,
     before: Floats,
     clear_m: Floats,
     clear_at: Floats,
     found: Floats,
-) -> tuple[int, float, int, int, float, int]:
-    """One interval of a fleet of n: (vehicles that count, least separation, row, row, share, pairs too near), as
-    `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place is known.
+) -> tuple[int, float, int, int, float, int, int]:
+    """One interval of a fleet of n: (vehicles that count, least separation, row, row, share, pairs too near, row of the
+    least clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place
+    is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
     p, v: (n, 3) now, NaN where unknown, v also (0, 3). p_last, v_last (n, 3): at the last tick, NaN where unknown; at
     the end they are those of now. exempt (k, 2): rows of pairs that are left out. before (n, 3): filled with where each
     way began. clear_m, clear_at (n,): filled with the least clearance of those who are `ours`, inf for others, and its
-    share; `clear_of_m` is what is worth a closer look.
+    share; only what may be less than the two limits is worth a closer look.
     """
     n = p.shape[0]
     rows, place = np.empty(n, dtype=np.int64), np.full(n, -1, dtype=np.int64)
@@ -250,16 +252,44 @@ def look(
         found[k, 0], found[k, 1] = rows[int(found[k, 0])], rows[int(found[k, 1])]
     for i in range(n):
         clear_m[i], clear_at[i] = math.inf, 1.0
+    clearest = -1
     if shapes.shape[0] > 0:
+        clear_of_m = max(clear_limit_m, min(clear_worth_m, 1e9))
         of_each, at_share = clearances(shapes, was[own], now[own], clear_of_m)
+        least_m = max(clear_limit_m, clear_worth_m)
         for k, i in enumerate(rows[:count][own]):
             clear_m[i], clear_at[i] = of_each[k], at_share[k]
+            if of_each[k] < least_m:
+                clearest, least_m = i, of_each[k]
     for i in range(n):
         for axis in range(3):
             p_last[i, axis] = p[i, axis] if place[i] >= 0 else math.nan
             if v.shape[0] > 0:
                 v_last[i, axis] = v[i, axis]
-    return count, least, one, other, share, near
+    return count, least, one, other, share, near, clearest
+
+
+@kernel(**UNCOUNTED)
+def pass_points(p: Floats, last: Floats, points: Floats, ahead: Ints, end: Ints, within2: float) -> int:
+    """Let n vehicles pass way points on their straight ways of one interval; how many of them have some left.
+
+    p: (n, 3) now, NaN where unknown. last: (n, 3) the same of the last interval, which is brought up to date. points:
+    (m, 3), those of row i from ahead[i], which is moved on, to end[i]. within2: square distance at which one is passed.
+    """
+    left = 0
+    for i in range(len(p)):
+        if ahead[i] < end[i] and not math.isnan(p[i, 0]):
+            begin = p[i] if math.isnan(last[i, 0]) else last[i]
+            dn, de, dd = p[i, 0] - begin[0], p[i, 1] - begin[1], p[i, 2] - begin[2]
+            while ahead[i] < end[i]:
+                point = points[ahead[i]]
+                gap2, _ = segment_gap2(begin[0] - point[0], begin[1] - point[1], begin[2] - point[2], dn, de, dd)
+                if gap2 > within2:
+                    break
+                ahead[i] += 1
+        left += ahead[i] < end[i]
+        last[i, 0], last[i, 1], last[i, 2] = p[i, 0], p[i, 1], p[i, 2]
+    return left
 
 
 def nearest_shape(shapes: Floats, place: Floats) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
+from gcs.telemetry.stamps import StampWatch
 from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
@@ -19,6 +20,9 @@ class ChangeDetector:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
         self._doubted: set[int] = set()
+        self._stamps = StampWatch()
+        self._aged: set[int] = set()
+        """those of whom time alone may bring something new: they live, and what they told is old or not believed"""
 
     def look(self, snapshot: FleetSnapshot, ordered: Mapping[int, End] | None) -> list[Event]:
         """Events since the last snapshot.
@@ -27,12 +31,16 @@ class ChangeDetector:
         here commands them, so that no change of mode can be distinguished from an order.
         """
         events: list[Event] = []
-        for view in snapshot.vehicles:
+        for view in map(snapshot.vehicle, sorted(self._aged.union(self._stamps.new(snapshot.columns)))):
             wanted = str(view.mode) if ordered is None else ordered.get(view.sysid)
             by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
             self._watch_mode(view, snapshot.time_s, by_order, events)
             self._watch_silence(view, snapshot.time_s, events)
             self._watch_belief(view, snapshot.time_s, events)
+            if view.alive and not view.fresh:
+                self._aged.add(view.sysid)
+            else:
+                self._aged.discard(view.sysid)
         return events
 
     def _watch_mode(self, view: VehicleView, now_s: float, by_order: bool, events: list[Event]) -> None:

@@ -3,41 +3,47 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.scenario.model import Scenario
-from gcs.telemetry.approach import segment_gap2
+from gcs.telemetry.approach import Ints, segment_gap2
+from gcs.telemetry.columns import Flags, FleetColumns, Floats
 from gcs.telemetry.pursuit import PursuitHeld
-from gcs.telemetry.state import FleetSnapshot, Vec3
+from gcs.telemetry.state import FleetSnapshot
 
 if TYPE_CHECKING:
     from gcs.mavlink.setpoints import SetPoint
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
-UNKNOWN = (math.nan, math.nan, math.nan)
+
+
+_OF_EACH = ((np.bool_, ()), (np.bool_, ()), (np.float64, (3,)))
 
 
 class Metrics:
     """Running figures of one session."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self.target_of = scenario.vehicles.followed
+        self.target_of: Mapping[int, int] = scenario.vehicles.followed
         self._of_targets = scenario.pursuit.by == "competition"
         within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
         targets = (target.sysid for target in scenario.vehicles.targets)
         self._pursuit = PursuitHeld(targets if self._of_targets else self.target_of, within_m)
-        self._last: dict[int, Vec3] = {}
-        self.path_length_m: dict[int, float] = {}
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
         count = len(self._row)
+        self._last, self._lengths_m = np.full((count, 3), np.nan), np.full(count, np.nan)
         self._plans, self._planned = np.zeros((count, PLAN_MEMORY, 3)), np.zeros(count, np.int64)
         self._errors_m = np.full(count, np.nan)
+        self._sysids: list[int] = []
+        self._rows = np.empty(0, np.int64)
+        """of the vehicles that had the last set points"""
+        self._pairs = self._pairs_of(self.target_of)
+        self._time_s, self._distances_m = np.empty(1), np.empty((1, len(self._pursuit.keys)))
 
     def update(
         self,
@@ -50,12 +56,39 @@ class Metrics:
         `pursuing` says who pursues which target where one vehicle is chosen for each: it is then the targets that must
         have their pursuer near.
         """
-        if pursuing is not None:
+        if pursuing is not None and pursuing != self.target_of:
             self.target_of = dict(pursuing)
-        here = {view.sysid: view.p_now_ned() for view in snapshot.vehicles if view.flying and view.fresh}
-        self._measure_paths(here)
-        self._measure_tracking(here, set_points)
-        self._measure_pursuit(snapshot.time_s, here)
+            self._pairs = self._pairs_of(self.target_of)
+        flying, fresh, p_ned = self._in_order(snapshot.columns)
+        sysids: list[int] = []
+        planned: list[float] = []
+        for sysid, place, _ in set_points:
+            sysids.append(sysid)
+            planned += place
+        if sysids != self._sysids:
+            self._sysids, self._rows = sysids, np.array([self._row[sysid] for sysid in sysids], np.int64)
+        _measure(
+            flying,
+            fresh,
+            p_ned,
+            self._rows,
+            np.array(planned, np.float64).reshape(-1, 3),
+            self._pairs,
+            self._last,
+            self._lengths_m,
+            self._plans,
+            self._planned,
+            self._errors_m,
+            self._distances_m,
+        )
+        if self._pursuit.keys:
+            self._time_s[0] = snapshot.time_s
+            self._pursuit.update(self._time_s, self._distances_m)
+
+    @property
+    def path_length_m(self) -> dict[int, float]:
+        """By system id, of those who were in the air for two ticks in a row."""
+        return _known(self._row, self._lengths_m)
 
     @property
     def pursuit_held_s(self) -> float:
@@ -65,35 +98,34 @@ class Metrics:
     @property
     def max_tracking_error_m(self) -> dict[int, float]:
         """By system id, of those whose way was held against a plan."""
-        return {sysid: m for sysid, m in zip(self._row, self._errors_m.tolist(), strict=True) if not math.isnan(m)}
+        return _known(self._row, self._errors_m)
 
-    def _measure_paths(self, here: dict[int, Vec3]) -> None:
-        lengths_m, last = self.path_length_m, self._last
-        for sysid, p_ned in here.items():
-            if sysid in last:
-                lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(p_ned, last[sysid])
-        self._last = here
+    def _in_order(self, columns: FleetColumns) -> tuple[Flags, Flags, Floats]:
+        """Flags and places of all the scenario's vehicles: who flies, whose place is fresh, and where they are."""
+        if len(columns.sysids) == len(self._row):
+            return columns.flying, columns.fresh, columns.p_now_ned
+        rows = [self._row[sysid] for sysid in columns.sysids]
+        flying, fresh, p_ned = (np.zeros((len(self._row), *rest), kind) for kind, rest in _OF_EACH)
+        flying[rows], fresh[rows], p_ned[rows] = columns.flying, columns.fresh, columns.p_now_ned
+        return flying, fresh, p_ned
 
-    def _measure_tracking(self, here: Mapping[int, Vec3], set_points: Sequence[SetPoint]) -> None:
-        rows = np.array([self._row[point.sysid] for point in set_points], np.int64)
-        planned = np.array([point.p_ned for point in set_points], np.float64).reshape(-1, 3)
-        at = np.array([here.get(point.sysid, UNKNOWN) for point in set_points], np.float64).reshape(-1, 3)
-        _track(rows, planned, at, self._plans, self._planned, self._errors_m)
+    def _pairs_of(self, target_of: Mapping[int, int]) -> Ints:
+        """(k, 3) rows of pursuers and targets, and whose distance it is, of those that are measured."""
+        place = {key: k for k, key in enumerate(self._pursuit.keys)}
+        pairs = [
+            (self._row[sysid], self._row[target], place[key])
+            for sysid, target in target_of.items()
+            if (key := target if self._of_targets else sysid) in place
+        ]
+        return np.array(pairs, np.int64).reshape(-1, 3)
 
-    def _measure_pursuit(self, now_s: float, here: dict[int, Vec3]) -> None:
-        if not self._pursuit.keys:
-            return
-        near_m: dict[int, float] = {}
-        for sysid, target in self.target_of.items():
-            if sysid in here and target in here:
-                key = target if self._of_targets else sysid
-                near_m[key] = min(math.dist(here[sysid], here[target]), near_m.get(key, math.inf))
-        distances_m = [near_m.get(key, math.nan) for key in self._pursuit.keys]
-        self._pursuit.update(np.array([now_s]), np.array([distances_m]).reshape(1, -1))
+
+def _known(rows: Iterable[int], values: Floats) -> dict[int, float]:
+    return {sysid: value for sysid, value in zip(rows, values.tolist(), strict=True) if not math.isnan(value)}
 
 
 @kernel()
-def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float, d: float) -> float:
+def distance_to_path(plan: Floats, oldest: int, n: float, e: float, d: float) -> float:
     """Distance of a point to the polyline of a ring of points (k, 3) that begins at row `oldest`."""
     least2 = math.inf
     count = plan.shape[0]
@@ -105,32 +137,59 @@ def distance_to_path(plan: NDArray[np.float64], oldest: int, n: float, e: float,
     return math.sqrt(least2)
 
 
-@kernel()
-def _track(
-    rows: NDArray[np.int64],
-    planned: NDArray[np.float64],
-    at: NDArray[np.float64],
-    plans: NDArray[np.float64],
-    counts: NDArray[np.int64],
-    errors_m: NDArray[np.float64],
+@kernel(**UNCOUNTED)
+def _measure(
+    flying: Flags,
+    fresh: Flags,
+    p_ned: Floats,
+    rows: Ints,
+    planned: Floats,
+    pairs: Ints,
+    last: Floats,
+    lengths_m: Floats,
+    plans: Floats,
+    counts: Ints,
+    errors_m: Floats,
+    distances_m: Floats,
 ) -> None:
-    """Kernel: one tick's set points (k, 3) of the vehicles `rows`, and where these are, NaN where that is not to be
-    counted. Of all n vehicles go on from call to call: plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points
-    and how many there were without a break; errors_m (n,), the greatest distance, NaN before the first."""
+    """Kernel: one tick of n vehicles, who count while they are flying and fresh (n,), with their places p_ned (n, 3).
+
+    rows (k,), planned (k, 3): who has a set point, and where. pairs (m, 3): rows of pursuer and target, and the column
+    of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
+    on: last (n, 3), places of the last tick, NaN where they do not count; lengths_m (n,), the ways flown, NaN before
+    the second place in a row; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points and how many there were
+    without a break; errors_m (n,), the greatest distance from the plan, NaN before the first.
+    """
+    for i in range(len(last)):
+        if not (flying[i] and fresh[i]):
+            last[i, 0] = math.nan
+            continue
+        if not math.isnan(last[i, 0]):
+            north, east, down = p_ned[i, 0] - last[i, 0], p_ned[i, 1] - last[i, 1], p_ned[i, 2] - last[i, 2]
+            before_m = 0.0 if math.isnan(lengths_m[i]) else lengths_m[i]
+            lengths_m[i] = before_m + math.sqrt(north * north + east * east + down * down)
+        last[i, 0], last[i, 1], last[i, 2] = p_ned[i, 0], p_ned[i, 1], p_ned[i, 2]
     memory = plans.shape[1]
-    there = np.zeros(counts.size, dtype=np.bool_)
-    for k in range(rows.size):
-        row = rows[k]
-        there[row] = True
-        plan, newest = plans[row], counts[row] % memory
+    for i in range(len(counts)):
+        counts[i] = -1 - counts[i]  # until it is known whether it has a set point
+    for k in range(len(rows)):
+        i = rows[k]
+        before = -1 - counts[i]
+        newest = before % memory
         for axis in range(3):
-            plan[newest, axis] = planned[k, axis]
-        counts[row] += 1
-        if counts[row] >= memory and not math.isnan(at[k, 0]):
-            error_m = distance_to_path(plan, (newest + 1) % memory, at[k, 0], at[k, 1], at[k, 2])
-            if math.isnan(errors_m[row]):
-                errors_m[row] = 0.0
-            errors_m[row] = max(errors_m[row], error_m)
-    for row in range(counts.size):
-        if not there[row]:
-            counts[row] = 0
+            plans[i, newest, axis] = planned[k, axis]
+        counts[i] = before + 1
+        if before + 1 >= memory and not math.isnan(last[i, 0]):
+            error_m = distance_to_path(plans[i], (newest + 1) % memory, last[i, 0], last[i, 1], last[i, 2])
+            errors_m[i] = error_m if math.isnan(errors_m[i]) else max(errors_m[i], error_m)
+    for i in range(len(counts)):
+        counts[i] = max(counts[i], 0)
+    for j in range(distances_m.shape[1]):
+        distances_m[0, j] = math.nan
+    for k in range(len(pairs)):
+        a, b, j = pairs[k]
+        if not (math.isnan(last[a, 0]) or math.isnan(last[b, 0])):
+            north, east, down = last[a, 0] - last[b, 0], last[a, 1] - last[b, 1], last[a, 2] - last[b, 2]
+            distance_m = math.sqrt(north * north + east * east + down * down)
+            if not distance_m >= distances_m[0, j]:
+                distances_m[0, j] = distance_m

@@ -6,8 +6,9 @@ Fed tick by tick, alike with what vehicles report and with what they themselves 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -45,16 +46,15 @@ class Breach:
     nearest: Nearest
 
 
-@dataclass(frozen=True, eq=False)
-class Places:
+class Places(NamedTuple):
     """Positions of everything at a tick, common NED frame, m: (n, 3) and NaN where unknown."""
 
     p_ned: Floats
     height_m: Floats
     """(n,) above each vehicle's own ground"""
-    v_ned: Floats = field(default_factory=lambda: approach.STRAIGHT)
+    traffic: Mapping[str, Vec3]
+    v_ned: Floats = approach.STRAIGHT
     """m/s; (0, 3) where ways between ticks are to be straight"""
-    traffic: Mapping[str, Vec3] = field(default_factory=dict)
 
 
 class Proximity:
@@ -86,7 +86,7 @@ class Proximity:
             period_s, traffic_before = t_s - self._last[0], self._last[1]
         self._last = (t_s, places.traffic)
         limit_m = self._clearance_m
-        count, least_m, one, other, share, near = approach.look(
+        count, least_m, one, other, share, near, clearest = approach.look(
             places.p_ned,
             places.v_ned,
             self._p_ned,
@@ -98,7 +98,8 @@ class Proximity:
             self._shapes,
             self._separation_m,
             self.separation.m,
-            max(limit_m, min(self.clearance.m, 1e9)),
+            limit_m,
+            self.clearance.m,
             self._before,
             self._clear_m,
             self._clear_at,
@@ -109,12 +110,10 @@ class Proximity:
             self.separation = self._nearest(least_m, (one, other), t_s - (1.0 - share) * period_s)
         if near:
             breaches += self._between(t_s, period_s, near)
-        if count:
-            k = int(self._clear_m.argmin())
-            if self._clear_m[k] < self.clearance.m or self._clear_m[k] < limit_m:
-                breaches += self._to_shapes(t_s, period_s, k, places.p_ned)
-            if places.traffic:
-                breaches += self._to_traffic(t_s, period_s, airspace, places, traffic_before)
+        if clearest >= 0:
+            breaches += self._to_shapes(t_s, period_s, clearest, places.p_ned)
+        if count and places.traffic:
+            breaches += self._to_traffic(t_s, period_s, airspace, places, traffic_before)
         if self._ground:
             breaches += self._to_ground(t_s, airspace.up, places.height_m)
         return breaches
@@ -156,6 +155,8 @@ class Proximity:
 
     def _to_ground(self, t_s: float, up: Flags, height_m: Floats) -> list[Breach]:
         rows = np.flatnonzero(up & (height_m <= GROUND_M))
+        if not len(rows):
+            return []
         near = [self._nearest(float(height_m[row]), (row,), t_s) for row in rows.tolist()]
         self.ground = _least(self.ground, near)
         return self._new("ground", near)
@@ -182,30 +183,27 @@ class WayPoints:
     """Which way points each pursuer has passed, in their order."""
 
     def __init__(self, scenario: Scenario) -> None:
+        vehicles = scenario.vehicles
+        of_each = {p.sysid: p.waypoints_m for p in vehicles.pursuers if p.waypoints_m}
+        ways = [of_each.get(vehicle.sysid, ()) for vehicle in vehicles.all]
         self._within_m = max(scenario.goal.waypoint_within_m, scenario.planner.step_m)
-        rows = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
-        self._left = {p.sysid: list(p.waypoints_m) for p in scenario.vehicles.pursuers if p.waypoints_m}
-        self._rows = {sysid: rows[sysid] for sysid in self._left}
-        self._last: dict[int, Vec3] = {}
+        self._points = np.array([point for way in ways for point in way], np.float64).reshape(-1, 3)
+        counts = np.array([len(way) for way in ways], np.int64)
+        self._end: Ints = np.cumsum(counts)
+        self._next: Ints = self._end - counts
+        self._rows = {vehicle.sysid: row for row, vehicle in enumerate(vehicles.all) if vehicle.sysid in of_each}
+        self._last = np.full((len(ways), 3), np.nan)
+        self._left = len(self._points) > 0
 
     @property
     def missed(self) -> dict[int, int]:
         """Number of way points that each has not passed yet."""
-        return {sysid: len(left) for sysid, left in self._left.items()}
+        left = (self._end - self._next).tolist()
+        return {sysid: left[row] for sysid, row in self._rows.items()}
 
-    def update(self, p_ned: Sequence[Vec3]) -> None:
-        """Count the way since the last tick, straight; p_ned: of each vehicle, NaN where it is unknown or does not
-        fly."""
-        for sysid, left in self._left.items():
-            n, e, d = p_ned[self._rows[sysid]]
-            if math.isnan(n):
-                self._last.pop(sysid, None)
-                continue
-            before = self._last.get(sysid, (n, e, d))
-            self._last[sysid] = (n, e, d)
-            while left:
-                (north, east, down), (p_n, p_e, p_d) = left[0], before
-                gap2, _ = approach.segment_gap2(p_n - north, p_e - east, p_d - down, n - p_n, e - p_e, d - p_d)
-                if gap2 > self._within_m**2:
-                    break
-                left.pop(0)
+    def update(self, p_ned: Floats) -> None:
+        """Count the way since the last tick, straight; p_ned: (n, 3) of each vehicle, NaN where it is unknown or does
+        not fly."""
+        if self._left:
+            within2 = self._within_m**2
+            self._left = approach.pass_points(p_ned, self._last, self._points, self._next, self._end, within2) > 0

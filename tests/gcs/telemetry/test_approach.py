@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -129,7 +130,7 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
     p_last, v_last = np.full((n, 3), np.nan), np.zeros((n, 3))
     before, clear_m, clear_at = np.empty((n, 3)), np.empty(n), np.empty(n)
     found, expected_found = np.empty((64, 4)), np.empty((64, 4))
-    near_in_all = 0
+    near_in_all = too_near_in_all = 0
     for tick in range(60):
         p, v, flying = rng.uniform(-2.0, 2.0, (n, 3)), rng.uniform(-3.0, 3.0, (n, 3)), rng.random(n) < 0.8
         p[rng.random(n) < 0.2 * (tick % 3 > 0)] = np.nan
@@ -145,10 +146,13 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         own = ours[rows]
         expected_m, expected_at = clearances(shapes, was[own], p[rows][own], 0.5)
         known = np.where(np.isin(np.arange(n), rows)[:, None], p, np.nan)
-        count, *told = approach.look(
-            p, v, p_last, v_last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5,
+        count, *told, clearest = approach.look(
+            p, v, p_last, v_last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5, 0.3,
             before, clear_m, clear_at, found,
         )  # fmt: skip
+        clear = expected_m < 0.5
+        assert clearest == (rows[own][expected_m.argmin()] if clear.any() else -1)
+        too_near_in_all += int(clear.any())
         assert count == len(rows)
         assert told == [least, *((rows[one], rows[other]) if one >= 0 else (-1, -1)), share, near]
         told_rows = found[:near, :2].astype(int)
@@ -163,3 +167,29 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         np.testing.assert_array_equal(p_last, known)
         near_in_all += near
     assert near_in_all > 50
+    assert 0 < too_near_in_all < 60
+
+
+def test_way_points_are_passed_in_their_order_on_the_straight_way_from_tick_to_tick() -> None:
+    rng, within_m = np.random.default_rng(3), 0.5
+    ways = [rng.uniform(-1.5, 1.5, (count, 3)) for count in (5, 0, 60, 1)]
+    end = np.cumsum([len(way) for way in ways])
+    ahead = end - [len(way) for way in ways]
+    points, last, left = np.concatenate(ways), np.full((4, 3), np.nan), [way.tolist() for way in ways]
+    before: list[Any] = [None] * 4
+    for _ in range(400):
+        p = rng.uniform(-1.5, 1.5, (4, 3))
+        p[rng.random(4) < 0.1] = np.nan
+        some_left = approach.pass_points(p, last, points, ahead, end, within_m**2)
+        for row, place in enumerate(p):
+            known = not np.isnan(place[0])
+            begin = place if before[row] is None else before[row]
+            shares = np.linspace(0.0, 1.0, 2001)[:, None]
+            on_way = begin + shares * (place - begin)
+            while known and left[row] and np.linalg.norm(on_way - left[row][0], axis=1).min() <= within_m:
+                left[row].pop(0)
+            before[row] = place if known else None
+        assert (end - ahead).tolist() == [len(way) for way in left]
+        assert some_left == sum(map(bool, left))
+    assert [len(left[row]) for row in (0, 1, 3)] == [0, 0, 0]
+    assert len(left[2]) < 60

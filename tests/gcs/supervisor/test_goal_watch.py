@@ -1,0 +1,86 @@
+"""The goal's measures, of those alone to whom something happens against those of everybody in every tick."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from changing import ChangingFleet
+
+from gcs.scenario import geometry
+from gcs.scenario.model import Scenario
+from gcs.supervisor.arming import ArmingSequence
+from gcs.supervisor.factory import make_arming_sequences
+from gcs.supervisor.fleet_arming import FleetArming
+from gcs.supervisor.goal_watch import GoalWatch
+
+SYSIDS = (1, 2, 3, 101, 201)
+OBSTACLES = [{"sphere_m": (3.0, 0.0, -2.0), "radius_m": 1.0}]
+
+
+def scenario(**goal: Any) -> Scenario:
+    def vehicle(sysid: int, **more: Any) -> dict[str, Any]:
+        return {"sysid": sysid, "start_m": (5.0 * sysid, 0.0, 0.0), "battery": {"capacity_j": 1e4}} | more
+
+    ways = {1: [(1.0, 0.0, -1.0), (1.0, 1.0, -1.0)], 3: [(3.0, 0.0, -1.0), (4.0, 3.0, -2.0), (90.0, 0.0, -1.0)]}
+    pursuers = [vehicle(sysid, waypoints_m=ways.get(sysid, [])) for sysid in SYSIDS[:3]]
+    return Scenario.model_validate({
+        "schema": 1, "name": "m", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 0.0},
+        "goal": {"duration_s": 60.0, "separation_m": 0.4, "clearance_m": 0.3, "ground": True, **goal},
+        "vehicles": {"pursuers": pursuers,
+                     "targets": [vehicle(101, path_m=[(0.0, 0.0, 0.0)], speed_m_s=1.0)],
+                     "tankers": [vehicle(201, reserve_j=0.0)]},
+        "obstacles": OBSTACLES, "planner": {"step_m": 0.3},
+    })  # fmt: skip
+
+
+def memory(watch: GoalWatch) -> dict[str, Any]:
+    near = watch.believed
+    return {
+        "lost": list(watch._lost.items()), "flew": watch._flew, "up": watch._up, "missed": watch._waypoints.missed,
+        "near": (near.separation, near.clearance, near.traffic, near.ground),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_measured_is_the_same_when_everybody_is_looked_at_in_every_tick(seed: int) -> None:
+    fleet, told = ChangingFleet(SYSIDS, seed), scenario()
+    sequences: dict[int, ArmingSequence] = make_arming_sequences(told)
+    arming, shapes = FleetArming(sequences), geometry.of_scenario(told.obstacles)
+    some, everybody = GoalWatch(told, shapes, arming), GoalWatch(told, shapes, arming)
+    looked_at: list[int] = []
+    look_at = some._look_at
+    some._look_at = lambda view, *rest: (looked_at.append(view.sysid), look_at(view, *rest))  # type: ignore
+    broken: set[str] = set()
+    ticks = 1500
+    for tick in range(ticks):
+        sysid = fleet.chance.choice(SYSIDS)
+        match fleet.chance.randrange(300):
+            case 0:
+                some.lose(sysid, fleet.time_s, "gone")
+                everybody.lose(sysid, fleet.time_s, "gone")
+            case 1:
+                some.find(sysid)
+                everybody.find(sysid)
+            case 2 | 3:
+                sequences[sysid].order("land")
+            case 4 | 5 | 6 | 7 | 8:
+                sequences[sysid].rejoin()
+            case 9:
+                arming.ground(frozenset({sysid} if fleet.chance.random() < 0.3 else ()))
+        snapshot, plain = fleet.tick()
+        for due in arming.due(snapshot.columns):
+            sequences[due].decide(snapshot.vehicle(due), fleet.time_s)
+            arming.asked(due, snapshot.vehicle(due))
+        partners = {(201, 3)} if tick % 400 < 50 else set()
+        notices = some.update(snapshot, partners)
+        assert notices == everybody.update(plain, partners)
+        assert memory(some) == memory(everybody)
+        assert some.losses(snapshot, fleet.time_s) == everybody.losses(plain, fleet.time_s)
+        broken |= {record["part"] for record in notices[0]}
+    for (_, one, *_), (_, other, *_) in zip(some._log, everybody._log, strict=True):
+        for flags in ("flying", "ours", "up", "exempt"):
+            np.testing.assert_array_equal(getattr(one, flags), getattr(other, flags))
+    assert broken == {"separation", "clearance", "ground"}
+    assert some._lost
+    assert sum(some._waypoints.missed.values()) < 5
+    assert len(looked_at) < 0.9 * ticks * len(SYSIDS)

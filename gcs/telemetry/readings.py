@@ -21,6 +21,7 @@ from gcs.kernel_files import checksum
 from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.battery import HECTOJOULE, NO_CELL
 from gcs.mavlink.codec import HEADER_BYTES
+from gcs.mavlink.datagram import FIRST, LAST, SYSID
 from gcs.telemetry import energy, plausibility
 
 Row = NDArray[np.float64]
@@ -38,10 +39,10 @@ READINGS = 20
     CLOCK_S,  # offset from its own time to the session's, NaN while that is not known
 ) = range(READINGS)  # fmt: skip
 
-END, ELSEWHERE, MODE, PLACE, BATTERY = range(5)
+END, ELSEWHERE, MODE, PLACE, BATTERY, UNKNOWN = range(6)
 """Why `read` stops: nothing is left; the next message is kept elsewhere; a HEARTBEAT told another mode; a place cannot
 be (found[0]: a fault of plausibility.py, found[1]: how far it jumps, m); a battery's report changed its account (found:
-the arguments of `BatteryAccount.taken`)."""
+the arguments of `BatteryAccount.taken`); the last run is of none of the vehicles."""
 FOUND = 8
 
 FROM_AUTOPILOT, FROM_ANYBODY = 1, 2
@@ -219,11 +220,12 @@ def _compiled(build: int) -> Callable[..., Any]:
     """The entry, the only kernel here that numba keeps on disk; `build`: checksum of the other files that it is made
     of."""
 
-    @kernel(**UNCOUNTED)
-    def read(
+    @njit(**UNCOUNTED)
+    def read_run(
         data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
     ) -> tuple[int, int]:
-        _ = build
+        """Kernel: read the frames of one system that lie in data[begin:end], one after the other; (where the next one
+        begins, why it stops)."""
         counted = False
         while at + HEADER_BYTES <= end:
             begin: Any = at + HEADER_BYTES
@@ -266,9 +268,40 @@ def _compiled(build: int) -> Callable[..., Any]:
                 _read_effort(data, begin, stop, row, now_s)
         return at, BATTERY if counted else END
 
+    @kernel(**UNCOUNTED)
+    def read(
+        data: bytes,
+        at: int,
+        end: int,
+        lane: int,
+        run: int,
+        begins: NDArray[np.int64],
+        runs: NDArray[np.int64],
+        lanes: NDArray[np.int64],
+        now_s: float,
+        readings: NDArray[np.float64],
+        accounts: Any,
+        kept: NDArray[np.uint8],
+        found: Row,
+    ) -> tuple[int, int, int]:
+        _ = build
+        while True:
+            if at < end:
+                at, why = read_run(data, at, end, now_s, readings[lane], accounts[lane : lane + 1], kept, found)
+                if why != END:
+                    return run, at, why
+            if run == runs.shape[0]:
+                return run, at, END
+            at, end, lane = begins[runs[run, FIRST]], begins[runs[run, LAST]], lanes[runs[run, SYSID]]
+            run += 1
+            if lane < 0:
+                return run, at, UNKNOWN
+
     return read
 
 
 read = _compiled(checksum(energy, plausibility))
-"""(data, begin, end, session time, row (READINGS,), account (1,), kept (SMALL_IDS,), found (FOUND,)): read the frames
-of one system that lie in data[begin:end], one after the other; (where the next one begins, why it stops)."""
+"""(data, at, end, lane, run, begins, runs (n, COLUMNS of gcs/mavlink/datagram.py), lanes (256,) by system id, session
+time, readings (vehicles, READINGS), accounts (vehicles,), kept (SMALL_IDS,), found (FOUND,)): read the frames of the
+vehicle `lane` that lie in data[at:end], one after the other, and then the runs from `run` on; (which run is next, where
+in the one before it the next frame begins, why it stops)."""

@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import runs_of
+from gcs.mavlink.datagram import COLUMNS, runs_of
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.readings import FOUND, new_readings, read
@@ -28,6 +28,13 @@ def silent_account() -> Any:
     return account
 
 
+def read_alone(data: bytes, now_s: float, row: Any, account: Any, found: Any) -> tuple[int, int]:
+    """Read frames of a fleet's only vehicle: where the next one begins, and why it stops."""
+    none = np.empty(0, np.int64), np.empty((0, COLUMNS), np.int64), np.zeros(256, np.int64)
+    _, at, why = read(data, 0, len(data), 0, 0, *none, now_s, row[np.newaxis], account, NOTHING, found)
+    return at, why
+
+
 class Read:
     """One frame, as pymavlink sends and reads it, and what the kernel makes of it."""
 
@@ -40,7 +47,7 @@ class Read:
         (self.content,) = mav.MAVLink(None).parse_buffer(raw)
         self.row = new_readings() if row is None else row
         self.account, self.found = silent_account(), np.zeros(FOUND)
-        end, self.why = read(raw, 0, len(raw), now_s, self.row, self.account, NOTHING, self.found)
+        end, self.why = read_alone(raw, now_s, self.row, self.account, self.found)
         assert end == len(raw)
 
     def told(self, *columns: int) -> list[float]:
@@ -157,7 +164,7 @@ def test_nothing_is_read_of_other_components_and_beyond_the_end() -> None:
     lying = b"\xfd\xff\0\0\0\x03\x01\x1e\0\0" + raw[10:14]
     for data in (raw, lying, raw[:9], b""):
         row = new_readings()
-        _, why = read(data, 0, len(data), 5.0, row, energy.new_account(1.0, 1.0), NOTHING, np.zeros(FOUND))
+        _, why = read_alone(data, 5.0, row, energy.new_account(1.0, 1.0), np.zeros(FOUND))
         assert why == readings.END
         assert row[readings.ROLL] == 0.0
 

@@ -25,16 +25,21 @@ from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, Fram
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, POWER_W, REMAINING_J, fill
+from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, REMAINING_J, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
     ELSEWHERE,
     END,
     FOUND,
+    GIVEN_REPORTED_S,
     MESSAGES,
     MODE,
+    ORIGIN_ALT,
+    ORIGIN_LAT,
+    ORIGIN_LON,
     PLACE,
     READINGS,
+    RECEIVED_REPORTED_S,
     UNKNOWN,
     kept_elsewhere,
     read,
@@ -163,14 +168,9 @@ class Fleet:
             fault, moved_m = found[:2].tolist()
             track.doubts(plausibility.impossible_place(int(fault), moved_m), time_s)
         else:
-            source = battery.source
-            doubted = track.doubts(battery.taken(time_s, *found.tolist()), time_s)
-            if battery.facts:
-                self.facts += [(track.member.sysid, fact) for fact in battery.facts]
-                battery.facts.clear()
-            if battery.source is source and not doubted:
-                track.facts[POWER_W] = battery.power_w
-                return at
+            track.doubts(battery.taken(*found.tolist()), time_s)
+            self.facts += [(track.member.sysid, fact) for fact in battery.facts]
+            battery.facts.clear()
         self._settle(track)
         return at
 
@@ -255,6 +255,7 @@ class Fleet:
         track.offset, track.turn_rad = place
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True
+        track.readings[[ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = content.latitude, content.longitude, content.altitude
 
     def _home(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
@@ -281,10 +282,8 @@ class Fleet:
         if track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
             return
         reported_s = track.session_s(content.time_boot_ms, time_s)
-        if content.name == GIVEN:
-            track.given_reported_s = max(track.given_reported_s, reported_s)
-        else:
-            track.received_reported_s = max(track.received_reported_s, reported_s)
+        when = GIVEN_REPORTED_S if content.name == GIVEN else RECEIVED_REPORTED_S
+        track.readings[when] = max(track.readings[when], reported_s)
 
     def _parameter(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.param_id in BATTERY_PARAMETERS:

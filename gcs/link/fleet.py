@@ -69,7 +69,7 @@ class FleetLink:
         if key in self._external.joined:
             self._given_up.add(key)
 
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
+    def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         if grants.keys and not self._external.joined.intersection(grants.keys):
             return self._fleet.grant_all(grants)
         return one_by_one(self, grants)

@@ -71,7 +71,7 @@ class TickLink(Protocol):
     ) -> list[bytes]:
         """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames."""
 
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
+    def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         """Send everybody what is for him, at `flush` at the latest; the frames, in order."""
         return [
             raw for key in grants.keys for raw in self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from itertools import chain, count, groupby
 from operator import itemgetter
 
+from gcs.frame_spans import FrameSpans
 from gcs.link.bundles import Address, DatagramGatherer, Roster
 from gcs.link.intake import Intake, numbered
 from gcs.link.link import Answers, Key, TickGrants, TickLink
@@ -189,7 +190,7 @@ class LockstepLink(TickLink):
         self._send(peer)
         return frames
 
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
+    def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         """As `grant`, one after the other; bundles of nothing but HEARTBEAT and set point are made at once."""
         roster, peers = self._roster_of(grants.keys), [self._peers[key] for key in grants.keys]
         general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
@@ -207,18 +208,18 @@ class LockstepLink(TickLink):
                 peer.collector.begin(grants.t_ms)
         self._awaited.update(grants.keys)
         self._granted_s = grants.t_ms / 1e3
-        frames = [raw[begin:end] for begin, end in spans.tolist()]
-        sent: list[bytes] = []
+        frames = FrameSpans(raw, spans)
+        sent: list[Sequence[bytes]] = []
         first = counted = 0
         for k in (*general, len(peers)):
             self._datagrams.put_all(roster, raw, cuts, first, k)
             behind = cuts[k][2] if k < len(peers) else len(frames)
-            sent += frames[counted:behind]
+            sent.append(frames[counted:behind])
             if k < len(peers):
                 key = peers[k].key
-                sent += self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+                sent.append(self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key)))
             first, counted = k + 1, behind
-        return sent
+        return FrameSpans.joined(sent)
 
     def _roster_of(self, keys: Sequence[Key]) -> Roster:
         if self._roster is None or self._roster.keys != keys:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import hashlib
 import struct
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
+from gcs.frame_spans import FrameSpans
+from gcs.kernels import UNCOUNTED, kernel
 
 _PREFIX = struct.Struct("<QB").pack
 _IN, _OUT, _DECISION = range(3)
@@ -43,29 +45,28 @@ class Digest:
 
     def _frames(self, prefix: bytes, frames: Sequence[bytes]) -> None:
         if frames:
-            raw, sizes = np.frombuffer(b"".join(frames), np.uint8), np.fromiter(map(len, frames), np.int64, len(frames))
-            counted = np.empty(len(raw) + len(prefix) * len(frames), np.uint8)
-            size = _count(raw, sizes, np.frombuffer(prefix, np.uint8), counted)
+            whole = FrameSpans.of(frames)
+            counted = np.empty(len(whole.data) + len(prefix) * len(frames), np.uint8)
+            size = _count(whole.data, whole.spans, prefix, counted)
             self._hash.update(counted[:size].data)
 
 
-@kernel()
-def _count(
-    raw: NDArray[np.uint8], sizes: NDArray[np.int64], prefix: NDArray[np.uint8], counted: NDArray[np.uint8]
-) -> int:
-    """Kernel: write what counts of frames of these sizes, which stand in `raw`, each behind the prefix; how much it is.
+@kernel(**UNCOUNTED)
+def _count(raw: bytes, spans: NDArray[np.int64], prefix: bytes, counted: NDArray[np.uint8]) -> Any:
+    """Kernel: write what counts of frames, which stand in `raw` at these spans (n, 2), each behind the prefix; how much
+    it is.
 
     A frame's byte 1 is the payload's length; bytes 5 to 9 are system, component and message id, then the payload.
     """
-    begin = end = 0
-    for size in sizes:
-        for i in range(prefix.size):
-            counted[end + i] = prefix[i]
-        end += prefix.size
-        counted[end] = raw[begin + 1]
-        end += 1
-        for i in range(5, min(10 + raw[begin + 1], size)):
-            counted[end] = raw[begin + i]
-            end += 1
-        begin += size
-    return end
+    at: Any = 0
+    for k in range(len(spans)):
+        begin, end = spans[k, 0], spans[k, 1]
+        for i in range(len(prefix)):
+            counted[at + i] = prefix[i]
+        at += len(prefix)
+        counted[at] = raw[begin + 1]
+        at += 1
+        for i in range(begin + 5, min(begin + 10 + raw[begin + 1], end)):
+            counted[at] = raw[i]
+            at += 1
+    return at

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import struct
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Self
@@ -17,11 +16,10 @@ from typing import Self
 from gcs.recording.changes import ChangeFilter
 from gcs.recording.decision_lines import Decisions, decision_lines, each
 from gcs.recording.rotation import ROTATED, part
+from gcs.recording.tlog_frames import stamped
 
 TLOG, DECISIONS = ROTATED
 BATCH_BYTES = 1 << 16
-
-_TIME = struct.Struct(">Q").pack
 
 
 class RecorderError(Exception):
@@ -93,11 +91,8 @@ class Recorder:
     def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
         """Record frames in order, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
         if raws:
-            time = _TIME(t_us)
-            batch = self._tlog.batch
-            batch += time
-            batch += time.join(raws)
-            if len(batch) >= BATCH_BYTES or self._end is not None:
+            self._tlog.batch += stamped(t_us, raws)
+            if len(self._tlog.batch) >= BATCH_BYTES or self._end is not None:
                 self._write()
 
     def decisions(self, decisions: Decisions) -> list[bytes]:

@@ -25,8 +25,8 @@ class TickRecord:
     """Records of one tick, kept until the grants are out."""
 
     t_ms: int
-    arrived: list[bytes]
-    sent: list[bytes]
+    arrived: Sequence[bytes]
+    sent: Sequence[bytes]
     decisions: Decisions
 
     def write(self, recorder: Recorder, digest: Digest, epoch_us: int) -> None:

@@ -18,6 +18,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import msgspec
+
 from gcs.session.client import NEXT, READ_BYTES, SOCKET, STOP
 from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, reply_message
 from gcs.telemetry.events import Event
@@ -179,7 +181,7 @@ class Publisher:
 
 
 def _line(content: Mapping[str, Any]) -> bytes:
-    return json.dumps(content, allow_nan=False).encode() + b"\n"
+    return msgspec.json.encode(content) + b"\n"
 
 
 class Reader:
@@ -218,6 +220,5 @@ class Reader:
         """Answer with this snapshot and the events since the last one."""
         events, self._events = self._events, []
         self.asked = False
-        line = json.dumps({**snapshot, "events": [asdict(event) for event in events]}, allow_nan=False)
         with contextlib.suppress(OSError):
-            self._socket.sendall(line.encode() + b"\n")
+            self._socket.sendall(_line({**snapshot, "events": [asdict(event) for event in events]}))

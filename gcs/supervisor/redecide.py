@@ -140,7 +140,7 @@ class RecordedLink(TickLink):
         self._granted.add(key)
         return []
 
-    def grant_all(self, grants: TickGrants) -> list[bytes]:
+    def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         self._granted.update(grants.keys)
         return []
 

@@ -120,6 +120,9 @@ class Supervisor:
         """in the vehicles' sequence numbers, after the radio"""
         self.quality = LinkQuality(self.gaps)
         self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
+        self._greeting_due_ms = 0
+        self._granted_of: set[Key] = set()
+        self._keys: list[Key] = []
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -474,11 +477,9 @@ class Supervisor:
     ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         grant_ms = self.time_ms + self._periods * self.period_ms
-        keys = [key for key in sorted(self.link.joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        keys = self._granted(grant_ms)
         points = self._placed(set_points, snapshot)
-        greeted = {key[0] for key in keys if key != TRAFFIC and self.time_ms >= self._heartbeat_due_ms[key[0]]}
-        for sysid in greeted:
-            self._heartbeat_due_ms[sysid] = self.time_ms + round(1e3 * HEARTBEAT_EVERY_S)
+        greeted = self._greeted(keys)
         more = {}
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.rows else []
@@ -487,10 +488,28 @@ class Supervisor:
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
             sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
-        recording.sent += sent
+        recording.sent = sent
         self.link.flush()
-        self.sent += len(recording.sent)
+        self.sent += len(sent)
         self.time_ms = grant_ms
+
+    def _granted(self, grant_ms: int) -> Sequence[Key]:
+        """Those who may fly until then, in order."""
+        joined = self.link.joined
+        if joined != self._granted_of or len(self._keys) < len(joined):
+            self._granted_of, self._greeting_due_ms = set(joined), 0
+            self._keys = [key for key in sorted(joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
+        return self._keys
+
+    def _greeted(self, keys: Iterable[Key]) -> set[int]:
+        """System ids of those whose HEARTBEAT is due."""
+        now_ms, due_ms = self.time_ms, self._heartbeat_due_ms
+        if now_ms < self._greeting_due_ms:
+            return set()
+        greeted = {key[0] for key in keys if key != TRAFFIC and now_ms >= due_ms[key[0]]}
+        due_ms |= dict.fromkeys(greeted, now_ms + round(1e3 * HEARTBEAT_EVERY_S))
+        self._greeting_due_ms = min((due_ms[key[0]] for key in keys if key != TRAFFIC), default=0)
+        return greeted
 
     def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
         """Set points in their vehicles' own frames."""

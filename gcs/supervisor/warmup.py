@@ -9,6 +9,7 @@ import functools
 
 import numpy as np
 
+from gcs.frame_spans import FrameSpans
 from gcs.link.bundles import Roster
 from gcs.link.intake import Intake, numbered
 from gcs.mavlink import codec
@@ -23,6 +24,7 @@ from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
 from gcs.recording.digest import Digest
+from gcs.recording.tlog_frames import stamped
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_arming_sequences, make_fleet
@@ -84,7 +86,9 @@ def _rehearse_bundles() -> None:
     points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
     grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
     bundles, _ = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
-    Digest().frames_out(0, [bundles.raw])
+    sent = FrameSpans(bundles.raw, bundles.spans)
+    Digest().frames_out(0, sent)
+    stamped(0, sent)
 
 
 def _rehearse_tracking() -> None:

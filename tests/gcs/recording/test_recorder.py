@@ -10,7 +10,7 @@ import subprocess
 import sys
 import textwrap
 import warnings
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from gcs.frame_spans import FrameSpans
 from gcs.mavlink import codec
 from gcs.mavlink.setpoints import SetPoint
 from gcs.recording.decision_lines import TickSetPoints, decision_lines, each
@@ -49,6 +50,21 @@ def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
         assert message._timestamp == pytest.approx((EPOCH_US + 1000 * i) * 1e-6, abs=2e-6)
     assert log.recv_msg() is None
     log.close()
+
+
+def test_frames_side_by_side_are_recorded_and_counted_as_frames_apart(tmp_path: Path) -> None:
+    raws = [attitude(k, sysid=k % 5 + 1) for k in range(40)]
+    gaps, ends = b"?" + b"?".join(raws), np.cumsum([len(raw) + 1 for raw in raws])
+    apart = FrameSpans(gaps, np.array([(end - len(raw), end) for raw, end in zip(raws, ends, strict=True)]))
+    assert list(apart) == raws
+    for name, frames in (("apart", raws), ("side by side", apart)):
+        (tmp_path / name).mkdir()
+        with Recorder(tmp_path / name) as recorder:
+            recorder.frames(EPOCH_US, frames)
+            recorder.frames(EPOCH_US, frames[:0])
+    recorded = {(tmp_path / name / TLOG).read_bytes() for name in ("apart", "side by side")}
+    assert recorded == {b"".join(struct.pack(">Q", EPOCH_US) + raw for raw in raws)}
+    assert digest_of((100, raws, [])) == digest_of((100, list(apart), [])) == digest_of((100, apart, []))
 
 
 def test_decisions_are_one_sorted_json_line_each(tmp_path: Path) -> None:
@@ -208,7 +224,9 @@ def test_full_device_is_told_as_such() -> None:
     assert run.stdout == "/session/session.tlog cannot be written: no space left on device; recording has ended.\n"
 
 
-def digest_of(*ticks: tuple[int, list[bytes], list[bytes]], decisions: tuple[dict[str, float], ...] = ()) -> str:
+def digest_of(
+    *ticks: tuple[int, Sequence[bytes], Sequence[bytes]], decisions: tuple[dict[str, float], ...] = ()
+) -> str:
     digest = Digest()
     for t_ms, came, went in ticks:
         digest.frames_in(t_ms, came)

@@ -13,10 +13,8 @@ from gcs.mavlink.datagram import (
     ADDRESS,
     ALONE,
     AWAITED,
-    NO_RUN,
     NOWHERE,
     NUMBERS,
-    RUN,
     SHARED_BY,
     AnswerRuns,
     DatagramBuffer,
@@ -64,16 +62,9 @@ class Intake:
     def answers(self) -> Iterator[tuple[Sequence[Key], AnswerRuns]]:
         """The answers that were found, in order of the vehicles; they are handed out once."""
         if self.buffer.answers:
-            found = self._table[:, RUN].copy()
-            self._table[:, RUN] = NO_RUN
-            keys = self._keys
-            if NO_RUN in found:
-                keys = [key for key, run in zip(keys, found.tolist(), strict=True) if run != NO_RUN]
-                found = found[found != NO_RUN]
-            runs = self.buffer.answered(found)
-            self.buffer.clear()
-            if keys:
-                yield keys, runs
+            lanes, runs = self.buffer.pop_answers(self._table)
+            if len(lanes):
+                yield self._keys if len(lanes) == len(self._keys) else self.keys(lanes), runs
 
 
 def numbered(count: int, *, shared: bool) -> int:

@@ -12,13 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import chain, pairwise
+from itertools import pairwise
 from typing import Any, overload
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from gcs.frame_spans import FrameSpans
 from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -159,11 +160,19 @@ class AnswerRuns(Sequence[FrameRun]):
     """Runs of frames that lie in one piece of data, each a vehicle's: a sequence of `FrameRun`, made when it is asked
     for."""
 
-    def __init__(self, data: bytes, begins: NDArray[np.int64], rows: NDArray[np.int64]) -> None:
-        """begins: as `FIRST` and `LAST` of the rows (n, COLUMNS) name them."""
-        self.data = data
-        self.begins = begins
+    def __init__(self, frames: FrameSpans, rows: NDArray[np.int64]) -> None:
+        """frames: of all, run by run; `FIRST` and `LAST` of the rows (n, COLUMNS) are places among them."""
+        self.frames = frames
         self.rows = rows
+
+    @property
+    def counts(self) -> NDArray[np.int64]:
+        """(n,) frames of each."""
+        return self.rows[:, LAST] - self.rows[:, FIRST]
+
+    def by_system(self) -> Mapping[int, FrameRun]:
+        """Each by its system id, of which there is one run."""
+        return _BySystem(self)
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -176,22 +185,8 @@ class AnswerRuns(Sequence[FrameRun]):
         if isinstance(at, slice):
             return [self[k] for k in range(*at.indices(len(self)))]
         row = self.rows[at].tolist()
-        return FrameRun(self.data, self.begins[row[FIRST] : row[LAST] + 1].tolist(), row)
-
-    @property
-    def counts(self) -> NDArray[np.int64]:
-        """(n,) frames of each."""
-        return self.rows[:, LAST] - self.rows[:, FIRST]
-
-    def by_system(self) -> Mapping[int, FrameRun]:
-        """Each by its system id, of which there is one run."""
-        return _BySystem(self)
-
-    def raws(self) -> list[bytes]:
-        """The frames of all, as they stood on the wire."""
-        data, begins = self.data, self.begins.tolist()
-        cuts = [pairwise(begins[first : last + 1]) for first, last in self.rows[:, : LAST + 1].tolist()]
-        return [data[begin:end] for begin, end in chain.from_iterable(cuts)]
+        spans = self.frames.spans[row[FIRST] : row[LAST]]
+        return FrameRun(self.frames.data, [*spans[:, 0].tolist(), int(spans[-1, 1])], row)
 
 
 class _BySystem(Mapping[int, FrameRun]):
@@ -291,11 +286,14 @@ class DatagramBuffer:
         rows = self._rows[:runs].tolist()
         return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in rows]
 
-    def answered(self, found: NDArray[np.int64]) -> AnswerRuns:
-        """Runs by their places (n,)."""
-        return AnswerRuns(
-            bytes(self._view[: self._used]), self._begins[: self._fill[_FRAMES]].copy(), self._rows[found]
-        )
+    def pop_answers(self, awaited: NDArray[np.int64]) -> tuple[NDArray[np.int64], AnswerRuns]:
+        """The answers that were found: their rows (n,) of `awaited`, in order, and their runs. Nothing is left."""
+        rows = np.empty((self.answers, COLUMNS), np.int64)
+        spans = np.empty((self._fill[_FRAMES], 2), np.int64)
+        count, frames = _cut(awaited, self._rows, self._begins, self._order, rows, spans)
+        data = bytes(self._view[: self._used])
+        self.clear()
+        return self._order[:count], AnswerRuns(FrameSpans(data, spans[:frames]), rows[:count])
 
     def clear(self) -> None:
         """Begin again with nothing."""
@@ -427,6 +425,35 @@ def _take_in(
             order[filled[_ANSWERS]] = lane
             filled[_ANSWERS] += 1
     return count
+
+
+@kernel(**UNCOUNTED)
+def _cut(
+    awaited: NDArray[np.int64],
+    rows: NDArray[np.int64],
+    begins: NDArray[np.int64],
+    lanes: NDArray[np.int64],
+    found: NDArray[np.int64],
+    spans: NDArray[np.int64],
+) -> Any:
+    """Kernel: as `DatagramBuffer.pop_answers`, which fills lanes (n,), found (n, COLUMNS) and spans (frames, 2); how
+    many runs and frames there are."""
+    count = frames = 0
+    for lane in range(awaited.shape[0]):
+        if awaited[lane, RUN] == NO_RUN:
+            continue
+        row = rows[awaited[lane, RUN]]
+        awaited[lane, RUN] = NO_RUN
+        lanes[count] = lane
+        for column in range(COLUMNS):
+            found[count, column] = row[column]
+        found[count, FIRST] = frames
+        for k in range(row[FIRST], row[LAST]):
+            spans[frames, 0], spans[frames, 1] = begins[k], begins[k + 1]
+            frames += 1
+        found[count, LAST] = frames
+        count += 1
+    return count, frames
 
 
 _alone = DatagramBuffer(0, 1, MOST_BYTES)

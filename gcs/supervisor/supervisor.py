@@ -294,7 +294,9 @@ class Supervisor:
 
     # in
 
-    def _receive(self, answers: Iterable[Answers], now_s: float) -> tuple[list[bytes], Mapping[int, Sequence[Frame]]]:
+    def _receive(
+        self, answers: Iterable[Answers], now_s: float
+    ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
@@ -314,9 +316,10 @@ class Supervisor:
             else:
                 for key, sent in zip(keys, frames, strict=True):
                     received_from[key] = self._receive_from(key[0], sent, now_s)
+        arrived: Sequence[bytes]
         delivered: Mapping[int, Sequence[Frame]]
         if together is not None and not received_from:
-            arrived, delivered = together[1].raws(), together[1].by_system()
+            arrived, delivered = together[1].frames, together[1].by_system()
         else:
             received_from |= zip(*together, strict=True) if together is not None else ()
             in_order = sorted(received_from.items())

@@ -125,17 +125,17 @@ class Fleet:
 
     def ingest_runs(self, runs: AnswerRuns, time_s: float) -> None:
         """As `ingest_all` with each of them."""
-        data, begins, rows = runs.data, runs.begins, runs.rows
+        data, spans, rows = runs.frames.data, runs.frames.spans, runs.rows
         run = at = end = lane = 0
         while True:
             run, at, why = read(
-                data, at, end, lane, run, begins, rows, self._lanes, time_s,
+                data, at, end, lane, run, spans, rows, self._lanes, time_s,
                 self._readings, self._accounts, _ELSEWHERE, self._found,
             )  # fmt: skip
             if why == END:
                 return
             one = rows[run - 1]
-            end, sysid = int(begins[one[LAST]]), int(one[SYSID])
+            end, sysid = int(spans[one[LAST] - 1, 1]), int(one[SYSID])
             if why == UNKNOWN:
                 self.ingest_all(list(runs[run - 1]), time_s)
                 at = end
@@ -339,5 +339,5 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
 """Of messages that are not among the readings."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)
 _ELSEWHERE = kept_elsewhere(_HANDLERS, _FROM_ANYBODY)
-_NO_FRAMES, _NO_RUNS = np.empty(0, np.int64), np.empty((0, COLUMNS), np.int64)
+_NO_FRAMES, _NO_RUNS = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64)
 _KEPT = MESSAGES | _HANDLERS.keys()

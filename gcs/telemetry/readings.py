@@ -185,7 +185,7 @@ def _is_named(data: bytes, at: int, stop: int, name: bytes) -> Any:
 
 
 @njit(**UNCOUNTED)
-def _told_again(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any, now_s: float) -> Any:
+def _is_repeated(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any, now_s: float) -> Any:
     """Whether a message that is kept elsewhere tells nothing new: where a frame lies, as before; home, whose place of
     one of ours is known; and another value than a counter of energy, or such a one as before."""
     if msgid == _HOME_POSITION:
@@ -272,7 +272,7 @@ def _compiled(build: int) -> Callable[..., Any]:
             own = data[at + 6] == _AUTOPILOT_1
             small = data[at + 8] == 0 and data[at + 9] == 0
             elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
-            if elsewhere and own and _told_again(data, begin, stop, msgid, row, account[0], now_s):
+            if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
                 at = stop + (15 if data[at + 2] == 1 else 2)
                 continue
             if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
@@ -317,7 +317,7 @@ def _compiled(build: int) -> Callable[..., Any]:
         end: int,
         lane: int,
         run: int,
-        begins: NDArray[np.int64],
+        spans: NDArray[np.int64],
         runs: NDArray[np.int64],
         lanes: NDArray[np.int64],
         now_s: float,
@@ -334,7 +334,8 @@ def _compiled(build: int) -> Callable[..., Any]:
                     return run, at, why
             if run == runs.shape[0]:
                 return run, at, END
-            at, end, lane = begins[runs[run, FIRST]], begins[runs[run, LAST]], lanes[runs[run, SYSID]]
+            at, end = spans[runs[run, FIRST], 0], spans[runs[run, LAST] - 1, 1]
+            lane = lanes[runs[run, SYSID]]
             run += 1
             if lane < 0:
                 return run, at, UNKNOWN
@@ -343,7 +344,7 @@ def _compiled(build: int) -> Callable[..., Any]:
 
 
 read = _compiled(checksum(energy, plausibility))
-"""(data, at, end, lane, run, begins, runs (n, COLUMNS of gcs/mavlink/datagram.py), lanes (256,) by system id, session
-time, readings (vehicles, READINGS), accounts (vehicles,), kept (SMALL_IDS,), found (FOUND,)): read the frames of the
-vehicle `lane` that lie in data[at:end], one after the other, and then the runs from `run` on; (which run is next, where
-in the one before it the next frame begins, why it stops)."""
+"""(data, at, end, lane, run, spans of frames (frames, 2), runs (n, COLUMNS of gcs/mavlink/datagram.py), lanes (256,) by
+system id, session time, readings (vehicles, READINGS), accounts (vehicles,), kept (SMALL_IDS,), found (FOUND,)): read
+the frames of the vehicle `lane` that lie in data[at:end], one after the other, and then the runs from `run` on; (which
+run is next, where in the one before it the next frame begins, why it stops)."""

@@ -26,7 +26,7 @@ from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
 kernels = [leader._advance_all, geometry.fill_clearances, metrics._track, approach.look, bundle_frames.write_bundles,
-           digest._count, datagram._take_in, gaps._go_on, readings.read]
+           digest._count, datagram._take_in, datagram._cut, gaps._go_on, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)
@@ -40,8 +40,8 @@ print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded)]))
 def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after, again, imported_later = json.loads(done.stdout)
-    assert before == [0] * 9
-    assert after == again == [1] * 9
+    assert before == [0] * 10
+    assert after == again == [1] * 10
     assert imported_later == []
 
 

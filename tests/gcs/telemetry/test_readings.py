@@ -30,7 +30,7 @@ def silent_account() -> Any:
 
 def read_alone(data: bytes, now_s: float, row: Any, account: Any, found: Any) -> tuple[int, int]:
     """Read frames of a fleet's only vehicle: where the next one begins, and why it stops."""
-    none = np.empty(0, np.int64), np.empty((0, COLUMNS), np.int64), np.zeros(256, np.int64)
+    none = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64), np.zeros(256, np.int64)
     _, at, why = read(data, 0, len(data), 0, 0, *none, now_s, row[np.newaxis], account, NOTHING, found)
     return at, why
 

@@ -172,6 +172,8 @@ class Vehicles:
                 yield rng.choice([other + datagram, datagram + other]), address
             elif draw < 0.42:
                 yield datagram, rng.choice([*self.addresses.values(), ("127.0.0.1", 9)])
+            elif draw < 0.46:
+                yield b"".join(codec.sent_by(frame, 2).raw for frame in codec.split(datagram).frames), address
             else:
                 yield datagram, address
                 if rng.random() < 0.1:

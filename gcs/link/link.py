@@ -14,7 +14,7 @@ Key = tuple[int, int]
 
 
 Answers = tuple[Sequence[Key], Sequence[Sequence[Frame]]]
-"""Some vehicles, and the frames of each, which may be `AnswerRuns`."""
+"""Some vehicles, and the frames of each, which may be `AnswerRuns`, but of one group in a tick at most."""
 
 
 class LinkState(NamedTuple):

@@ -255,60 +255,61 @@ def _count_report(
     return can_be and not other and math.isnan(bridged_s) and math.isnan(gained_j)
 
 
+@njit(**UNCOUNTED)
+def _read_run(
+    data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
+) -> tuple[int, int]:
+    """Kernel: read the frames of one system that lie in data[begin:end], one after the other; (where the next one
+    begins, why it stops)."""
+    counted = False
+    while at + HEADER_BYTES <= end:
+        begin: Any = at + HEADER_BYTES
+        msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
+        own = data[at + 6] == _AUTOPILOT_1
+        small = data[at + 8] == 0 and data[at + 9] == 0
+        elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
+        if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
+            at = stop + (15 if data[at + 2] == 1 else 2)
+            continue
+        if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
+            return at, BATTERY
+        if elsewhere:
+            return at, ELSEWHERE
+        at = stop + (15 if data[at + 2] == 1 else 2)
+        if not (small and own):
+            continue
+        if msgid == _ATTITUDE:
+            _read_attitude(data, begin, stop, row)
+        elif msgid == _LOCAL_POSITION_NED:
+            if not _read_place(data, begin, stop, row, now_s, found):
+                return at, PLACE
+        elif msgid == _HEARTBEAT:
+            if not _read_mode(data, begin, stop, row, now_s):
+                return at, MODE
+        elif msgid == _BATTERY_STATUS:
+            if _octet(data, begin + 32, stop) == 0:
+                consumed_hj = _i32(data, begin + 4, stop)
+                consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
+                power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
+                percent = _i8(data, begin + 35, stop)
+                counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
+        elif msgid == _SYS_STATUS:
+            total_mv = _u16(data, begin + 14, stop)
+            power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))
+            percent = _i8(data, begin + 30, stop)
+            counted = not _count_report(account, found, row, now_s, math.nan, power_w, percent, True)
+        elif msgid == _EXTENDED_SYS_STATE:
+            landed_state = _octet(data, begin + 1, stop)
+            row[LANDED_REPORTED] = 1.0
+            row[LANDED] = 1.0 if landed_state in (_ON_GROUND, _UNDEFINED) else 0.0
+        elif msgid == _NAMED_VALUE_FLOAT:
+            _read_effort(data, begin, stop, row, now_s)
+    return at, BATTERY if counted else END
+
+
 def _compiled(build: int) -> Callable[..., Any]:
     """The entry, the only kernel here that numba keeps on disk; `build`: checksum of the other files that it is made
     of."""
-
-    @njit(**UNCOUNTED)
-    def read_run(
-        data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
-    ) -> tuple[int, int]:
-        """Kernel: read the frames of one system that lie in data[begin:end], one after the other; (where the next one
-        begins, why it stops)."""
-        counted = False
-        while at + HEADER_BYTES <= end:
-            begin: Any = at + HEADER_BYTES
-            msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
-            own = data[at + 6] == _AUTOPILOT_1
-            small = data[at + 8] == 0 and data[at + 9] == 0
-            elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
-            if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
-                at = stop + (15 if data[at + 2] == 1 else 2)
-                continue
-            if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
-                return at, BATTERY
-            if elsewhere:
-                return at, ELSEWHERE
-            at = stop + (15 if data[at + 2] == 1 else 2)
-            if not (small and own):
-                continue
-            if msgid == _ATTITUDE:
-                _read_attitude(data, begin, stop, row)
-            elif msgid == _LOCAL_POSITION_NED:
-                if not _read_place(data, begin, stop, row, now_s, found):
-                    return at, PLACE
-            elif msgid == _HEARTBEAT:
-                if not _read_mode(data, begin, stop, row, now_s):
-                    return at, MODE
-            elif msgid == _BATTERY_STATUS:
-                if _octet(data, begin + 32, stop) == 0:
-                    consumed_hj = _i32(data, begin + 4, stop)
-                    consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
-                    power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
-                    percent = _i8(data, begin + 35, stop)
-                    counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
-            elif msgid == _SYS_STATUS:
-                total_mv = _u16(data, begin + 14, stop)
-                power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))
-                percent = _i8(data, begin + 30, stop)
-                counted = not _count_report(account, found, row, now_s, math.nan, power_w, percent, True)
-            elif msgid == _EXTENDED_SYS_STATE:
-                landed_state = _octet(data, begin + 1, stop)
-                row[LANDED_REPORTED] = 1.0
-                row[LANDED] = 1.0 if landed_state in (_ON_GROUND, _UNDEFINED) else 0.0
-            elif msgid == _NAMED_VALUE_FLOAT:
-                _read_effort(data, begin, stop, row, now_s)
-        return at, BATTERY if counted else END
 
     @kernel(**UNCOUNTED)
     def read(
@@ -329,7 +330,7 @@ def _compiled(build: int) -> Callable[..., Any]:
         _ = build
         while True:
             if at < end:
-                at, why = read_run(data, at, end, now_s, readings[lane], accounts[lane : lane + 1], kept, found)
+                at, why = _read_run(data, at, end, now_s, readings[lane], accounts[lane : lane + 1], kept, found)
                 if why != END:
                     return run, at, why
             if run == runs.shape[0]:

@@ -33,16 +33,19 @@ loaded = set(sys.modules)
 after = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 again = [len(kernel.signatures) for kernel in kernels]
-print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded)]))
+compiled = [kernel.__name__ for kernel in kernels if kernel.stats.cache_misses]
+print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded), compiled]))
 """
 
 
 def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
-    done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
-    before, after, again, imported_later = json.loads(done.stdout)
+    for _ in range(2):  # the first time they may have to be compiled
+        done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
+    before, after, again, imported_later, compiled = json.loads(done.stdout)
     assert before == [0] * 10
     assert after == again == [1] * 10
     assert imported_later == []
+    assert compiled == []
 
 
 ROUTES = """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
-from gcs.link.link import Key, TickGrants, one_by_one
+from gcs.link.link import Answers, Key, TickGrants, one_by_one
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
@@ -81,15 +81,14 @@ class FleetLink:
             return self._external.grant(key, messages, relayed)
         return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
         def wait() -> None:
             self._external.stand_in()
             idle()
 
-        for key, frames in self._fleet.answers(wait):
-            if key not in self._given_up:
-                yield key, frames
-        yield from self.unawaited().items()
+        yield from self._fleet.answers(wait)
+        unawaited = self.unawaited()
+        yield list(unawaited), list(unawaited.values())
 
     def unawaited(self) -> dict[Key, list[Frame]]:
         return {key: frames for key, frames in self._external.collect().items() if key not in self._given_up}

@@ -13,6 +13,10 @@ Key = tuple[int, int]
 """System and component."""
 
 
+Answers = tuple[Sequence[Key], Sequence[Sequence[Frame]]]
+"""Some vehicles, and the frames of each, which may be `AnswerRuns`, but of one group in a tick at most."""
+
+
 class LinkState(NamedTuple):
     """One of the links of a vehicle that has several."""
 
@@ -76,8 +80,8 @@ class TickLink(Protocol):
     def flush(self) -> None:
         """Send what has been granted and not been sent yet."""
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
-        """Every vehicle's frames of the tick, of those that live on the session's clock as soon as they are whole."""
+    def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
+        """Every vehicle's frames of the tick, when those that live on the session's clock are whole or before."""
 
     def unawaited(self) -> Mapping[Key, list[Frame]]:
         """Frames that have come since the last call from vehicles for which no tick waits."""

@@ -18,19 +18,20 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import chain, groupby
+from itertools import chain, count, groupby
 from operator import itemgetter
 
 from gcs.frame_spans import FrameSpans
 from gcs.link.bundles import Address, DatagramGatherer, Roster
-from gcs.link.link import Key, TickGrants, TickLink
+from gcs.link.intake import Intake, numbered
+from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.datagram import FrameRun, runs_of
+from gcs.mavlink.datagram import NOWHERE, NUMBERS, FrameRun, runs_of
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.sequence import NUMBERS, TickCollector, hello_of
+from gcs.mavlink.sequence import TickCollector, hello_of
 
 DATAGRAM_BYTES = 1400
 RECEIVE_BYTES = 16_384
@@ -61,6 +62,23 @@ class _LockstepPeer:
     held: int = 0
 
 
+@dataclass
+class _Origin:
+    """Those who speak from one address."""
+
+    number: int
+    """of the address, as `Intake` knows it"""
+    address: Address
+    shared: bool
+    peers: dict[int, _LockstepPeer] = field(default_factory=dict)
+    """by system id"""
+
+    @property
+    def first(self) -> _LockstepPeer:
+        """The one of whom everything from there is, where it is not shared."""
+        return next(iter(self.peers.values()))
+
+
 class LockstepLink(TickLink):
     """All supervised links of a session: every vehicle is waited for, and has one link."""
 
@@ -78,8 +96,12 @@ class LockstepLink(TickLink):
         self.secret = secrets.randbits(SECRET_BITS - 1) + 1
         """what a vehicle of this session says in its hello; never 0, which those say who have none"""
         self._peers: dict[Key, _LockstepPeer] = {}
-        self._by_address: dict[Address, dict[int, _LockstepPeer]] = {}
-        """by system id"""
+        self._by_address: dict[Address, _Origin] = {}
+        self._origins: dict[int, _Origin] = {}
+        """by number"""
+        self._intake = Intake(MOST_AT_ONCE, RECEIVE_BYTES)
+        self._enrolled = False
+        self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
         self._roster: Roster | None = None
         """of the last tick"""
@@ -139,11 +161,13 @@ class LockstepLink(TickLink):
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
         peer = self._peers.pop(key, None)
         self._roster = None
+        self._enrolled = False
+        self._intake.dismiss(key)
         if peer is not None:
-            there = self._by_address[peer.address]
-            del there[key[0]]
-            if not there:
-                del self._by_address[peer.address]
+            origin = self._by_address[peer.address]
+            del origin.peers[key[0]]
+            if not origin.peers:
+                del self._by_address[peer.address], self._origins[origin.number]
         self._expected.discard(key)
         self._awaited.discard(key)
 
@@ -220,8 +244,9 @@ class LockstepLink(TickLink):
         del peer.waiting[:taken]
         return [*own, *foreign]
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
-        """Every vehicle's answer to the last grant as soon as it is whole, so that it is read while others still fly.
+    def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
+        """Every vehicle's answer to the last grant: those that fill datagrams all together when everybody has answered,
+        the others each as soon as it is whole.
 
         Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
@@ -230,12 +255,15 @@ class LockstepLink(TickLink):
         wait_s = RESEND_FIRST_S
         repeat_s = time.monotonic() + REPEAT_S
         deadline_s = time.monotonic() + wait_s
+        self._enrol()
         self._drain()
         while self._awaited or self._whole:
             while self._whole:
                 key = self._whole.popleft()
                 if key in self._peers:
-                    yield key, self._compared(key, self._peers[key].collector.pop_frames())
+                    frames = self._peers[key].collector.pop_frames()
+                    self._compare(key, frames)
+                    yield [key], [frames]
             if not self._awaited:
                 continue
             left_s = deadline_s - time.monotonic()
@@ -255,6 +283,21 @@ class LockstepLink(TickLink):
             if time.monotonic() >= repeat_s:
                 self.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
+        for keys, runs in self._intake.answers():
+            for k, key in enumerate(keys if self._clocks else ()):
+                self._compare(key, runs[k])
+            yield keys, runs
+
+    def _enrol(self) -> None:
+        """Let the intake know who is there."""
+        if not self._enrolled:
+            vehicles = []
+            for key, peer in sorted(self._peers.items()):
+                origin = self._by_address[peer.address]
+                received = origin.shared or origin.first is peer
+                vehicles.append((key, peer.collector, origin.number if received else NOWHERE))
+            self._intake.enrol(vehicles)
+            self._enrolled = True
 
     def begin(self) -> None:
         """As `Link.begin`: vehicles live on the session's clock."""
@@ -273,14 +316,13 @@ class LockstepLink(TickLink):
         rebooted, self._rebooted = self._rebooted, set()
         return rebooted
 
-    def _compared(self, key: Key, frames: Sequence[Frame]) -> Sequence[Frame]:
+    def _compare(self, key: Key, frames: Sequence[Frame]) -> None:
         clock = self._clocks.get(key)
         for frame in frames if clock is not None else ():
             if frame.msgid in CLOCKS:
                 assert clock is not None
                 if clock.feed(frame.msgid, codec.fields(frame).time_boot_ms / 1e3, self._granted_s):
                     self._rebooted.add(key[0])
-        return frames
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""
@@ -314,36 +356,59 @@ class LockstepLink(TickLink):
     def _drain(self) -> bool:
         """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
         progress = False
+        buffer = self._intake.buffer
         for _ in range(MOST_AT_ONCE):
             if progress and not self._awaited:
                 break  # what else there is can wait
             try:
-                datagram, address = self._socket.recvfrom(RECEIVE_BYTES)
+                size, address = self._socket.recvfrom_into(buffer.room)
             except OSError:
                 break
-            if not (self._drop and self._random.random() < self._drop):
-                progress |= self._receive(datagram, address)
+            if self._drop and self._random.random() < self._drop:
+                continue
+            origin = self._by_address.get(address)
+            if origin is None:
+                if size <= HELLO_BYTES:
+                    self._admit(codec.split(bytes(buffer.room[:size])).frames, address)
+            elif buffer.full:
+                progress |= self._receive(origin, bytes(buffer.room[:size]))
+            else:
+                buffer.put(size, origin.number)
+                if buffer.waiting >= len(self._awaited) or buffer.full:
+                    progress |= self._take_in()
+        return self._take_in() or progress
+
+    def _take_in(self) -> bool:
+        """Look into the datagrams that wait; whether any tick made progress."""
+        progress = False
+        buffer = self._intake.buffer
+        while buffer.waiting:
+            answered = self._intake.take_in()
+            if len(answered) == len(self._awaited):
+                self._awaited.clear()
+            else:
+                self._awaited.difference_update(self._intake.keys(answered))
+            progress |= len(answered) > 0
+            if (rest := buffer.stopped()) is not None and (origin := self._origins.get(rest[0])) is not None:
+                progress |= self._receive(origin, rest[1])
+        if not buffer.answers:
+            buffer.clear()
         return progress
 
-    def _receive(self, datagram: bytes, address: Address) -> bool:
-        there = self._by_address.get(address)
-        if there is None:
-            if len(datagram) <= HELLO_BYTES:
-                self._admit(codec.split(datagram).frames, address)
-            return False
-        first = next(iter(there.values()))
+    def _receive(self, origin: _Origin, datagram: bytes) -> bool:
+        """Take in what one address has sent, frame by frame; whether any tick made progress."""
         runs: Sequence[Sequence[Frame]] | None = runs_of(datagram)
         if runs is None:
             frames, malformed, _ = codec.split(datagram)
             self.malformed += malformed
             runs = [list(run) for _, run in groupby(frames, _SENDER)]
-        if not first.marker:
-            return self._feed(first, runs[0] if len(runs) == 1 else list(chain.from_iterable(runs)))
+        if not origin.shared:
+            return self._feed(origin.first, runs[0] if len(runs) == 1 else list(chain.from_iterable(runs)))
         progress = False
         for run in runs:
-            peer = there.get(run.sender[0] if isinstance(run, FrameRun) else run[0].sysid)
+            peer = origin.peers.get(run.sender[0] if isinstance(run, FrameRun) else run[0].sysid)
             if peer is None:
-                self._admit(run, address)
+                self._admit(run, origin.address)
             else:
                 progress |= self._feed(peer, run)
         return progress
@@ -372,7 +437,11 @@ class LockstepLink(TickLink):
         else:
             marker = _marker(key) if hello.shared else b""
             peer = self._peers[key] = _LockstepPeer(key, address, marker, TickCollector(*key))
-            self._by_address.setdefault(address, {})[key[0]] = peer
+            self._enrolled = False
+            if address not in self._by_address:
+                number = numbered(next(self._numbers), shared=hello.shared)
+                self._by_address[address] = self._origins[number] = _Origin(number, address, hello.shared)
+            self._by_address[address].peers[key[0]] = peer
 
 
 def _marker(key: Key) -> bytes:

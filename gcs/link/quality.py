@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.link.link import Key
 from gcs.mavlink.gaps import GapCounter
 
 WINDOW_S = 10.0
@@ -33,15 +38,61 @@ class _Counts:
     samples: deque[tuple[float, int, int]] = field(default_factory=lambda: deque([(0.0, 0, 0)]))
 
 
+@dataclass
+class _Together:
+    """Frames of vehicles that are heard together tick by tick, until they are counted for each."""
+
+    keys: Sequence[Key] = ()
+    frames: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    due_s: float = math.inf
+    """when the first of them has gone without a sample for long enough, or a little before"""
+    some: bool = False
+    """whether there are any"""
+
+
 class LinkQuality:
     """Counts frames by system id; `gaps` must be fed every frame, this only their number."""
 
     def __init__(self, gaps: GapCounter) -> None:
         self._gaps = gaps
         self._counts: dict[int, _Counts] = {}
+        self._together = _Together()
+
+    def count_all(self, keys: Sequence[Key], frames: NDArray[np.int64], now_s: float) -> None:
+        """As `count` for each of some vehicles, with frames (n,)."""
+        together = self._together
+        if together.keys != keys:
+            self._settle()
+            due_s = min(map(self._due_s, keys), default=math.inf)
+            together = self._together = _Together(keys, np.zeros(len(keys), np.int64), due_s)
+        together.frames += frames
+        together.some = True
+        if now_s >= together.due_s:
+            for (sysid, _), received in zip(keys, together.frames.tolist(), strict=True):
+                self._count(sysid, received, now_s)
+            together.frames[:] = 0
+            together.some = False
+            together.due_s = min(map(self._due_s, keys))
+
+    def _due_s(self, key: Key) -> float:
+        counts = self._counts.get(key[0])
+        return -math.inf if counts is None else counts.samples[-1][0] + SAMPLE_EVERY_S - 2.0 * _ROUNDING_S
+
+    def _settle(self) -> None:
+        """Count for each vehicle what has been counted for all together."""
+        together = self._together
+        if together.some:
+            for (sysid, _), received in zip(together.keys, together.frames.tolist(), strict=True):
+                self._counts[sysid].received += received
+            together.frames[:] = 0
+            together.some = False
 
     def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""
+        self._settle()
+        self._count(sysid, frames, now_s)
+
+    def _count(self, sysid: int, frames: int, now_s: float) -> None:
         counts = self._counts.get(sysid)
         if counts is None:
             counts = self._counts[sysid] = _Counts()
@@ -54,6 +105,7 @@ class LinkQuality:
 
     def begin(self, now_s: float) -> None:
         """Count lost frames from `now_s` on."""
+        self._together = _Together()
         self._counts = {sysid: _Counts(samples=deque([(now_s, 0, lost)])) for sysid, lost in self._gaps.lost_of.items()}
 
     def lost(self, sysid: int) -> int:
@@ -72,6 +124,7 @@ class LinkQuality:
 
     def lost_share(self, sysid: int) -> float | None:
         """Lost of all frames sent in the last `WINDOW_S` or so, 0..1; None where there were none."""
+        self._settle()
         counts = self._counts.get(sysid)
         if counts is None:
             return None

@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import FrameRun
-from gcs.mavlink.sequence import HALF, NUMBERS
+from gcs.mavlink.datagram import COMPID, FIRST, HALF, LAST, NUMBERS, SEQ, SYSID, AnswerRuns, FrameRun
 
 IntArray = NDArray[np.int64]
+SENDERS = 1 << 16
+"""Components of all systems, by number: a system's is the high byte."""
 MOST_SENDERS = 2048
 """Components of all systems whose numbers are watched; more than eight of each of 254 vehicles are none."""
 
@@ -56,8 +57,9 @@ class GapCounter:
     def __init__(self) -> None:
         self.lost_of: dict[int, int] = {}
         """by system id; one that has lost nothing may not be in it"""
-        self._newest: dict[int, int] = {}
-        self._missing: dict[int, bytearray] = {}
+        self._newest, self._missing = np.full(SENDERS, -1, dtype=np.int16), np.zeros((SENDERS, NUMBERS), dtype=np.uint8)
+        self._newest_of = self._newest.data
+        self._missing_of: dict[int, memoryview] = {}
 
     @property
     def lost(self) -> int:
@@ -66,48 +68,60 @@ class GapCounter:
 
     def feed_all(self, frames: Iterable[Frame]) -> None:
         """Count frames that were received, in their order."""
-        newest, missing = self._newest, self._missing
+        newest, missing = self._newest_of, self._missing_of
         if isinstance(frames, FrameRun) and frames.in_step:
             sysid, compid = frames.sender
             sender, count, first = sysid << 8 | compid, len(frames), frames.first
-            begin = first ^ HALF
-            if (first - newest.get(sender, first)) % NUMBERS == 1 and begin + count <= NUMBERS:  # as below, at once
+            begin, before = first ^ HALF, newest[sender]
+            if before >= 0 and (first - before) % NUMBERS == 1 and begin + count <= NUMBERS:  # as below, at once
                 missing[sender][begin : begin + count] = _NONE[:count]
                 newest[sender] = (first + count - 1) % NUMBERS
                 return
         for sysid, compid, seq, _, _ in frames:
             sender = sysid << 8 | compid
-            if (seq - newest.get(sender, seq)) % NUMBERS == 1:  # as nearly every frame; see `after`
+            before = newest[sender]
+            if before >= 0 and (seq - before) % NUMBERS == 1:  # as nearly every frame; see `after`
                 missing[sender][seq ^ HALF] = 0
                 newest[sender] = seq
             else:
                 self.feed(sysid, compid, seq)
 
+    def feed_runs(self, runs: AnswerRuns) -> None:
+        """As `feed_all` with each of them, whose frames are in step."""
+        at = 0
+        while (at := _go_on(runs.rows, at, self._newest, self._missing)) < len(runs):
+            self.feed_all(runs[at])
+            at += 1
+
     def feed(self, sysid: int, compid: int, seq: int) -> None:
         """Count a frame that was received."""
         sender = sysid << 8 | compid
-        flags = self._missing.get(sender)
+        flags = self._missing_of.get(sender)
         if flags is None:
-            if len(self._missing) >= MOST_SENDERS:
-                return
-            self._newest[sender], self._missing[sender] = seq, bytearray(NUMBERS)
+            if len(self._missing_of) < MOST_SENDERS:
+                self._watch(sender, seq)
             return
-        self._newest[sender], lost = after(flags, self._newest[sender], seq)
+        self._newest_of[sender], lost = after(flags, self._newest_of[sender], seq)
         if lost:
             self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
 
+    def _watch(self, sender: int, newest: int) -> None:
+        self._newest_of[sender] = newest
+        self._missing_of[sender] = self._missing[sender].data
+
     def forget(self, sysid: int) -> None:
         """A vehicle's frames are numbered anew from the next one on; what it has lost so far stays."""
-        for sender in [sender for sender in self._newest if sender >> 8 == sysid]:
-            del self._newest[sender], self._missing[sender]
+        for sender in [sender for sender in self._missing_of if sender >> 8 == sysid]:
+            del self._missing_of[sender]
+            self._newest[sender], self._missing[sender] = -1, 0
 
 
 class RecordedGaps:
     """The same over a recording, many frames at once."""
 
     def __init__(self) -> None:
-        self._newest = np.full(1 << 16, -1, dtype=np.int64)
-        self._missing = np.zeros((1 << 16, NUMBERS), dtype=np.uint8)
+        self._newest = np.full(SENDERS, -1, dtype=np.int64)
+        self._missing = np.zeros((SENDERS, NUMBERS), dtype=np.uint8)
         self._lost = np.zeros(NUMBERS, dtype=np.int64)
 
     def count(self, sysids: IntArray, compids: IntArray, numbers: IntArray) -> tuple[IntArray, NDArray[np.bool_]]:
@@ -130,7 +144,8 @@ def resumed(lost: IntArray, senders: IntArray, newest: IntArray, missing: NDArra
     counter = GapCounter()
     counter.lost_of = {int(sysid): int(lost[sysid]) for sysid in np.flatnonzero(lost)}
     for sender, number, flags in zip(senders.tolist(), newest.tolist(), np.unpackbits(missing, axis=1), strict=True):
-        counter._newest[sender], counter._missing[sender] = number, bytearray(flags.tobytes())
+        counter._watch(sender, number)
+        counter._missing[sender] = flags
     return counter
 
 
@@ -149,3 +164,20 @@ def _count(
         before = newest[sender]
         newest[sender], lost[i] = _after(missing[sender], before, numbers[i])
         new[i] = newest[sender] != before or lost[i] < 0
+
+
+@kernel(**UNCOUNTED)
+def _go_on(rows: IntArray, first: int, newest: NDArray[np.int16], missing: NDArray[np.uint8]) -> Any:
+    """Kernel: count the runs (n, COLUMNS of gcs/mavlink/datagram.py) from the first on, up to one that does not go on
+    with the next number of its sender's; where that is."""
+    for k in range(first, rows.shape[0]):
+        row = rows[k]
+        sender = row[SYSID] << 8 | row[COMPID]
+        before = np.int64(newest[sender])
+        if before < 0 or (row[SEQ] - before) & 0xFF != 1:
+            return k
+        for step in range(row[LAST] - row[FIRST]):
+            number = (row[SEQ] + step) & 0xFF
+            missing[sender, number ^ HALF] = 0
+            newest[sender] = number
+    return rows.shape[0]

@@ -10,12 +10,26 @@ from collections.abc import Iterator, Sequence
 from itertools import cycle
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import FrameRun
-
-NUMBERS = 256
-HALF = 128
+from gcs.mavlink.datagram import (
+    ADDRESS,
+    AWAITED,
+    COMPID_OF,
+    GRANTED_MS,
+    HALF,
+    HELD,
+    NEXT,
+    NO_RUN,
+    NOT_GRANTED,
+    NOWHERE,
+    NUMBERS,
+    RUN,
+    FrameRun,
+)
 
 FIRST_ANSWER = 2
 """The number of a vehicle's first answer: its hello took 0 (HEARTBEAT) and 1 (SYSTEM_TIME)."""
@@ -53,17 +67,25 @@ class TickCollector:
 
     The tick is in when the vehicle's own SYSTEM_TIME, at a datagram's end, says the granted time and no number since
     the last tick is missing. Hellos carry numbers before `FIRST_ANSWER` and so are old from the start.
+
+    What of it compiled code needs, which takes in whole answers by itself, is a row (gcs/mavlink/datagram.py).
     """
 
     def __init__(self, sysid: int, compid: int, next_seq: int = FIRST_ANSWER) -> None:
         self._sender = sysid, compid
-        self._next = next_seq % NUMBERS
+        self._row = np.empty(AWAITED, np.int64).data
+        self._row[NEXT], self._row[GRANTED_MS], self._row[COMPID_OF] = next_seq % NUMBERS, NOT_GRANTED, compid
+        self._row[HELD], self._row[ADDRESS], self._row[RUN] = 0, NOWHERE, NO_RUN
         self._held: dict[int, Frame] = {}  # by steps after the last complete tick
         self._whole: Sequence[Frame] = ()  # the tick, where one datagram holds nothing else
-        self._granted_ms: int | None = None
         self._end: int | None = None  # where the answer's SYSTEM_TIME stands
         self.complete = False
         """whether the tick is in"""
+
+    def live_in(self, row: NDArray[np.int64]) -> None:
+        """Keep what compiled code needs in this row (AWAITED,) from now on."""
+        row[:] = self._row
+        self._row = row.data
 
     @property
     def held(self) -> int:
@@ -72,31 +94,32 @@ class TickCollector:
 
     def begin(self, t_ms: int) -> None:
         """Wait for the answer to the grant of `t_ms`. Raises RuntimeError while an earlier tick has not been taken."""
-        if self._granted_ms is not None:
-            raise RuntimeError(f"tick {self._granted_ms} of vehicle {self._sender[0]} has not been taken yet")
-        self._granted_ms = t_ms
+        if self._row[GRANTED_MS] != NOT_GRANTED:
+            raise RuntimeError(f"tick {self._row[GRANTED_MS]} of vehicle {self._sender[0]} has not been taken yet")
+        self._row[GRANTED_MS] = t_ms
 
     def feed(self, frames: Sequence[Frame]) -> bool:
         """Take in one datagram's frames; True when the tick is complete. Frames of anyone else are passed over."""
-        if not frames or self._granted_ms is None:
+        granted_ms = self._row[GRANTED_MS]
+        if not frames or granted_ms == NOT_GRANTED:
             return self.complete
         answered_ms = self._answered_ms(frames)
-        if answered_ms is not None and answered_ms < self._granted_ms:
+        if answered_ms is not None and answered_ms < granted_ms:
             return self.complete  # repeated so late that its numbers may have come round to new ones
-        if not self._held and answered_ms == self._granted_ms and self._is_whole(frames):
-            self._whole, self._end, self.complete = frames, len(frames) - 1, True
+        if not self._held and answered_ms == granted_ms and self._is_whole(frames):
+            self._whole, self._end, self.complete, self._row[HELD] = frames, len(frames) - 1, True, 1
             return True
         if self._whole:
             return True
-        held, first, (system, component), last = self._held, self._next, self._sender, frames[-1]
+        held, first, (system, component), last = self._held, self._row[NEXT], self._sender, frames[-1]
         for frame in frames:
             sysid, compid, seq, _, _ = frame
             step = (seq - first) % NUMBERS
             if step < HALF - 1 and sysid == system and compid == component:
                 held.setdefault(step, frame)
-                if frame is last and answered_ms == self._granted_ms:
+                if frame is last and answered_ms == granted_ms:
                     self._end = step
-        end = self._end
+        end, self._row[HELD] = self._end, len(held) > 0
         self.complete = end is not None and all(map(held.__contains__, range(end + 1)))
         return self.complete
 
@@ -106,15 +129,15 @@ class TickCollector:
         Raises RuntimeError when the tick is not complete.
         """
         if self._end is None or not self.complete:
-            raise RuntimeError(f"tick {self._granted_ms} of vehicle {self._sender[0]} is not complete")
+            raise RuntimeError(f"tick {self._row[GRANTED_MS]} of vehicle {self._sender[0]} is not complete")
         length = self._end + 1
         frames, self._whole = self._whole, ()
         if not frames:
             frames = [self._held.pop(step) for step in range(length)]
             self._held = {step - length: frame for step, frame in self._held.items()}
-        self._next = (self._next + length) % NUMBERS
-        self._granted_ms = self._end = None
-        self.complete = False
+        row = self._row
+        row[NEXT], row[GRANTED_MS], row[HELD] = (row[NEXT] + length) % NUMBERS, NOT_GRANTED, len(self._held) > 0
+        self._end, self.complete = None, False
         return frames
 
     def _answered_ms(self, frames: Sequence[Frame]) -> int | None:
@@ -128,7 +151,7 @@ class TickCollector:
 
     def _is_whole(self, frames: Sequence[Frame]) -> bool:
         """Whether these are the next numbers, one after the other, of nobody else."""
-        number, (system, component) = self._next, self._sender
+        number, (system, component) = self._row[NEXT], self._sender
         if isinstance(frames, FrameRun) and frames.in_step:
             return frames.first == number and frames.sender == self._sender and len(frames) < HALF
         for sysid, compid, seq, _, _ in frames:

@@ -49,6 +49,11 @@ class Texts:
             return whole + self.give_up()
         return whole + (self.give_up() if len(content.text) < CHUNK_CHARACTERS else [])
 
+    @property
+    def open(self) -> bool:
+        """Whether a text waits for its next chunk."""
+        return self._open is not None
+
     def overdue(self, now_s: float) -> list[tuple[int, str]]:
         """The text that has waited too long for its next chunk, as far as it came."""
         waited = self._open is not None and now_s - self._open.since_s >= PATIENCE_S

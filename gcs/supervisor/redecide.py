@@ -16,7 +16,7 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any, cast
 
-from gcs.link.link import Key, TickGrants, TickLink
+from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, STATION, TRAFFIC
@@ -147,9 +147,9 @@ class RecordedLink(TickLink):
     def flush(self) -> None:
         """Nothing waits to be sent."""
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, Sequence[Frame]]]:
-        for key in sorted(self._granted):
-            yield key, self.recorded.get(key, [])
+    def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
+        keys = sorted(self._granted)
+        yield keys, [self.recorded.get(key, []) for key in keys]
 
 
 class Comparer:

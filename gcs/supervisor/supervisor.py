@@ -14,13 +14,13 @@ from typing import Any
 
 from gcs.link.forwarder import Forwarder
 from gcs.link.impairment import Impairment
-from gcs.link.link import Key, TickGrants, TickLink
+from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
-from gcs.mavlink.datagram import raws_of
+from gcs.mavlink.datagram import AnswerRuns, raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
@@ -301,8 +301,8 @@ class Supervisor:
     # in
 
     def _receive(
-        self, answers: Iterable[tuple[Key, Sequence[Frame]]], now_s: float
-    ) -> tuple[list[bytes], dict[int, Sequence[Frame]]]:
+        self, answers: Iterable[Answers], now_s: float
+    ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
@@ -312,34 +312,63 @@ class Supervisor:
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
         received_from: dict[Key, Sequence[Frame]] = {}
-        for key, frames in answers:
-            received = frames
-            if self._peer_radio is not None:
-                self._peer_radio.send(key[0], frames)
-            if not self._radio.clear:
-                impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
-                grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
-                received = [*self._radio.apply(key[0], "in", now_s, impaired), *grants]
-            self.gaps.feed_all(received)
-            self.fleet.ingest_all(received, now_s)
-            if self._watched is not None:
-                for frame in received:
-                    if frame.msgid == _DEBUG_FLOAT_ARRAY:
-                        self._watched.receive(frame.sysid, codec.fields(frame), now_s)
-            received_from[key] = received
-            self.quality.count(key[0], len(received), now_s)
-            if key[0] in self.inspection.wanted:
-                self.inspection.add(received, now_s)
-        in_order = sorted(received_from.items())
-        arrived = [raw for _, received in in_order for raw in raws_of(received)]
-        delivered = {key[0]: received for key, received in in_order}
+        together: tuple[Sequence[Key], AnswerRuns] | None = None
+        for keys, frames in answers:
+            if isinstance(frames, AnswerRuns) and self._reads_as_it_comes:
+                self.gaps.feed_runs(frames)
+                self.fleet.ingest_runs(frames, now_s)
+                self.quality.count_all(keys, frames.counts, now_s)
+                together = keys, frames
+            else:
+                for key, sent in zip(keys, frames, strict=True):
+                    received_from[key] = self._receive_from(key[0], sent, now_s)
+        arrived: Sequence[bytes]
+        delivered: Mapping[int, Sequence[Frame]]
+        if together is not None and not received_from:
+            arrived, delivered = together[1].frames, together[1].by_system()
+        else:
+            received_from |= zip(*together, strict=True) if together is not None else ()
+            in_order = sorted(received_from.items())
+            arrived = [raw for _, received in in_order for raw in raws_of(received)]
+            delivered = {key[0]: received for key, received in in_order}
+        for sysid in self.inspection.wanted & delivered.keys() if self.inspection.wanted else ():
+            self.inspection.add(delivered[sysid], now_s)
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.received += len(arrived)
+        if texts := self.fleet.pop_statustexts(now_s):
+            self._report_texts(texts, now_s)
+        return arrived, delivered
+
+    @property
+    def _reads_as_it_comes(self) -> bool:
+        """Whether nothing stands between what vehicles send and what reads it by compiled code."""
+        return self._peer_radio is None and self._radio.clear and self._watched is None
+
+    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float) -> Sequence[Frame]:
+        """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
+        received = frames
+        if self._peer_radio is not None:
+            self._peer_radio.send(sysid, frames)
+        if not self._radio.clear:
+            impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+            grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
+            received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
+        self.gaps.feed_all(received)
+        self.fleet.ingest_all(received, now_s)
+        if self._watched is not None:
+            for frame in received:
+                if frame.msgid == _DEBUG_FLOAT_ARRAY:
+                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
+        self.quality.count(sysid, len(received), now_s)
+        return received
+
+    def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> None:
+        """Report what vehicles have said."""
         count: Counter[int] = Counter()
-        for sysid, severity, text in self.fleet.pop_statustexts(now_s):
+        for sysid, severity, text in texts:
             count[sysid] += 1
             if count[sysid] > MOST_TEXTS:
                 continue
@@ -347,7 +376,6 @@ class Supervisor:
             if self.externals.repeats(sysid, text, now_s) or (arming and arming.repeats(text)):
                 continue
             self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
-        return arrived, delivered
 
     def _receive_forwarded(self, forwarder: Forwarder, now_s: float) -> None:
         """Let pass what other ground stations may say to vehicles; without control it is read and forgotten."""
@@ -559,7 +587,8 @@ class Supervisor:
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
-        arrived, _ = self._receive(self.link.unawaited().items(), now_s)
+        unawaited = self.link.unawaited()
+        arrived, _ = self._receive([(list(unawaited), list(unawaited.values()))], now_s)
         self._receive_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:

@@ -11,9 +11,11 @@ import numpy as np
 
 from gcs.frame_spans import FrameSpans
 from gcs.link.bundles import Roster
+from gcs.link.intake import Intake, numbered
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import runs_of
+from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
+from gcs.mavlink.sequence import FIRST_ANSWER, TickCollector
 from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
 from gcs.planner.custom import behind_filter
 from gcs.planner.guide import RouteFollower
@@ -29,6 +31,7 @@ from gcs.supervisor.factory import make_arming_sequences, make_fleet
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.telemetry import approach
+from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
 from gcs.telemetry.state import ZERO, FleetSnapshot
 
@@ -42,8 +45,7 @@ def rehearse(scenario: Scenario) -> None:
         find_way()
     place = {vehicle.sysid: vehicle.start_m for vehicle in scenario.vehicles.all}
     fleet = make_fleet(scenario)
-    for run in runs_of(codec.frame(OUR_HEARTBEAT, 0, min(place), AUTOPILOT)) or ():
-        fleet.ingest_all(run, 0.0)
+    _rehearse_answer(fleet, min(place))
     views = (
         view._replace(
             armed=True, landed=False, p_ned=place[view.sysid], age_s=0.0, origin_offset_ned=ZERO, ground_down_m=0.0
@@ -62,6 +64,22 @@ def rehearse(scenario: Scenario) -> None:
     watch.update(snapshot, ())
     for _ in range(PLAN_MEMORY):  # only then is a vehicle's way held against its plan
         metrics.update(snapshot, set_points)
+
+
+def _rehearse_answer(fleet: Fleet, sysid: int) -> None:
+    """A vehicle's answer as in most ticks, taken in, counted and read."""
+    key = (sysid, AUTOPILOT)
+    end = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    answer = codec.frame(OUR_HEARTBEAT, FIRST_ANSWER, *key) + codec.frame(end, FIRST_ANSWER + 1, *key)
+    collector, intake, gaps = TickCollector(*key), Intake(1, len(answer)), GapCounter()
+    intake.enrol([(key, collector, numbered(0, shared=False))])
+    collector.begin(0)
+    intake.buffer.room[:] = answer
+    intake.buffer.put(len(answer), numbered(0, shared=False))
+    intake.take_in()
+    for _, runs in intake.answers():
+        gaps.feed_runs(runs)
+        fleet.ingest_runs(runs, 0.0)
 
 
 def _rehearse_bundles() -> None:

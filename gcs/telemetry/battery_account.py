@@ -16,10 +16,7 @@ from gcs.telemetry import energy, plausibility
 from gcs.telemetry.energy import SOURCES, EnergySource
 
 CAPACITY, INITIAL = BATTERY_PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
-RECEIVED, GIVEN = "XferIn", "XferOut"
-POWER_WINDOW_S = 5.0
-STEPS_WINDOW_S = 120.0
-"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
+RECEIVED, GIVEN = COUNTERS = ("XferIn", "XferOut")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,27 +36,40 @@ class BatteryAccount:
     def __init__(self, capacity_j: float, initial_j: float, *, from_now: bool = False) -> None:
         """from_now: the vehicle was switched on before the session, whose energies count from its first report."""
         self.capacity_j = capacity_j
-        self.initial_j = initial_j
-        self.drawn_j = 0.0
         self.given_j = 0
         self.received_j = 0
         """by the vehicle's own counter, and by the book of bases that charged it without one"""
-        self.power_w = 0.0
-        """mean of the last while"""
-        self.source = EnergySource.NONE
         self.facts: list[Fact] = []
         """found since they were last taken away"""
         self.account = energy.new_account(capacity_j, initial_j, from_now=from_now)
         """(1,) what compiled code knows of it"""
         self._reported_in_j = self._booked_j = 0
-        self._believed: dict[str, tuple[float, float]] = {}
         self._parameters: set[str] = set()
-        self._history: list[tuple[float, float]] = []
 
     @property
     def reported(self) -> bool:
         """Whether the vehicle has reported capacity and initial charge, as one does that can take a transfer."""
         return len(self._parameters) == len(BATTERY_PARAMETERS)
+
+    @property
+    def initial_j(self) -> float:
+        """Energy at the start, J."""
+        return float(self.account["initial_j"][0])
+
+    @property
+    def drawn_j(self) -> float:
+        """Energy drawn so far, J."""
+        return float(self.account["drawn_j"][0])
+
+    @property
+    def power_w(self) -> float:
+        """Mean power of the last while."""
+        return float(self.account["power_w"][0])
+
+    @property
+    def source(self) -> EnergySource:
+        """The word that the power was read from."""
+        return SOURCES[int(self.account["power_source"][0])]
 
     @property
     def remaining_j(self) -> float:
@@ -71,24 +81,10 @@ class BatteryAccount:
         t_s, *words, second_hand = report
         consumed_j, power_w, remaining = (math.nan if word is None else word for word in words)
         outcome = energy.take(self.account, t_s, consumed_j, power_w, remaining, second_hand, armed)
-        return self.taken(t_s, consumed_j, power_w, *outcome)
+        return self.taken(consumed_j, power_w, *outcome)
 
-    def taken(
-        self,
-        t_s: float,
-        consumed_j: float,
-        power_w: float,
-        became: float,
-        source: float,
-        drawn_j: float,
-        initial_j: float,
-        bridged_s: float,
-        gained_j: float,
-    ) -> str:
+    def taken(self, consumed_j: float, power_w: float, became: float, bridged_s: float, gained_j: float) -> str:
         """Go on from a report that compiled code has counted in `account`; why it cannot be. NaN: not reported."""
-        self.drawn_j, self.initial_j = drawn_j, initial_j
-        if became == energy.DRAWN:
-            self._update_power(t_s, SOURCES[int(source)])
         if not math.isnan(bridged_s):
             self.facts.append(Fact(f"No current or voltage for {bridged_s:.1f} s: bridged by the mean of both ends"))
         if not math.isnan(gained_j):
@@ -104,16 +100,15 @@ class BatteryAccount:
         """
         left_j = np.empty(len(reports.t_s))
         energy.take_all(self.account, *reports, armed, left_j)
-        self.drawn_j, self.initial_j = float(self.account["drawn_j"][0]), float(self.account["initial_j"][0])
         return left_j
 
     def counter(self, name: str, value: int, time_s: float) -> str:
         """Take a NAMED_VALUE_INT: what has been received or given so far."""
         what = "received" if name == RECEIVED else "given"
-        before_j, before_s = self._believed.get(name, (math.inf, time_s))
-        if doubt := plausibility.counted(value, before_j, time_s - before_s, what):
+        one, at = self.account[0], COUNTERS.index(name)
+        if doubt := plausibility.counted(value, float(one["told_j"][at]), time_s - float(one["told_s"][at]), what):
             return doubt
-        self._believed[name] = (value, time_s)
+        one["told_j"][at], one["told_s"][at] = value, time_s
         if name == GIVEN:
             self.account["given_j"] = self.given_j = max(self.given_j, value)
         else:
@@ -129,7 +124,7 @@ class BatteryAccount:
             return doubt
         self._parameters.add(name)
         if name == INITIAL:
-            self.account["initial_j"] = self.initial_j = value - float(self.account["before_j"][0])
+            self.account["initial_j"] = value - float(self.account["before_j"][0])
             self.account["initial_known"] = True
         else:
             self.account["capacity_j"] = self.capacity_j = value
@@ -143,20 +138,3 @@ class BatteryAccount:
 
     def _receive(self) -> None:
         self.account["received_j"] = self.received_j = self._reported_in_j + self._booked_j
-
-    def _update_power(self, now_s: float, source: EnergySource) -> None:
-        """Mean power of the last while, over steps of the energy drawn where it moves in steps."""
-        history = self._history
-        if source is not self.source:
-            self.source = source
-            history.clear()
-        in_steps = source is EnergySource.BATTERY_REMAINING
-        if in_steps and history and history[-1][1] == self.drawn_j:
-            return
-        history.append((now_s, self.drawn_j))
-        window_s = STEPS_WINDOW_S if in_steps else POWER_WINDOW_S
-        while len(history) > 2 and now_s - history[1][0] >= window_s:
-            history.pop(0)
-        (from_s, from_j), (to_s, to_j) = history[0], history[-1]
-        if to_s > from_s:
-            self.power_w = (to_j - from_j) / (to_s - from_s)

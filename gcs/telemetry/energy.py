@@ -56,6 +56,12 @@ NONE, TOTAL, POWER, SHARE = range(len(SOURCES))
 METERS = len(SOURCES)
 """Of these the first is never spoken to: a meter stands at its source's place."""
 
+POWER_WINDOW_S = 5.0
+STEPS_WINDOW_S = 120.0
+"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
+MOST_HISTORY = 256
+"""So many reports are enough for either: of more the oldest are forgotten."""
+
 IMPOSSIBLE_TOTAL, IMPOSSIBLE_POWER, SECOND_HAND, COUNTED, DRAWN = range(-2, 3)
 """Fate of a report: it cannot be; SYS_STATUS does not count while BATTERY_STATUS may still come, or does; it was
 counted; and the source of the energy drawn was among its words."""
@@ -88,6 +94,14 @@ ACCOUNT = np.dtype(
         ("moved_j", "f8"),  # received less given by its own words, as far as that expects it
         ("seen_booked_j", "f8"),
         ("unseen_j", "f8"),  # booked, and not yet seen as a rise of the share
+        ("told_j", "f8", 2),  # by its counters of what it received and gave: the last that can be,
+        ("told_s", "f8", 2),  # and when it came
+        ("power_w", "f8"),  # mean of the last while,
+        ("power_source", "i8"),  # by this source,
+        ("drawn_at_s", "f8", MOST_HISTORY),  # from when so much had been drawn, in a ring
+        ("drawn_then_j", "f8", MOST_HISTORY),
+        ("oldest", "i8"),
+        ("history", "i8"),  # how many of them there are
     ],
     align=True,
 )
@@ -99,7 +113,7 @@ def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) 
     for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j"):
         account[name] = math.nan
     account["spoke_s"] = -math.inf
-    account["believed_j"] = math.inf
+    account["believed_j"] = account["told_j"] = math.inf
     account["capacity_j"], account["initial_j"] = capacity_j, initial_j
     account["from_now"], account["swappable"] = from_now, True
     return account
@@ -150,6 +164,34 @@ def count(
     if not math.isnan(gained_j):
         one.initial_j += gained_j
     return became, bridged_s, gained_j
+
+
+@njit
+def mean_power(one: Any, now_s: float) -> Any:
+    """Kernel: bring the mean power of the last while up to a report whose fate is DRAWN, over steps of the energy drawn
+    where it moves in steps; whether another source is read now."""
+    other = one.power_source != one.source
+    if other:
+        one.power_source = one.source
+        one.history = 0
+    in_steps = one.source == SHARE
+    newest = (one.oldest + one.history - 1) % MOST_HISTORY
+    if in_steps and one.history > 0 and one.drawn_then_j[newest] == one.drawn_j:
+        return other
+    if one.history == MOST_HISTORY:
+        one.oldest = (one.oldest + 1) % MOST_HISTORY
+        one.history -= 1
+    newest = (one.oldest + one.history) % MOST_HISTORY
+    one.drawn_at_s[newest], one.drawn_then_j[newest] = now_s, one.drawn_j
+    one.history += 1
+    window_s = STEPS_WINDOW_S if in_steps else POWER_WINDOW_S
+    while one.history > 2 and now_s - one.drawn_at_s[(one.oldest + 1) % MOST_HISTORY] >= window_s:
+        one.oldest = (one.oldest + 1) % MOST_HISTORY
+        one.history -= 1
+    span_s = now_s - one.drawn_at_s[one.oldest]
+    if span_s > 0.0:
+        one.power_w = (one.drawn_j - one.drawn_then_j[one.oldest]) / span_s
+    return other
 
 
 @njit
@@ -219,7 +261,7 @@ def _fall(one: Any, left_j: float, armed: bool) -> float:
     return math.nan
 
 
-def _compiled(build: int) -> tuple[Callable[..., tuple[int, int, float, float, float, float]], Callable[..., None]]:
+def _compiled(build: int) -> tuple[Callable[..., tuple[int, float, float]], Callable[..., None]]:
     """The entries that numba keeps; `build`: checksum of the other file that they are made of."""
 
     @kernel()
@@ -231,13 +273,15 @@ def _compiled(build: int) -> tuple[Callable[..., tuple[int, int, float, float, f
         remaining: float,
         second_hand: bool,
         armed: bool,
-    ) -> tuple[int, int, float, float, float, float]:
-        """Count one report: its fate, source, energy drawn, initial energy in J; then NaN, or the span in s over
-        which power was bridged, and the J that a swapped battery brought."""
+    ) -> tuple[int, float, float]:
+        """Count one report: its fate; then NaN, or the span in s over which power was bridged, and the J that a
+        swapped battery brought."""
         _ = build
         one = account[0]
         became, bridged_s, gained_j = count(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
-        return became, one.source, one.drawn_j, one.initial_j, bridged_s, gained_j
+        if became == DRAWN:
+            mean_power(one, t_s)
+        return became, bridged_s, gained_j
 
     @kernel()
     def take_all(

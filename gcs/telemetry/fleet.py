@@ -21,20 +21,26 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place
-from gcs.mavlink.datagram import FrameRun, frame_at
+from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, POWER_W, REMAINING_J, fill
+from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, REMAINING_J, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
     ELSEWHERE,
     END,
     FOUND,
+    GIVEN_REPORTED_S,
     MESSAGES,
     MODE,
+    ORIGIN_ALT,
+    ORIGIN_LAT,
+    ORIGIN_LON,
     PLACE,
     READINGS,
+    RECEIVED_REPORTED_S,
+    UNKNOWN,
     kept_elsewhere,
     read,
 )
@@ -71,6 +77,8 @@ class Fleet:
         self.statustexts: list[tuple[int, int, str]] = []
         self.acks: list[tuple[int, Any]] = []
         self.facts: list[tuple[int, Fact]] = []
+        self._talking: set[int] = set()
+        """who may have more to say of a text"""
         self._found = np.zeros(FOUND)
         self._stamps = np.zeros(0, np.int64)
         self._lay_out()
@@ -83,6 +91,9 @@ class Fleet:
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
         self._seen, self._stamps = np.full(count, -1), np.full(count, self._stamps.max(initial=0) + 1)
+        self._lanes = np.full(NUMBERS, -1)
+        for sysid, row in self._rows.items():
+            self._lanes[sysid] = row
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]
@@ -112,32 +123,56 @@ class Fleet:
         for frame in frames:
             self.ingest(frame, time_s)
 
-    def _read(self, track: VehicleTrack, data: bytes, begin: int, end: int, time_s: float) -> None:
-        """Read the frames of one vehicle, which lie there whole and one after the other."""
-        battery, found = track.battery, self._found
-        while begin < end:
-            begin, why = read(data, begin, end, time_s, track.readings, battery.account, _ELSEWHERE, found)
+    def ingest_runs(self, runs: AnswerRuns, time_s: float) -> None:
+        """As `ingest_all` with each of them."""
+        data, spans, rows = runs.frames.data, runs.frames.spans, runs.rows
+        run = at = end = lane = 0
+        while True:
+            run, at, why = read(
+                data, at, end, lane, run, spans, rows, self._lanes, time_s,
+                self._readings, self._accounts, _ELSEWHERE, self._found,
+            )  # fmt: skip
             if why == END:
                 return
-            if why == ELSEWHERE:
-                frame = frame_at(data, begin)
-                begin += len(frame.raw)
-                _HANDLERS[frame.msgid](self, track, fields(frame), time_s)
-            elif why == MODE:
-                track.take_mode()
-            elif why == PLACE:
-                fault, moved_m = found[:2].tolist()
-                track.doubts(plausibility.impossible_place(int(fault), moved_m), time_s)
+            one = rows[run - 1]
+            end, sysid = int(spans[one[LAST] - 1, 1]), int(one[SYSID])
+            if why == UNKNOWN:
+                self.ingest_all(list(runs[run - 1]), time_s)
+                at = end
             else:
-                source = battery.source
-                doubted = track.doubts(battery.taken(time_s, *found.tolist()), time_s)
-                if battery.facts:
-                    self.facts += [(track.member.sysid, fact) for fact in battery.facts]
-                    battery.facts.clear()
-                if battery.source is source and not doubted:
-                    track.facts[POWER_W] = battery.power_w
-                    continue
-            self._settle(track)
+                at = self._go_on(self._tracks[sysid], data, at, why, time_s)
+                lane = self._rows[sysid]
+
+    def _read(self, track: VehicleTrack, data: bytes, begin: int, end: int, time_s: float) -> None:
+        """Read the frames of one vehicle, which lie there whole and one after the other."""
+        lane = self._rows[track.member.sysid]
+        while begin < end:
+            _, begin, why = read(
+                data, begin, end, lane, 0, _NO_FRAMES, _NO_RUNS, self._lanes, time_s,
+                self._readings, self._accounts, _ELSEWHERE, self._found,
+            )  # fmt: skip
+            if why == END:
+                return
+            begin = self._go_on(track, data, begin, why, time_s)
+
+    def _go_on(self, track: VehicleTrack, data: bytes, at: int, why: int, time_s: float) -> int:
+        """Do what compiled code stopped for; where the next frame begins."""
+        battery, found = track.battery, self._found
+        if why == ELSEWHERE:
+            frame = frame_at(data, at)
+            at += len(frame.raw)
+            _HANDLERS[frame.msgid](self, track, fields(frame), time_s)
+        elif why == MODE:
+            track.take_mode()
+        elif why == PLACE:
+            fault, moved_m = found[:2].tolist()
+            track.doubts(plausibility.impossible_place(int(fault), moved_m), time_s)
+        else:
+            track.doubts(battery.taken(*found.tolist()), time_s)
+            self.facts += [(track.member.sysid, fact) for fact in battery.facts]
+            battery.facts.clear()
+        self._settle(track)
+        return at
 
     def join(self, member: Member) -> None:
         """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""
@@ -160,8 +195,12 @@ class Fleet:
 
     def pop_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
-        late = [(sysid, *text) for sysid, track in self._tracks.items() for text in track.texts.overdue(now_s)]
-        taken, self.statustexts = self.statustexts + late, []
+        taken, self.statustexts = self.statustexts, []
+        for sysid in sorted(self._talking):
+            texts = self._tracks[sysid].texts
+            taken += [(sysid, *text) for text in texts.overdue(now_s)]
+            if not texts.open:
+                self._talking.remove(sysid)
         return sorted(taken, key=itemgetter(0))
 
     def pop_acks(self) -> list[tuple[int, Any]]:
@@ -216,6 +255,7 @@ class Fleet:
         track.offset, track.turn_rad = place
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True
+        track.readings[[ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = content.latitude, content.longitude, content.altitude
 
     def _home(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
@@ -242,10 +282,8 @@ class Fleet:
         if track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
             return
         reported_s = track.session_s(content.time_boot_ms, time_s)
-        if content.name == GIVEN:
-            track.given_reported_s = max(track.given_reported_s, reported_s)
-        else:
-            track.received_reported_s = max(track.received_reported_s, reported_s)
+        when = GIVEN_REPORTED_S if content.name == GIVEN else RECEIVED_REPORTED_S
+        track.readings[when] = max(track.readings[when], reported_s)
 
     def _parameter(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.param_id in BATTERY_PARAMETERS:
@@ -254,6 +292,8 @@ class Fleet:
 
     def _statustext(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
+        if track.texts.open:
+            self._talking.add(track.member.sysid)
 
     def _ack(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))
@@ -299,4 +339,5 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
 """Of messages that are not among the readings."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)
 _ELSEWHERE = kept_elsewhere(_HANDLERS, _FROM_ANYBODY)
+_NO_FRAMES, _NO_RUNS = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64)
 _KEPT = MESSAGES | _HANDLERS.keys()

@@ -30,14 +30,13 @@ from gcs.telemetry.state import STALE_S
 LANDED_M = 0.3
 """A vehicle that does not report whether it has landed is in the air above this height."""
 
-FACTS = 14
+FACTS = 11
 (
     ALIVE, ARMED, STEERABLE,  # 1 or 0
     OFFSET_N, OFFSET_E, OFFSET_D,  # m, of its own frame in the common one; NaN while unknown
     TURN, COSINE, SINE,  # rad, of that frame's axes
     GROUND_DOWN,  # m; NaN while unknown
     DOUBTED,  # s, when it last told what cannot be; -inf without
-    POWER_W, GIVEN_REPORTED_S, RECEIVED_REPORTED_S,
 ) = range(FACTS)  # fmt: skip
 """Of a vehicle, beside its readings: as they change, which is seldom."""
 

@@ -21,11 +21,12 @@ from gcs.kernel_files import checksum
 from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.battery import HECTOJOULE, NO_CELL
 from gcs.mavlink.codec import HEADER_BYTES
+from gcs.mavlink.datagram import FIRST, LAST, SYSID
 from gcs.telemetry import energy, plausibility
 
 Row = NDArray[np.float64]
 
-READINGS = 20
+READINGS = 27
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -36,13 +37,17 @@ READINGS = 20
     AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS,  # of its last HEARTBEAT; -1 before the first
     RECEIVED_S,
     CLOCK_S,  # offset from its own time to the session's, NaN while that is not known
+    POWER_W,
+    RECEIVED_REPORTED_S, GIVEN_REPORTED_S,  # its counters of energy; -inf before the first
+    EXTERNAL,  # 1 or 0
+    ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
 ) = range(READINGS)  # fmt: skip
 
-END, ELSEWHERE, MODE, PLACE, BATTERY = range(5)
+END, ELSEWHERE, MODE, PLACE, BATTERY, UNKNOWN = range(6)
 """Why `read` stops: nothing is left; the next message is kept elsewhere; a HEARTBEAT told another mode; a place cannot
-be (found[0]: a fault of plausibility.py, found[1]: how far it jumps, m); a battery's report changed its account (found:
-the arguments of `BatteryAccount.taken`)."""
-FOUND = 8
+be (found[0]: a fault of plausibility.py, found[1]: how far it jumps, m); there is more to a battery's report than what
+its account keeps (found: the arguments of `BatteryAccount.taken`); the last run is of none of the vehicles."""
+FOUND = 5
 
 FROM_AUTOPILOT, FROM_ANYBODY = 1, 2
 SMALL_IDS = 256
@@ -50,6 +55,7 @@ SMALL_IDS = 256
 
 _HEARTBEAT, _SYS_STATUS, _ATTITUDE, _LOCAL_POSITION_NED = 0, 1, 30, 32
 _BATTERY_STATUS, _EXTENDED_SYS_STATE, _NAMED_VALUE_FLOAT = 147, 245, 251
+_GPS_GLOBAL_ORIGIN, _HOME_POSITION, _NAMED_VALUE_INT = 49, 242, 252
 MESSAGES = frozenset(
     (_HEARTBEAT, _SYS_STATUS, _ATTITUDE, _LOCAL_POSITION_NED, _BATTERY_STATUS, _EXTENDED_SYS_STATE, _NAMED_VALUE_FLOAT)
 )
@@ -62,13 +68,14 @@ _NO_CURRENT, _PX4_NO_CURRENT = -1, -100
 _CELLS, _MORE_CELLS = 10, 4
 _EFFORT_NAME = b"CtlEffort\0"
 MOST_EFFORT = 1e12
+_RECEIVED_NAME, _GIVEN_NAME = b"XferIn\0", b"XferOut\0"
 
 
 def new_readings() -> Row:
     """(READINGS,) of a vehicle that has said nothing."""
     row = np.zeros(READINGS)
-    row[[NORTH, EAST, DOWN, EFFORT_S, CLOCK_S]] = math.nan
-    row[[POSITION_S, RECEIVED_S]] = -math.inf
+    row[[NORTH, EAST, DOWN, EFFORT_S, CLOCK_S, ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = math.nan
+    row[[POSITION_S, RECEIVED_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S]] = -math.inf
     row[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]] = -1.0
     return row
 
@@ -170,10 +177,41 @@ def _read_mode(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
 
 
 @njit(**UNCOUNTED)
+def _is_named(data: bytes, at: int, stop: int, name: bytes) -> Any:
+    for k in range(len(name)):  # noqa: SIM110, as numba compiles it
+        if _octet(data, at + 8 + k, stop) != name[k]:
+            return False
+    return True
+
+
+@njit(**UNCOUNTED)
+def _is_repeated(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any, now_s: float) -> Any:
+    """Whether a message that is kept elsewhere tells nothing new: where a frame lies, as before; home, whose place of
+    one of ours is known; and another value than a counter of energy, or such a one as before."""
+    if msgid == _HOME_POSITION:
+        return row[EXTERNAL] == 0.0
+    if msgid == _GPS_GLOBAL_ORIGIN:
+        same = _i32(data, at, stop) == row[ORIGIN_LAT] and _i32(data, at + 4, stop) == row[ORIGIN_LON]
+        return same and _i32(data, at + 8, stop) == row[ORIGIN_ALT]
+    if msgid == _NAMED_VALUE_INT:
+        if _is_named(data, at, stop, _RECEIVED_NAME):
+            counter = 0
+        elif _is_named(data, at, stop, _GIVEN_NAME):
+            counter = 1
+        else:
+            return True
+        if _i32(data, at + 4, stop) == one.told_j[counter]:
+            one.told_s[counter] = now_s
+            reported_s = _session_s(row, _u32(data, at, stop), now_s)
+            row[RECEIVED_REPORTED_S + counter] = max(row[RECEIVED_REPORTED_S + counter], reported_s)
+            return True
+    return False
+
+
+@njit(**UNCOUNTED)
 def _read_effort(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
-    for k in range(len(_EFFORT_NAME)):
-        if _octet(data, at + 8 + k, stop) != _EFFORT_NAME[k]:
-            return
+    if not _is_named(data, at, stop, _EFFORT_NAME):
+        return
     value = _f32(data, at + 4, stop)
     if 0.0 <= value <= MOST_EFFORT:
         row[EFFORT] = value
@@ -205,14 +243,68 @@ def _power_w(total_mv: int, current_ca: int) -> Any:
 def _count_report(
     account: Any, found: Row, row: Row, now_s: float, consumed_j: float, power_w: float, percent: int, second: bool
 ) -> Any:
-    """Count a battery's report: whether its account is as before."""
+    """Count a battery's report: whether nothing else follows from it."""
     remaining = 0.01 * percent if 0 <= percent <= 100 else math.nan
     armed = row[BASE_MODE] >= 0.0 and np.int64(row[BASE_MODE]) & _ARMED != 0
     one = account[0]
     became, bridged_s, gained_j = energy.count(one, now_s, consumed_j, power_w, remaining, second, armed)
-    found[0], found[1], found[2], found[3] = consumed_j, power_w, became, one.source
-    found[4], found[5], found[6], found[7] = one.drawn_j, one.initial_j, bridged_s, gained_j
-    return became == energy.SECOND_HAND
+    other = became == energy.DRAWN and energy.mean_power(one, now_s)
+    row[POWER_W] = one.power_w
+    found[0], found[1], found[2], found[3], found[4] = consumed_j, power_w, became, bridged_s, gained_j
+    can_be = became not in (energy.IMPOSSIBLE_POWER, energy.IMPOSSIBLE_TOTAL)
+    return can_be and not other and math.isnan(bridged_s) and math.isnan(gained_j)
+
+
+@njit(**UNCOUNTED)
+def _read_run(
+    data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
+) -> tuple[int, int]:
+    """Kernel: read the frames of one system that lie in data[begin:end], one after the other; (where the next one
+    begins, why it stops)."""
+    counted = False
+    while at + HEADER_BYTES <= end:
+        begin: Any = at + HEADER_BYTES
+        msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
+        own = data[at + 6] == _AUTOPILOT_1
+        small = data[at + 8] == 0 and data[at + 9] == 0
+        elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
+        if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
+            at = stop + (15 if data[at + 2] == 1 else 2)
+            continue
+        if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
+            return at, BATTERY
+        if elsewhere:
+            return at, ELSEWHERE
+        at = stop + (15 if data[at + 2] == 1 else 2)
+        if not (small and own):
+            continue
+        if msgid == _ATTITUDE:
+            _read_attitude(data, begin, stop, row)
+        elif msgid == _LOCAL_POSITION_NED:
+            if not _read_place(data, begin, stop, row, now_s, found):
+                return at, PLACE
+        elif msgid == _HEARTBEAT:
+            if not _read_mode(data, begin, stop, row, now_s):
+                return at, MODE
+        elif msgid == _BATTERY_STATUS:
+            if _octet(data, begin + 32, stop) == 0:
+                consumed_hj = _i32(data, begin + 4, stop)
+                consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
+                power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
+                percent = _i8(data, begin + 35, stop)
+                counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
+        elif msgid == _SYS_STATUS:
+            total_mv = _u16(data, begin + 14, stop)
+            power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))
+            percent = _i8(data, begin + 30, stop)
+            counted = not _count_report(account, found, row, now_s, math.nan, power_w, percent, True)
+        elif msgid == _EXTENDED_SYS_STATE:
+            landed_state = _octet(data, begin + 1, stop)
+            row[LANDED_REPORTED] = 1.0
+            row[LANDED] = 1.0 if landed_state in (_ON_GROUND, _UNDEFINED) else 0.0
+        elif msgid == _NAMED_VALUE_FLOAT:
+            _read_effort(data, begin, stop, row, now_s)
+    return at, BATTERY if counted else END
 
 
 def _compiled(build: int) -> Callable[..., Any]:
@@ -221,54 +313,39 @@ def _compiled(build: int) -> Callable[..., Any]:
 
     @kernel(**UNCOUNTED)
     def read(
-        data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
-    ) -> tuple[int, int]:
+        data: bytes,
+        at: int,
+        end: int,
+        lane: int,
+        run: int,
+        spans: NDArray[np.int64],
+        runs: NDArray[np.int64],
+        lanes: NDArray[np.int64],
+        now_s: float,
+        readings: NDArray[np.float64],
+        accounts: Any,
+        kept: NDArray[np.uint8],
+        found: Row,
+    ) -> tuple[int, int, int]:
         _ = build
-        counted = False
-        while at + HEADER_BYTES <= end:
-            begin: Any = at + HEADER_BYTES
-            msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
-            own = data[at + 6] == _AUTOPILOT_1
-            small = data[at + 8] == 0 and data[at + 9] == 0
-            elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
-            if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
-                return at, BATTERY
-            if elsewhere:
-                return at, ELSEWHERE
-            at = stop + (15 if data[at + 2] == 1 else 2)
-            if not (small and own):
-                continue
-            if msgid == _ATTITUDE:
-                _read_attitude(data, begin, stop, row)
-            elif msgid == _LOCAL_POSITION_NED:
-                if not _read_place(data, begin, stop, row, now_s, found):
-                    return at, PLACE
-            elif msgid == _HEARTBEAT:
-                if not _read_mode(data, begin, stop, row, now_s):
-                    return at, MODE
-            elif msgid == _BATTERY_STATUS:
-                if _octet(data, begin + 32, stop) == 0:
-                    consumed_hj = _i32(data, begin + 4, stop)
-                    consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
-                    power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
-                    percent = _i8(data, begin + 35, stop)
-                    counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
-            elif msgid == _SYS_STATUS:
-                total_mv = _u16(data, begin + 14, stop)
-                power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))
-                percent = _i8(data, begin + 30, stop)
-                counted = not _count_report(account, found, row, now_s, math.nan, power_w, percent, True)
-            elif msgid == _EXTENDED_SYS_STATE:
-                landed_state = _octet(data, begin + 1, stop)
-                row[LANDED_REPORTED] = 1.0
-                row[LANDED] = 1.0 if landed_state in (_ON_GROUND, _UNDEFINED) else 0.0
-            elif msgid == _NAMED_VALUE_FLOAT:
-                _read_effort(data, begin, stop, row, now_s)
-        return at, BATTERY if counted else END
+        while True:
+            if at < end:
+                at, why = _read_run(data, at, end, now_s, readings[lane], accounts[lane : lane + 1], kept, found)
+                if why != END:
+                    return run, at, why
+            if run == runs.shape[0]:
+                return run, at, END
+            at, end = spans[runs[run, FIRST], 0], spans[runs[run, LAST] - 1, 1]
+            lane = lanes[runs[run, SYSID]]
+            run += 1
+            if lane < 0:
+                return run, at, UNKNOWN
 
     return read
 
 
 read = _compiled(checksum(energy, plausibility))
-"""(data, begin, end, session time, row (READINGS,), account (1,), kept (SMALL_IDS,), found (FOUND,)): read the frames
-of one system that lie in data[begin:end], one after the other; (where the next one begins, why it stops)."""
+"""(data, at, end, lane, run, spans of frames (frames, 2), runs (n, COLUMNS of gcs/mavlink/datagram.py), lanes (256,) by
+system id, session time, readings (vehicles, READINGS), accounts (vehicles,), kept (SMALL_IDS,), found (FOUND,)): read
+the frames of the vehicle `lane` that lie in data[at:end], one after the other, and then the runs from `run` on; (which
+run is next, where in the one before it the next frame begins, why it stops)."""

@@ -25,6 +25,7 @@ from gcs.telemetry.readings import (
     BASE_MODE,
     CLOCK_S,
     CUSTOM_MODE,
+    EXTERNAL,
     LANDED,
     LANDED_REPORTED,
     SYSTEM_STATUS,
@@ -86,6 +87,7 @@ class VehicleTrack:
         self.profile = member.profile or GENERIC
         self.readings = new_readings()
         self.readings[[LANDED, LANDED_REPORTED]] = not member.airborne, not member.external
+        self.readings[EXTERNAL] = member.external
         if not member.external:
             self.readings[CLOCK_S] = 0.0
         self.facts = np.zeros(of.FACTS)
@@ -100,7 +102,6 @@ class VehicleTrack:
         self.origin_alt_m = 0.0
         self.origin_reported = False
         self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
-        self.given_reported_s = self.received_reported_s = -math.inf
         self.texts = Texts()
         self.doubt = ""
         self.doubted_s = -math.inf
@@ -140,7 +141,6 @@ class VehicleTrack:
             self.turn_rad, math.cos(self.turn_rad), math.sin(self.turn_rad),
             math.nan if ground_down_m is None else ground_down_m,
             self.doubted_s,
-            battery.power_w, self.given_reported_s, self.received_reported_s,
         )  # fmt: skip
         return VehicleStatus(
             self.member, self.alive, self.profile, self.mode, self.armed, offset,
@@ -171,8 +171,9 @@ class Instant:
         (
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
+            power_w, received_reported_s, given_reported_s, *_,
         ) = self.readings[row].tolist()  # fmt: skip
-        *_, doubted_s, power_w, given_reported_s, received_reported_s = self.facts[row].tolist()
+        doubted_s = float(self.facts[row, of.DOUBTED])
         age_s, _, _, remaining_j, drawn_j, initial_j, capacity_j = self.figures[:, row].tolist()
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
         v_ned: Vec3 = (v_north, v_east, v_down)

@@ -6,9 +6,11 @@ from __future__ import annotations
 import itertools
 import random
 import secrets
+import socket
 import tempfile
-from collections.abc import Iterator
+from collections import deque
 from pathlib import Path
+from typing import cast
 
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
@@ -19,7 +21,6 @@ from gcs.link.link import Key
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.bundle_frames import Bundles
-from gcs.mavlink.codec import Frame
 from gcs.mavlink.datagram import runs_of
 from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.sequence import TickCollector
@@ -59,12 +60,31 @@ def hot_frames() -> list[bytes]:
     return frames
 
 
+class _Wire:
+    """A socket that has datagrams."""
+
+    def __init__(self) -> None:
+        self.coming: deque[tuple[bytes, tuple[str, int]]] = deque()
+
+    def recvfrom_into(self, room: memoryview) -> tuple[int, tuple[str, int]]:
+        if not self.coming:
+            raise BlockingIOError
+        datagram, address = self.coming.popleft()
+        room[: len(datagram)] = datagram
+        return len(datagram), address
+
+    def sendto(self, datagram: bytes, address: tuple[str, int]) -> None:
+        pass
+
+
 class Flown:
     """A supervisor of the shipped fleet and its link, handed the datagrams of one tick after the other: what they do
     with them from the datagram on, up to the snapshot."""
 
     def __init__(self, ticks: list[list[bytes]]) -> None:
-        self._link = LockstepLink()
+        self._link, self._wire = LockstepLink(), _Wire()
+        self._link.close()
+        self._link._socket = cast(socket.socket, self._wire)
         self._ticks = ticks
         self._tick = 0
         self._keys: list[Key] = [(sysid, 1) for sysid in range(1, VEHICLES + 1)]
@@ -73,7 +93,8 @@ class Flown:
             hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
                      system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key,
                      time_unix_usec=self._link.secret, time_boot_ms=0)]  # fmt: skip
-            self._link._receive(b"".join(hello), ("127.0.0.1", PORT + key[0]))
+            self._wire.coming.append((b"".join(hello), ("127.0.0.1", PORT + key[0])))
+        self._link._drain()
         scenario = load(find("fleet"))
         assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)
         self.supervisor = Supervisor(scenario, self._link, Recorder(Path(tempfile.mkdtemp())))
@@ -82,22 +103,17 @@ class Flown:
         """The next one; after the last the first again, its numbers new."""
         link, at = self._link, self._tick % TICKS
         self._tick += 1
+        if at == 0:
+            for key in self._keys:
+                link._peers[key].collector = TickCollector(*key)
+            link._enrolled = False
         for key, datagram in zip(self._keys, self._ticks[at], strict=True):
-            peer = link._peers[key]
-            if at == 0:
-                peer.collector = TickCollector(*key)
-            peer.collector.begin(PERIOD_MS * (at + 1))
-            peer.held = 0
-            link._awaited.add(key)
-            link._receive(datagram, ("127.0.0.1", PORT + key[0]))
-        heard, _ = self.supervisor._receive(self._collected(), 0.1 * self._tick)
-        assert len(heard) == 7 * VEHICLES
+            link._peers[key].collector.begin(PERIOD_MS * (at + 1))
+            self._wire.coming.append((datagram, ("127.0.0.1", PORT + key[0])))
+        link._awaited.update(self._keys)
+        arrived, _ = self.supervisor._receive(link.answers(lambda: None), 0.1 * self._tick)
+        assert len(arrived) == 7 * VEHICLES
         self.supervisor.fleet.snapshot(0.1 * self._tick)
-
-    def _collected(self) -> Iterator[tuple[Key, list[Frame]]]:
-        while self._link._whole:
-            key = self._link._whole.popleft()
-            yield key, self._link._peers[key].collector.pop_frames()
 
 
 def answers() -> list[list[bytes]]:

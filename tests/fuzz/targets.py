@@ -19,6 +19,7 @@ from gcs.link.external import ExternalLink
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.frame_stream import FrameStream
+from gcs.mavlink.sequence import TickCollector
 from gcs.processes.pace import Pace
 from gcs.recording import export, series, session_folder
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
@@ -74,6 +75,11 @@ class Replayed:
     def recv(self, size: int) -> bytes:
         return self.recvfrom(size)[0]
 
+    def recvfrom_into(self, room: memoryview) -> tuple[int, Any]:
+        datagram, address = self.recvfrom(len(room))
+        room[: len(datagram)] = datagram
+        return len(datagram), address
+
     def send(self, data: bytes) -> int:
         return len(data)
 
@@ -128,7 +134,8 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     link.expect([KEY, (9, 1)])
     own = Grants(Connection(7))
     hello = own.hello(_unit(Connection(7)).hello(), link.secret)
-    link._receive(hello, WHERE)
+    wire.waiting.append((hello, WHERE))
+    link._drain()
     assert link.joined == {KEY}
     grants = Grants(Connection(7))
     state = {"t_ms": 0}
@@ -137,14 +144,17 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
         for _ in range(50):
             datagram = hostile.datagram()
             address = WHERE if hostile.random.random() < 0.5 else ("127.0.0.1", hostile.random.randrange(1024, 1 << 16))
-            link._receive(datagram, address)
+            wire.waiting.append((datagram, address))
+            link._drain()
             list(bundles(datagram))
             if isinstance(bundle := grants.feed(tuple(split(datagram))), Bundle):
                 grants.answer(bundle)
         if not link._awaited:
             state["t_ms"] += 100
-            link._whole.clear()
-            link._peers[KEY].collector.__init__(*KEY)  # type: ignore[misc]
+            list(link.answers(lambda: None))
+            link._peers[KEY].collector = TickCollector(*KEY)
+            link._enrolled = False
+            link._enrol()
             link.grant(KEY, state["t_ms"], 0, [], [])
         assert link.joined == {KEY}
         _ = n

@@ -8,7 +8,7 @@ from typing import Any
 import pymap3d
 import pytest
 
-from gcs.link.link import TickGrants, one_by_one
+from gcs.link.link import Answers, TickGrants, one_by_one
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.recording.recorder import Recorder
@@ -109,11 +109,12 @@ class ScriptedLink:
     def grant_all(self, grants: TickGrants) -> list[bytes]:
         return one_by_one(self, grants)
 
-    def answers(self, idle: Callable[[], None]) -> Iterator[tuple[Key, list[Frame]]]:
+    def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
         """The last first: in which order answers come must not matter."""
         answers = {key: self.vehicles[key].answer(t_ms) for key, t_ms in sorted(self._granted.items())}
         self.answered.append([frame for frames in answers.values() for frame in frames])
-        yield from reversed(answers.items())
+        for key, frames in reversed(answers.items()):
+            yield [key], [frames]
 
     def sent(self, name: str, key: Key | None = None) -> list[tuple[int, Any]]:
         """(grant, fields) of every message of a name that the supervisor itself sent."""

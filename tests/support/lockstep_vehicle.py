@@ -17,7 +17,8 @@ BEAT = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_st
 
 def collect(link: LockstepLink, idle: Callable[[], None]) -> dict[Key, list[Frame]]:
     """Every vehicle's answer to the last grant, in order of (system, component)."""
-    return dict(sorted(link.answers(idle)))
+    answers = (one for keys, frames in link.answers(idle) for one in zip(keys, frames, strict=True))
+    return dict(sorted(answers))
 
 
 def heartbeat() -> Message:

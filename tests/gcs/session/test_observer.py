@@ -269,7 +269,7 @@ def test_invented_components_cost_a_bounded_room(observer: Observer) -> None:
         observer.receive(beat(sysid), 0.0)
         for compid in range(256):
             observer.receive(codec.Frame(sysid, compid, 0, 9_999, b""), 0.0)
-    assert len(observer._gaps._missing) == MOST_SENDERS
+    assert len(observer._gaps._missing_of) == MOST_SENDERS
 
 
 @pytest.mark.parametrize("lie", [{"x": 1e38}, {"z": -3e38}, {"altitude": 2**31 - 1}, {"altitude": -(2**31)}])

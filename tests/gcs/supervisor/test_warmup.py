@@ -17,7 +17,7 @@ from gcs.scenario import geometry
 from gcs.mavlink import bundle_frames
 from gcs.recording import digest
 from gcs.session import process
-from gcs.mavlink import datagram
+from gcs.mavlink import datagram, gaps
 from gcs.telemetry import approach, metrics, readings
 from gcs.scenario.file import find
 from gcs.planner import goals, leader, limits
@@ -27,23 +27,26 @@ from gcs.scenario import load
 scenario = load(find("paper/example1"))
 kernels = [leader._lead, goals._any_near, limits._limited, geometry.fill_clearances,
            metrics._measure, approach.look, approach.pass_points, bundle_frames.write_bundles,
-           digest._count, datagram._find, readings.read]
+           digest._count, datagram._take_in, datagram._cut, gaps._go_on, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)
 after = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 again = [len(kernel.signatures) for kernel in kernels]
-print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded)]))
+compiled = [kernel.__name__ for kernel in kernels if kernel.stats.cache_misses]
+print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded), compiled]))
 """
 
 
 def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
-    done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
-    before, after, again, imported_later = json.loads(done.stdout)
-    assert before == [0] * 11
-    assert after == again == [1] * 11
+    for _ in range(2):  # the first time they may have to be compiled
+        done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
+    before, after, again, imported_later, compiled = json.loads(done.stdout)
+    assert before == [0] * 13
+    assert after == again == [1] * 13
     assert imported_later == []
+    assert compiled == []
 
 
 ROUTES = """

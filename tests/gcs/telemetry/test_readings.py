@@ -3,7 +3,7 @@
 import math
 import random
 import struct
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import runs_of
+from gcs.mavlink.datagram import COLUMNS, runs_of
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.readings import FOUND, new_readings, read
@@ -28,6 +28,13 @@ def silent_account() -> Any:
     return account
 
 
+def read_alone(data: bytes, now_s: float, row: Any, account: Any, found: Any) -> tuple[int, int]:
+    """Read frames of a fleet's only vehicle: where the next one begins, and why it stops."""
+    none = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64), np.zeros(256, np.int64)
+    _, at, why = read(data, 0, len(data), 0, 0, *none, now_s, row[np.newaxis], account, NOTHING, found)
+    return at, why
+
+
 class Read:
     """One frame, as pymavlink sends and reads it, and what the kernel makes of it."""
 
@@ -40,7 +47,7 @@ class Read:
         (self.content,) = mav.MAVLink(None).parse_buffer(raw)
         self.row = new_readings() if row is None else row
         self.account, self.found = silent_account(), np.zeros(FOUND)
-        end, self.why = read(raw, 0, len(raw), now_s, self.row, self.account, NOTHING, self.found)
+        end, self.why = read_alone(raw, now_s, self.row, self.account, self.found)
         assert end == len(raw)
 
     def told(self, *columns: int) -> list[float]:
@@ -128,13 +135,64 @@ def test_batteries_are_counted_as_by_their_reports(name: str, convert: Any) -> N
         report = convert(one.content, 5.0)
         words = [math.nan if word is None else word for word in report[1:4]]
         account = silent_account()
-        outcome = energy.take(account, 5.0, *words, report.second_hand, False)
+        fate, *facts = outcome = energy.take(account, 5.0, *words, report.second_hand, False)
         assert one.account.tobytes() == account.tobytes()
-        assert one.why == (readings.END if outcome[0] == energy.SECOND_HAND else readings.BATTERY)
-        if one.why == readings.BATTERY:
+        assert one.row[readings.POWER_W] == account["power_w"][0]
+        more = fate < energy.SECOND_HAND or account["power_source"][0] != energy.NONE or not np.isnan(facts).all()
+        assert one.why == (readings.BATTERY if more else readings.END)
+        if more:
             np.testing.assert_array_equal(one.found, [*words[:2], *outcome])
-            told += 1
+        told += more
     assert told > 500
+
+
+def test_a_message_that_tells_nothing_new_changes_a_fleet_as_if_it_were_read_like_the_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Counters, origins and homes that recur, of one of ours and of an external vehicle, held against each message in
+    turn given to what reads it for the first time."""
+    rng = random.Random(4)
+    members = [Member(3, "pursuer", "3", 24_000.0, 18_000.0), Member(4, "pursuer", "4", 2e4, 1e4, external=True)]
+    usual, each = Fleet(members, ORIGIN), Fleet(members, ORIGIN)
+    read: list[int] = []
+    for msgid, handler in fleet._HANDLERS.items():
+        monkeypatch.setitem(
+            cast(dict[int, Any], fleet._HANDLERS), msgid,
+            lambda *args, handler=handler, msgid=msgid: read.append(msgid) or handler(*args),
+        )  # fmt: skip
+    handled = 0
+    for tick in range(2000):
+        sysid, boot_ms = rng.choice([3, 4]), 100 * tick - rng.randrange(300)
+        if rng.random() < 0.01:
+            joules = rng.randrange(100)
+            usual.book(sysid, joules)
+            each.book(sysid, joules)
+        place = {"latitude": rng.choice([473977420, 473977420, 473977999]), "longitude": 85455940, "altitude": 488000}
+        raw = rng.choice([
+            codec.encode("NAMED_VALUE_INT", 0, sysid, 1, time_boot_ms=max(boot_ms, 0),
+                         name=rng.choice(["XferIn", "XferOut", "Xfer", "XferOuts", ""]),
+                         value=rng.choice([-1, tick // 100, tick // 100, 1_000_000_000])),
+            codec.encode("GPS_GLOBAL_ORIGIN", 0, sysid, 1, **place, time_usec=0),
+            codec.encode("HOME_POSITION", 0, sysid, 1, **place, x=0.0, y=0.0, z=float(rng.randrange(2)), q=[1, 0, 0, 0],
+                         approach_x=0.0, approach_y=0.0, approach_z=0.0, time_usec=0),
+            codec.encode("HEARTBEAT", 0, sysid, 1, type=2, autopilot=12, base_mode=rng.choice([0, 128]), custom_mode=0,
+                         system_status=3),
+        ])  # fmt: skip
+        (frame,) = codec.split(raw).frames
+        usual.ingest(frame, 0.1 * tick)
+        handled += len(read)
+        read.clear()
+        if frame.msgid in fleet._HANDLERS:
+            track = each._tracks[sysid]
+            fleet._HANDLERS[frame.msgid](each, track, codec.fields(frame), 0.1 * tick)
+            each._settle(track)
+            read.clear()
+        else:
+            each.ingest(frame, 0.1 * tick)
+        views = [repr(one.snapshot(0.1 * tick)) for one in (usual, each)]
+        assert views[0] == views[1]
+        assert usual.snapshot(0.1 * tick).columns.stamps.tolist() == each.snapshot(0.1 * tick).columns.stamps.tolist()
+    assert 200 < handled < 1200
 
 
 def test_efforts_and_landed_states_are_read_as_pymavlink_reads_them() -> None:
@@ -157,7 +215,7 @@ def test_nothing_is_read_of_other_components_and_beyond_the_end() -> None:
     lying = b"\xfd\xff\0\0\0\x03\x01\x1e\0\0" + raw[10:14]
     for data in (raw, lying, raw[:9], b""):
         row = new_readings()
-        _, why = read(data, 0, len(data), 5.0, row, energy.new_account(1.0, 1.0), NOTHING, np.zeros(FOUND))
+        _, why = read_alone(data, 5.0, row, energy.new_account(1.0, 1.0), np.zeros(FOUND))
         assert why == readings.END
         assert row[readings.ROLL] == 0.0
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import msgspec
+import numpy as np
 
-if TYPE_CHECKING:
-    from gcs.mavlink.setpoints import SetPoint
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 
 _SET_POINT = '{"kind":"set_point","p_ned":[%%s,%%s,%%s],"sysid":%d,"t_s":@,"v_ned":[%%s,%%s,%%s]}\n'
 _encode = json.JSONEncoder(sort_keys=True, allow_nan=False, separators=(",", ":")).encode
@@ -60,12 +60,15 @@ def decision_lines(decisions: Decisions) -> list[bytes]:
 def _set_point_lines(tick: TickSetPoints) -> list[bytes] | None:
     """The lines that `json` makes of set points. None where one holds other things than finite numbers: `json` knows
     what is to become of it."""
-    sysids: list[int] = []
     flat: list[float] = []
-    for sysid, p_ned, v_ned in tick.points:
-        sysids.append(sysid)
-        flat += p_ned
-        flat += v_ned
+    if isinstance(tick.points, SetPoints):
+        sysids = tick.points.sysids
+        flat = np.hstack((tick.points.p_ned, tick.points.v_ned)).ravel().tolist()
+    else:
+        sysids = tuple([point.sysid for point in tick.points])
+        for _, p_ned, v_ned in tick.points:
+            flat += p_ned
+            flat += v_ned
     try:
         text = _encode_numbers(flat)
     except (TypeError, ValueError):
@@ -79,7 +82,7 @@ def _set_point_lines(tick: TickSetPoints) -> list[bytes] | None:
             _as_json(part, number) if "e" in part or ".0000" in part else part
             for part, number in zip(parts, flat, strict=True)
         ]
-    form = _form(tuple(sysids)).replace("@", _encode(tick.t_s))
+    form = _form(sysids).replace("@", _encode(tick.t_s))
     return (form % tuple(parts)).encode().splitlines(keepends=True)
 
 

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from gcs.kernels import UNCOUNTED, kernel
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.scenario.model import Scenario
 from gcs.telemetry.approach import Ints, segment_gap2
 from gcs.telemetry.columns import Flags, FleetColumns, Floats
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
-
-if TYPE_CHECKING:
-    from gcs.mavlink.setpoints import SetPoint
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
@@ -39,7 +36,7 @@ class Metrics:
         self._last, self._lengths_m = np.full((count, 3), np.nan), np.full(count, np.nan)
         self._plans, self._planned = np.zeros((count, PLAN_MEMORY, 3)), np.zeros(count, np.int64)
         self._errors_m = np.full(count, np.nan)
-        self._sysids: list[int] = []
+        self._sysids: tuple[int, ...] = ()
         self._rows = np.empty(0, np.int64)
         """of the vehicles that had the last set points"""
         self._pairs = self._pairs_of(self.target_of)
@@ -60,19 +57,16 @@ class Metrics:
             self.target_of = dict(pursuing)
             self._pairs = self._pairs_of(self.target_of)
         flying, fresh, p_ned = self._in_order(snapshot.columns)
-        sysids: list[int] = []
-        planned: list[float] = []
-        for sysid, place, _ in set_points:
-            sysids.append(sysid)
-            planned += place
-        if sysids != self._sysids:
-            self._sysids, self._rows = sysids, np.array([self._row[sysid] for sysid in sysids], np.int64)
+        points = SetPoints.of(set_points)
+        if points.sysids != self._sysids:
+            self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
+        self._sysids = points.sysids
         _measure(
             flying,
             fresh,
             p_ned,
             self._rows,
-            np.array(planned, np.float64).reshape(-1, 3),
+            points.p_ned,
             self._pairs,
             self._last,
             self._lengths_m,

@@ -20,7 +20,7 @@ import pytest
 
 from gcs.frame_spans import FrameSpans
 from gcs.mavlink import codec
-from gcs.mavlink.setpoints import SetPoint
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.recording.decision_lines import TickSetPoints, decision_lines, each
 from gcs.recording.digest import Digest
 from gcs.recording.recorder import BATCH_BYTES, DECISIONS, TLOG, Recorder, RecorderError
@@ -108,6 +108,7 @@ def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
     sizes = 10.0 ** random.integers(-9, 20, (4000, 6))
     values = (random.normal(size=(4000, 6)) * sizes * (random.random((4000, 6)) < 0.9)).tolist()
     points: list[Any] = [SetPoint(k % 254 + 1, tuple(row[:3]), tuple(row[3:])) for k, row in enumerate(values)]
+    plain = points[:4000]
     odd = (True, (0.0,) * 3), (None, (0.0,) * 3), (7, ("-", ",", "ä")), (7, ([1.5], {}, 1)), (7, (1.0, 2.0))
     points += [SetPoint(sysid, p_ned, (0.0, 0.0, 0.0)) for sysid, p_ned in odd]
     expected = [json_line(set_point(0.3, *point)) for point in points]
@@ -117,7 +118,8 @@ def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
         other = {"kind": "win", "t_s": 1e-7}
         assert decision_lines([other, tick, {}]) == [json_line(other), *expected[k : k + 50], b"{}\n"]
         assert [json_line(one) for one in each([tick])] == expected[k : k + 50]
-    assert decision_lines([TickSetPoints(0.3, [])]) == []
+    assert decision_lines([TickSetPoints(0.3, SetPoints.of(plain))]) == expected[:4000]
+    assert decision_lines([TickSetPoints(0.3, [])]) == decision_lines([TickSetPoints(0.3, SetPoints.of([]))]) == []
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])

@@ -184,7 +184,7 @@ def _is_named(data: bytes, at: int, stop: int, name: bytes) -> Any:
 
 
 @inner(**UNCOUNTED)
-def _is_repeated(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any, now_s: float) -> Any:
+def _is_repeated(data: bytes, at: int, stop: int, msgid: Any, row: Row, one: Any, now_s: float) -> Any:
     """Whether a message that is kept elsewhere tells nothing new: where a frame lies, as before; home, whose place of
     one of ours is known; and another value than a counter of energy, or such a one as before."""
     if msgid == _HOME_POSITION:

@@ -11,11 +11,10 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from gcs.kernel_files import checksum
-from gcs.kernels import UNCOUNTED, kernel
+from gcs.kernels import UNCOUNTED, inner, kernel
 from gcs.mavlink import codec, datagram
 from gcs.mavlink.codec import Message
 from gcs.mavlink.datagram import CRC_TABLE, crc_of
@@ -47,7 +46,7 @@ _VALUES_AT = codec.HEADER_BYTES + 4  # behind time_boot_ms
 _TARGET_AT = codec.HEADER_BYTES + 50
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _sum(frame: Bytes, size: int, seed: int) -> None:
     """Write the checksum of a frame."""
     end = size - codec.CRC_BYTES
@@ -56,7 +55,7 @@ def _sum(frame: Bytes, size: int, seed: int) -> None:
     frame[end], frame[end + 1] = crc & 0xFF, crc >> 8
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _aim(frame: Bytes, sysid: int, values: Floats) -> bool:
     """Write whose set point it is, and its values; whether they can be written."""
     for i in range(VALUES):

@@ -16,11 +16,10 @@ from itertools import pairwise
 from typing import Any, overload
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from gcs.frame_spans import FrameSpans
-from gcs.kernels import UNCOUNTED, kernel
+from gcs.kernels import UNCOUNTED, inner, kernel
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 
@@ -302,7 +301,7 @@ class DatagramBuffer:
         self.room = self._view[: self._room_bytes]
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
     """Kernel: CRC-16/MCRF4XX of some bytes, of `bytes` or of an array; `table` is CRC_TABLE."""
     crc = np.uint16(0xFFFF)
@@ -325,7 +324,7 @@ def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
     return np.int64(crc)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _find(
     data: NDArray[np.uint8],
     at: Any,

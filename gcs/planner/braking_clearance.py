@@ -25,9 +25,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import inner
 from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, WALL, past_wall, shape_surface
 
 FloatArray = NDArray[np.float64]
@@ -40,7 +40,7 @@ _GAP_M = 1e-10  # between the tangents and the distance: small against the filte
 _TANGENTS = 60
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def braking(vn: float, ve: float, vd: float, brake: float, dt: float) -> tuple[float, float, float]:
     """Acceleration of one period of braking."""
     speed = math.sqrt(vn * vn + ve * ve + vd * vd)
@@ -48,13 +48,13 @@ def braking(vn: float, ve: float, vd: float, brake: float, dt: float) -> tuple[f
     return -k * vn, -k * ve, -k * vd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def stop_distance(speed: float, brake: float, dt: float) -> float:
     """Upper bound of the way to a stand; the exact one is at most brake dt²/8 shorter."""
     return speed * speed / (2.0 * brake) + brake * dt * dt / 8.0
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def stop_way(speed: float, brake: float, dt: float) -> float:
     """Way to a stand, exactly: whole periods of braking and the last, shorter one."""
     whole = math.ceil(speed / (brake * dt)) - 1.0
@@ -62,7 +62,7 @@ def stop_way(speed: float, brake: float, dt: float) -> float:
     return (speed * speed - rest * rest) / (2.0 * brake) + 0.5 * rest * dt
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _period(
     an: float, ae: float, ad: float, bn: float, be: float, bd: float, cn: float, ce: float, cd: float,
     span: float, growth: float,
@@ -92,7 +92,7 @@ def _period(
     return max(bound, _least(a, b, c, span)), distance - growth * t, t, xn, xe, xd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _least(a: float, b: float, c: float, span: float) -> float:
     """Least value of a + b t + c t²/2 for 0 <= t <= span."""
     least = min(a, a + b * span + 0.5 * c * span * span)
@@ -101,7 +101,7 @@ def _least(a: float, b: float, c: float, span: float) -> float:
     return least
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def pair_clearance(
     p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, j: int, dt: float, enough: float
 ) -> Clearance:
@@ -142,7 +142,7 @@ def pair_clearance(
     return first, after, when, nn, ne, nd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def other_clearance(
     p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int,
     other: FloatArray, k: int, dt: float, horizon: float, enough: float,
@@ -177,7 +177,7 @@ def other_clearance(
     return first, after, when, nn, ne, nd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _segment(
     table: FloatArray, k: int, n0: float, e0: float, d0: float, n1: float, e1: float, d1: float, enough: float
 ) -> Clearance:
@@ -222,7 +222,7 @@ def _segment(
     return min(bound, value), value, share, gn, ge, gd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def shape_clearance(
     p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, table: FloatArray, k: int, dt: float,
     enough: float,
@@ -258,7 +258,7 @@ def shape_clearance(
     return min(first, enough), min(after, enough), where, gn, ge, gd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def plane_clearance(
     p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, axis: int, limit: float, dt: float
 ) -> Clearance:
@@ -277,7 +277,7 @@ def plane_clearance(
     return first, min(here, after), -1.0, direction[0], direction[1], direction[2]
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def sensitivity(
     vn: float, ve: float, vd: float, brake: float, t: float, way: float, nn: float, ne: float, nd: float, dt: float
 ) -> tuple[float, float, float]:

@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 
+from gcs.kernels import inner
 from gcs.planner.braking_clearance import FloatArray, IntArray
 from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, BoolArray
 from gcs.scenario.geometry import KIND, WALL, bounds
@@ -18,7 +18,7 @@ from gcs.scenario.geometry import KIND, WALL, bounds
 _ROOM = 256
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def constraints_within_reach(
     p: FloatArray, v: FloatArray, a_max: FloatArray, brake: FloatArray, margin: FloatArray, others: FloatArray,
     table: FloatArray, beyond: BoolArray, walls: FloatArray, pair_required: FloatArray, other_required: FloatArray,
@@ -69,7 +69,7 @@ def constraints_within_reach(
     return rows[:count], required[:count]
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _near_pairs(p: FloatArray, within: float) -> list[tuple[int, int]]:
     """Pairs i < j of places that are no farther apart, ascending; a loop of its own, since one that does more is
     compiled to a ninth of its speed."""
@@ -82,7 +82,7 @@ def _near_pairs(p: FloatArray, within: float) -> list[tuple[int, int]]:
     return pairs
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _in_order(rows: IntArray, first: int, end: int) -> None:
     """Sort the last column of a few rows in place."""
     for k in range(first + 1, end):
@@ -93,7 +93,7 @@ def _in_order(rows: IntArray, first: int, end: int) -> None:
         rows[at, 2] = j
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _put(
     rows: IntArray, required: FloatArray, count: int, kind: int, i: int, j: int, d: float
 ) -> tuple[IntArray, FloatArray, int]:
@@ -105,7 +105,7 @@ def _put(
     return rows, required, count + 1
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _of_pair(given: FloatArray, i: int, j: int, usual: float) -> float:
     """Distance required of a pair, where one is given for it: the last one."""
     for k in range(len(given) - 1, -1, -1):
@@ -114,12 +114,12 @@ def _of_pair(given: FloatArray, i: int, j: int, usual: float) -> float:
     return usual
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _distance(a: FloatArray, i: int, b: FloatArray, j: int) -> float:
     return math.sqrt((a[i, 0] - b[j, 0]) ** 2 + (a[i, 1] - b[j, 1]) ** 2 + (a[i, 2] - b[j, 2]) ** 2)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _outside(p: FloatArray, i: int, low: FloatArray, high: FloatArray, j: int) -> float:
     """Distance of a place from a box, 0 in it."""
     square = 0.0
@@ -128,7 +128,7 @@ def _outside(p: FloatArray, i: int, low: FloatArray, high: FloatArray, j: int) -
     return math.sqrt(square)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _from_the_south(table: FloatArray) -> tuple[FloatArray, FloatArray, IntArray, FloatArray, float]:
     """Bounding boxes (m, 3), (m, 3), their order by their south sides, those in this order, and the widest one."""
     low, high = bounds(table)

@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from gcs.kernels import inner
 from gcs.planner.braking_clearance import (
     TINY,
     Clearance,
@@ -32,7 +32,7 @@ _PLASTIC = 0.7548776662466927  # irrational, too, so that pairs of ids get diffe
 _LIMIT_SWEEPS = 4
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def clearance_of(
     rows: IntArray, c: int, enough: float, p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray,
     others: FloatArray, table: FloatArray, walls: FloatArray, dt: float, horizon: float,
@@ -47,7 +47,7 @@ def clearance_of(
     return plane_clearance(p, v, u, brake, i, j, walls[i, j], dt)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def into_ball(u: FloatArray, i: int, cn: float, ce: float, cd: float, radius: float) -> None:
     dn, de, dd = u[i, 0] - cn, u[i, 1] - ce, u[i, 2] - cd
     size = math.sqrt(dn * dn + de * de + dd * dd)
@@ -56,7 +56,7 @@ def into_ball(u: FloatArray, i: int, cn: float, ce: float, cd: float, radius: fl
         u[i, 0], u[i, 1], u[i, 2] = cn + k * dn, ce + k * de, cd + k * dd
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def within_limits(
     u: FloatArray, live: BoolArray, v: FloatArray, u_b: FloatArray, a_max: FloatArray, v_top: FloatArray, dt: float
 ) -> None:
@@ -81,7 +81,7 @@ def within_limits(
                 u[i, x] = u_b[i, x] + share * (u[i, x] - u_b[i, x])
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def line_of(
     rows: IntArray, c: int, target: float, after: float, when: float, nn: float, ne: float, nd: float,
     v: FloatArray, u: FloatArray, brake: FloatArray, dt: float, ids: IntArray, line: FloatArray,

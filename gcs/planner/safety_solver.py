@@ -14,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 
-from gcs.kernels import kernel
+from gcs.kernels import inner, kernel
 from gcs.planner import braking_clearance, near_constraints, safety_constraints
 from gcs.planner.braking_clearance import TINY, FloatArray, IntArray, braking
 from gcs.planner.near_constraints import constraints_within_reach
@@ -42,7 +41,7 @@ _FEWEST_ROUNDS = 2
 _SOFT_M = 0.1  # above the distance aimed at: there the turn of a wanted velocity begins
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
     """Wanted velocities turned to the right by turn share and raised by up to climb share, differently for each id."""
     out = wanted.copy()
@@ -60,7 +59,7 @@ def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, c
     return out
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _project(
     u: FloatArray, rows: IntArray, active: IntArray, lines: FloatArray, weight: FloatArray, live: BoolArray,
     v: FloatArray, a_max: FloatArray, v_top: FloatArray, dt: float, sweeps: int,
@@ -99,7 +98,7 @@ def _project(
                         corrected[i, 3 * ball + x] = before[x] - u[i, x]
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _live(rows: IntArray, near: BoolArray, short: BoolArray, n: int, everybody: bool) -> BoolArray:
     """Vehicles that a near constraint concerns; after the first rounds only those of groups where one is short."""
     group = np.arange(n)
@@ -121,7 +120,7 @@ def _live(rows: IntArray, near: BoolArray, short: BoolArray, n: int, everybody: 
     return concerned[group]
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _check(
     u: FloatArray, u_b: FloatArray, least: FloatArray, cause: IntArray, rows: IntArray, p: FloatArray, v: FloatArray,
     brake: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray, dt: float, horizon: float,
@@ -162,7 +161,7 @@ def _check(
                     u[i, x] = u_b[i, x] + _BLENDS[level[i]] * (wanted[i, x] - u_b[i, x])
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _restore(
     u: FloatArray, wanted: FloatArray, u_b: FloatArray, level: IntArray, least: FloatArray, target: FloatArray,
     rows: IntArray, p: FloatArray, v: FloatArray, a_max: FloatArray, v_top: FloatArray, brake: FloatArray,
@@ -212,7 +211,7 @@ def _restore(
         one[i] = False
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _solve(
     p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
     ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,

@@ -22,11 +22,10 @@ from typing import Any
 
 import numpy as np
 from fastcrc.crc16 import mcrf4xx
-from numba import njit
 from numpy.typing import NDArray
 
 from gcs.kernel_files import checksum
-from gcs.kernels import kernel
+from gcs.kernels import inner, kernel
 from gcs.mavlink import codec, datagram, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.datagram import CRC_TABLE, SEEDS, crc_of
@@ -214,7 +213,7 @@ def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int)
             rows[i, head_bytes + k] = data[begin + k]
 
 
-@njit
+@inner()
 def _frame_bytes(
     data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
 ) -> Any:

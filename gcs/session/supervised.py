@@ -20,7 +20,7 @@ from typing import IO, Any, Self
 import click
 
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR
-from gcs.loading import loaded, uncollected
+from gcs.loading import loaded, on_one_core, uncollected
 from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
@@ -134,10 +134,8 @@ class SupervisorFork:
         if hatch is None and (self.scenario.vehicles.launched or self.scenario.traffic):
             with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
                 hatch = Hatch()
+        on_one_core()
         with uncollected():
-            # numba before what needs it: beneath many nested imports it took 70 ms longer, since Python 3.11 allocates
-            # and frees a page of its stack at each call across the page's end.
-            import gcs.kernels  # noqa: F401, PLC0415
             from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)

@@ -28,11 +28,10 @@ from enum import StrEnum
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
 from gcs.kernel_files import checksum
-from gcs.kernels import kernel
+from gcs.kernels import inner, kernel
 from gcs.telemetry import plausibility
 from gcs.telemetry.plausibility import MOST_W, STEP_J, countable
 
@@ -119,7 +118,7 @@ def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) 
     return account
 
 
-@njit
+@inner()
 def count(
     one: Any, t_s: float, consumed_j: float, power_w: float, remaining: float, second_hand: bool, armed: bool
 ) -> tuple[int, float, float]:
@@ -166,7 +165,7 @@ def count(
     return became, bridged_s, gained_j
 
 
-@njit
+@inner()
 def mean_power(one: Any, now_s: float) -> Any:
     """Kernel: bring the mean power of the last while up to a report whose fate is DRAWN, over steps of the energy drawn
     where it moves in steps; whether another source is read now."""
@@ -194,7 +193,7 @@ def mean_power(one: Any, now_s: float) -> Any:
     return other
 
 
-@njit
+@inner()
 def _draw(one: Any, best: int) -> None:
     """Let the energy drawn go on by what the best meter went on since its anchor.
 
@@ -213,7 +212,7 @@ def _draw(one: Any, best: int) -> None:
             one.anchors_j[source], one.at_anchors_j[source] = one.meters_j[source], one.drawn_j
 
 
-@njit
+@inner()
 def _total(one: Any, consumed_j: float, armed: bool) -> None:
     if not armed and consumed_j < min(one.total_j - RESTART_J, 0.5 * one.total_j):
         one.before_restart_j += one.total_j
@@ -222,7 +221,7 @@ def _total(one: Any, consumed_j: float, armed: bool) -> None:
     one.meters_j[TOTAL] = one.before_restart_j + one.total_j
 
 
-@njit
+@inner()
 def _integrate(one: Any, t_s: float, power_w: float) -> float:
     """Span in s that had to be bridged, or NaN."""
     span_s = t_s - one.sample_s
@@ -236,7 +235,7 @@ def _integrate(one: Any, t_s: float, power_w: float) -> float:
     return span_s if span_s > GAP_S else math.nan
 
 
-@njit
+@inner()
 def _fall(one: Any, left_j: float, armed: bool) -> float:
     """J that a swapped battery brought, or NaN."""
     moved_j = one.received_j - one.booked_j - one.given_j

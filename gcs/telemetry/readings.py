@@ -13,12 +13,11 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.kernel_files import checksum
-from gcs.kernels import UNCOUNTED, kernel
+from gcs.kernels import UNCOUNTED, inner, kernel
 from gcs.mavlink.battery import HECTOJOULE, NO_CELL
 from gcs.mavlink.codec import HEADER_BYTES
 from gcs.mavlink.datagram import FIRST, LAST, SYSID
@@ -91,51 +90,51 @@ def kept_elsewhere(from_autopilot: Iterable[int], from_anybody: Iterable[int]) -
 # A payload whose trailing zeros were cut: what lies at `stop` or behind it is 0.
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _octet(data: bytes, at: int, stop: int) -> Any:
     return np.int64(data[at]) if at < stop else np.int64(0)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _u16(data: bytes, at: int, stop: int) -> Any:
     return _octet(data, at, stop) | _octet(data, at + 1, stop) << 8
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _i16(data: bytes, at: int, stop: int) -> Any:
     value = _u16(data, at, stop)
     return value - 65536 if value >= 32768 else value
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _i8(data: bytes, at: int, stop: int) -> Any:
     value = _octet(data, at, stop)
     return value - 256 if value >= 128 else value
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _u32(data: bytes, at: int, stop: int) -> Any:
     return _u16(data, at, stop) | _u16(data, at + 2, stop) << 16
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _i32(data: bytes, at: int, stop: int) -> Any:
     value = _u32(data, at, stop)
     return value - (1 << 32) if value >= 1 << 31 else value
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _f32(data: bytes, at: int, stop: int) -> Any:
     return np.float64(np.uint32(_u32(data, at, stop)).view(np.float32))
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _session_s(row: Row, boot_ms: int, now_s: float) -> Any:
     """When a vehicle said something, by its own clock if that is known; it was not later than now."""
     return now_s if math.isnan(row[CLOCK_S]) else min(boot_ms / 1e3 + row[CLOCK_S], now_s)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _read_place(data: bytes, at: int, stop: int, row: Row, now_s: float, found: Row) -> Any:
     reported_s = _session_s(row, _u32(data, at, stop), now_s)
     if reported_s < row[POSITION_S]:
@@ -153,7 +152,7 @@ def _read_place(data: bytes, at: int, stop: int, row: Row, now_s: float, found: 
     return True
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _read_attitude(data: bytes, at: int, stop: int, row: Row) -> Any:
     roll, pitch, yaw = _f32(data, at + 4, stop), _f32(data, at + 8, stop), _f32(data, at + 12, stop)
     if abs(yaw) <= math.tau:
@@ -162,7 +161,7 @@ def _read_attitude(data: bytes, at: int, stop: int, row: Row) -> Any:
         row[ROLL], row[PITCH] = roll, pitch
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _read_mode(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     """Whether it is the one before."""
     custom_mode, autopilot = np.float64(_u32(data, at, stop)), np.float64(_octet(data, at + 5, stop))
@@ -176,7 +175,7 @@ def _read_mode(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     return same
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _is_named(data: bytes, at: int, stop: int, name: bytes) -> Any:
     for k in range(len(name)):  # noqa: SIM110, as numba compiles it
         if _octet(data, at + 8 + k, stop) != name[k]:
@@ -184,8 +183,8 @@ def _is_named(data: bytes, at: int, stop: int, name: bytes) -> Any:
     return True
 
 
-@njit(**UNCOUNTED)
-def _is_repeated(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any, now_s: float) -> Any:
+@inner(**UNCOUNTED)
+def _is_repeated(data: bytes, at: int, stop: int, msgid: Any, row: Row, one: Any, now_s: float) -> Any:
     """Whether a message that is kept elsewhere tells nothing new: where a frame lies, as before; home, whose place of
     one of ours is known; and another value than a counter of energy, or such a one as before."""
     if msgid == _HOME_POSITION:
@@ -208,7 +207,7 @@ def _is_repeated(data: bytes, at: int, stop: int, msgid: int, row: Row, one: Any
     return False
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _read_effort(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any:
     if not _is_named(data, at, stop, _EFFORT_NAME):
         return
@@ -218,7 +217,7 @@ def _read_effort(data: bytes, at: int, stop: int, row: Row, now_s: float) -> Any
         row[EFFORT_S] = _session_s(row, _u32(data, at, stop), now_s)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _cells_mv(data: bytes, at: int, stop: int) -> Any:
     """Cells up to the first that is NO_CELL, and only if there is none the further ones of newer messages."""
     total_mv = np.int64(0)
@@ -232,14 +231,14 @@ def _cells_mv(data: bytes, at: int, stop: int) -> Any:
     return total_mv
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _power_w(total_mv: int, current_ca: int) -> Any:
     if total_mv == 0 or current_ca in (_NO_CURRENT, _PX4_NO_CURRENT):
         return math.nan
     return 1e-2 * current_ca * (1e-3 * total_mv)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _count_report(
     account: Any, found: Row, row: Row, now_s: float, consumed_j: float, power_w: float, percent: int, second: bool
 ) -> Any:
@@ -255,7 +254,7 @@ def _count_report(
     return can_be and not other and math.isnan(bridged_s) and math.isnan(gained_j)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _read_run(
     data: bytes, at: Any, end: int, now_s: float, row: Row, account: Any, kept: NDArray[np.uint8], found: Row
 ) -> tuple[int, int]:

@@ -7,7 +7,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -60,7 +59,7 @@ class _LazyCommands(click.Group):
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-@click.version_option(version("skytender"), prog_name="simvehicle")
+@click.version_option(package_name="skytender", prog_name="simvehicle")
 @click.option("--sysid", type=click.IntRange(1, 254), metavar="N", help="MAVLink system id.")
 @click.option(
     "--connect",

@@ -19,10 +19,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import INLINED, UNCOUNTED, kernel
+from simvehicle.kernels import INLINED, UNCOUNTED, inner, kernel
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
@@ -32,7 +31,7 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def _improve(
     s: float, low: float, high: float, width: float, evaluations: int,
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, stiffness: float, tolerance: float,
@@ -85,7 +84,7 @@ def solve(
     return x1 + dt * x2_next, x2_next, s, evaluations
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def solve_two(
     x1: float, x2: float, x3: float, x: float, y1: float, y2: float, y3: float, y: float,
     dt: float, epsilon: float, tolerance: float,

@@ -10,10 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
+from simvehicle.kernels import UNCOUNTED, inner, kernel
 from simvehicle.law.dynamics import wrap_angle
 from simvehicle.law.params import Guidance
 
@@ -106,7 +105,7 @@ def start_yaw(memory: Row, yaw: float, rate: float, omega: float) -> None:
     memory[YAW_R3] = yaw
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def shape_yaw(memory: Row, yaw: float, rate_max: float, omega: float, dt: float) -> None:
     """Carry the yaw reference over dt towards `yaw`, the shorter way round, no faster than rate_max."""
     q, r1, r2, r3 = memory[YAW_Q], memory[YAW_R1], memory[YAW_R2], memory[YAW_R3]

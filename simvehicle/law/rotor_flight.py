@@ -15,10 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
+from simvehicle.kernels import UNCOUNTED, inner, kernel
 from simvehicle.law import controller, dynamics, guidance, power, step
 from simvehicle.law.params import P_AVIONICS_W, P_DRAG, P_GRAVITY, P_HOVER_W, Airframe, VehicleParams
 from simvehicle.law.step import CONTACT, DRAWN_J, REMAINING_J, STATE_SIZE
@@ -68,7 +67,7 @@ _GUIDE_END, _YAW_END, _LINEAR_END = step.GUIDE.stop, step.GUIDE_YAW.stop, step.L
 _REF_V, _REF_A = step.REFERENCE_VELOCITY.start, step.REFERENCE_ACCELERATION.start
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _see(s: Row, body: Row, error: Row) -> None:
     """Write what the law knows of its motion: the body's, its attitude as Euler angles with their rates, and errors.
     Standing, it knows that it stands, and how."""
@@ -87,7 +86,7 @@ def _see(s: Row, body: Row, error: Row) -> None:
     s[_ANGLE + 2] = dynamics.wrap_angle(s[_ANGLE + 2])
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _observe(s: Row, p: Row, u1: float, dt: float) -> None:
     """Disturbance observer (docs/model.md#rotors) [choice]: v̂' = u1 e - g - (K/m) v + d̂ + 2ω (v - v̂), d̂' = ω² (v - v̂),
     with e the direction of thrust. Standing or falling it believes in none."""
@@ -105,7 +104,7 @@ def _observe(s: Row, p: Row, u1: float, dt: float) -> None:
         s[_OBSERVER + 3 + i] = controller.bounded(believed, _STRONGEST_M_S2)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
     """Write the wind of the step that begins at t."""
     now = s[_WIND:_WIND_END]
@@ -120,7 +119,7 @@ def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float
     now[0], now[1], now[2] = w[0] + x, w[1] + y, w[2] + z
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, dt: float) -> float:
     """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power); the thrust, N."""
     thrust_n = 0.0
@@ -140,7 +139,7 @@ def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, dt: float) -> float:
     return thrust_n
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _step(
     s: Row, c: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, decays: Row, t: float, dt: float, scratch: Row
 ) -> float:

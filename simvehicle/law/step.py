@@ -15,10 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import INLINED, UNCOUNTED, kernel
+from simvehicle.kernels import INLINED, UNCOUNTED, inner, kernel
 from simvehicle.law import controller, differentiator, dynamics, guidance, params, power
 from simvehicle.law.params import (
     P_ACCELERATION_MAX,
@@ -98,7 +97,7 @@ _CMD_X, _CMD_V, _CMD_USE = CMD_POSITION.start, CMD_VELOCITY.start, CMD_USE_POSIT
 _LEAST_PERIOD_S = 1e-3
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> None:
     """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
     for i in range(3):
@@ -115,7 +114,7 @@ def set_reference(s: Row, c: Row, p: Row, guide: Row, linear: Row, t: float) -> 
             s[_REF_V + i], s[_REF_A + i] = guidance.linear_axis(start, end, elapsed, period)
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) -> None:
     """Carry the shaped reference from t to t + dt; on the ground it waits for lift-off."""
     age = controller.bounded(t - c[CMD_TIME_S], _LONGEST_S)
@@ -141,7 +140,7 @@ def guide_on(s: Row, c: Row, p: Row, guide: Row, yaw: Row, t: float, dt: float) 
         guidance.start_yaw(yaw, s[_ANGLE + 2], 0.0, omega)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     """Bring guidance and differentiators to the present state, as before a first step."""
     for i in range(3):
@@ -154,7 +153,7 @@ def start_afresh(s: Row, p: Row, guide: Row, yaw: Row, linear: Row) -> None:
     s[STARTED] = 0.0
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
     (docs/model.md#control-law)."""
@@ -196,7 +195,7 @@ def control(s: Row, c: Row, p: Row, yaw: Row, dt: float) -> tuple[float, float, 
     )
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
     """Stand where there is ground and no lift; x and y are where the step began. Yaw is kept, and wrapped anyway."""
     s[_ANGLE + 2] = dynamics.wrap_angle(s[_ANGLE + 2])
@@ -211,7 +210,7 @@ def _meet_ground(s: Row, c: Row, x: float, y: float) -> None:
     s[CONTACT] = 1.0
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     """Take a step's energy from the battery, at most what is left (docs/model.md#battery)."""
     drawn = min(power.power(u1, p[P_GRAVITY], p[P_HOVER_W], p[P_AVIONICS_W]) * dt, max(s[REMAINING_J], 0.0))
@@ -219,7 +218,7 @@ def draw(s: Row, p: Row, u1: float, dt: float) -> None:
     s[REMAINING_J] -= drawn
 
 
-@njit(**INLINED)
+@inner(**INLINED)
 def _step(s: Row, c: Row, p: Row, guide: Row, yaw: Row, linear: Row, t: float, dt: float) -> float:
     """One step from t to t + dt; returns u1."""
     u1 = tau2 = tau3 = tau4 = 0.0

@@ -9,10 +9,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
+from simvehicle.kernels import UNCOUNTED, inner, kernel
 
 ATTITUDE, LOCAL_POSITION, GLOBAL_POSITION = 1, 2, 4
 """Bits of the messages that are wanted."""
@@ -28,7 +27,7 @@ _TURN_RAD, TURN_DEG = 2.0 * math.pi, 360.0
 DEGREES = 180.0 / math.pi
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def remainder(x: float, whole: float) -> float:
     """IEEE's remainder, as math.remainder; exact."""
     rest: float = np.fmod(x, whole)
@@ -37,14 +36,14 @@ def remainder(x: float, whole: float) -> float:
     return rest
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def bounded(value: float, bits: int) -> int:
     """The nearest number that so many bits hold."""
     limit = 2.0 ** (bits - 1)
     return int(min(max(np.rint(value), -limit), limit - 1.0))
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
     """CRC-16/MCRF4XX of bytes and the message's seed."""
     crc = 0xFFFF
@@ -55,7 +54,7 @@ def checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
     return crc & 0xFFFF
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def write_frame(
     out: NDArray[np.uint8],
     at: int,

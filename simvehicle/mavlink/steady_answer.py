@@ -10,12 +10,11 @@ import math
 from typing import Any
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
-from simvehicle.kernels import UNCOUNTED
+from simvehicle.kernels import UNCOUNTED, inner
 from simvehicle.law import step
 from simvehicle.law.rotor_flight import CURRENT_A, ERROR, VOLTAGE_V
 from simvehicle.mavlink import telemetry
@@ -71,25 +70,25 @@ def frame_table() -> NDArray[np.int64]:
     return table
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _put(out: NDArray[np.uint8], at: int, value: int, size: int) -> None:
     for i in range(size):
         out[at + i] = (value >> (8 * i)) & 0xFF
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
     _put(out, at, int(np.float32(value).view(np.uint32)), 4)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _landed(one: Any, s: NDArray[np.float64]) -> bool:
     still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
     stands = s[step.CONTACT] != 0.0 if one.rotors != 0 else s[_X + 2] <= 0.0 and still
     return bool(one.ground != 0 and stands)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArray[np.uint8]) -> None:
     """Bring a stream's payload up to date; motion is write_motion's."""
     unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, s[step.REMAINING_J]
@@ -146,7 +145,7 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
                 _put_float(payload, 16 + 4 * i, sign * s[_REF_V + i])
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _number_of(payload: NDArray[np.uint8], at: int) -> int:
     value = 0
     for i in range(4):
@@ -154,7 +153,7 @@ def _number_of(payload: NDArray[np.uint8], at: int) -> int:
     return value
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], unix_us: int) -> None:
     """Write what is due, closed by the own SYSTEM_TIME; what is due next is put down."""
     at, out, motion = 0, one.answer, 0
@@ -187,7 +186,7 @@ def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], un
     one.seq = (one.seq + 1) & 0xFF
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], truth: NDArray[np.float64]) -> None:
     """A record as sitl/truth.py has it."""
     truth[0], truth[1] = one.time_ms / 1e3, thrust.size

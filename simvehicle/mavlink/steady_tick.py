@@ -14,13 +14,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numba import njit
-from numba.extending import overload
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
-from simvehicle.kernels import UNCOUNTED
+from simvehicle.kernels import UNCOUNTED, inner, overload
 from simvehicle.law import rotor_flight, step
 from simvehicle.mavlink import motion_frames, steady_answer, telemetry
 from simvehicle.mavlink.motion_frames import HEADER_BYTES, MAGIC, checksum
@@ -97,7 +95,7 @@ _SET_ID, _SET_SEED, _SET_BYTES, _SET_MASK = 84, 143, 53, 0b1101_1100_0000
 _GCS, _LOCAL_NED = int(mav.MAV_TYPE_GCS), int(mav.MAV_FRAME_LOCAL_NED)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _number(datagram: NDArray[np.uint8], body: int, at: int, size: int) -> int:
     """A whole number of a payload; what is cut of it is 0."""
     value, length = 0, int(datagram[body - HEADER_BYTES + 1])
@@ -107,7 +105,7 @@ def _number(datagram: NDArray[np.uint8], body: int, at: int, size: int) -> int:
     return value
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _float(datagram: NDArray[np.uint8], at: int) -> float:
     bits = 0
     for i in range(4):
@@ -115,7 +113,7 @@ def _float(datagram: NDArray[np.uint8], at: int) -> float:
     return float(np.uint32(bits).view(np.float32))
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _frame_end(datagram: NDArray[np.uint8], at: int, size: int) -> int:
     """Where the frame ends that begins here; 0 where none can."""
     if at + HEADER_BYTES + 2 > size or datagram[at] != MAGIC:
@@ -124,7 +122,7 @@ def _frame_end(datagram: NDArray[np.uint8], at: int, size: int) -> int:
     return end if end <= size else 0
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _is_supervisors(datagram: NDArray[np.uint8], at: int, end: int, msgid: int, seed: int) -> bool:
     """Whether a frame is an intact one of this id of the supervisor's, without a signature."""
     if datagram[at + 2] != 0 or datagram[at + 5] != _SYSTEM or datagram[at + 6] != _COMPONENT:
@@ -135,7 +133,7 @@ def _is_supervisors(datagram: NDArray[np.uint8], at: int, end: int, msgid: int, 
     return bool(int(datagram[end - 2]) | int(datagram[end - 1]) << 8 == crc)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[np.int64]) -> tuple[int, int, int]:
     """The bundle that begins here: its vehicle's row, -1 for nobody's; where its frames begin and where it ends. No
     bundle at all goes to the datagram's end."""
@@ -156,7 +154,7 @@ def _bundle(datagram: NDArray[np.uint8], at: int, marked: bool, row_of: NDArray[
     return row_of[_number(datagram, at + HEADER_BYTES, _PING_TARGET, 1)], body, stop
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
     """Whether a payload is a set point of the usual kind for this vehicle, in finite numbers."""
     if datagram[body + 50] != one.sysid or datagram[body + 51] != AUTOPILOT or datagram[body + 52] != _LOCAL_NED:
@@ -167,7 +165,7 @@ def _is_set_point(one: Any, datagram: NDArray[np.uint8], body: int) -> bool:
     return _number(datagram, body, 48, 2) == _SET_MASK and math.isfinite(total)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: int, stop: int) -> int:
     """Where the closing SYSTEM_TIME of a bundle begins that is usual: its frames are the next numbers, set points for
     this vehicle and HEARTBEATs, and nothing but the flight to its time happens until then. Else -1."""
@@ -209,7 +207,7 @@ def _usual(one: Any, s: NDArray[np.float64], datagram: NDArray[np.uint8], at: in
     return at
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _take_in(one: Any, datagram: NDArray[np.uint8], at: int, grant: int) -> None:
     """Apply the frames of a usual bundle before its grant."""
     now_s = one.time_ms / 1e3
@@ -227,7 +225,7 @@ def _take_in(one: Any, datagram: NDArray[np.uint8], at: int, grant: int) -> None
     one.number = (one.number + 1) & 0xFF
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _command(one: Any, command: NDArray[np.float64]) -> None:
     """The set point as the law takes it: nwu."""
     for i in range(3):
@@ -303,7 +301,7 @@ def _advance_on_rotors(
     )
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def fly(
     datagram: NDArray[np.uint8],
     at: int,

@@ -11,23 +11,22 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numba import njit, types
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
+from simvehicle.kernels import UNCOUNTED, external, inner, kernel
 from simvehicle.mavlink import steady_tick
 from simvehicle.sitl.truth import FIXED_NUMBERS, ROUNDING_S
 
 DATAGRAMS = 64
 """So many are taken before the interpreter has its turn: signals wait for it."""
 
-_recv: Any = types.ExternalFunction("recv", types.intp(types.int32, types.uintp, types.uintp, types.int32))
-_send: Any = types.ExternalFunction("send", types.intp(types.int32, types.uintp, types.uintp, types.int32))
-_write: Any = types.ExternalFunction("write", types.intp(types.int32, types.uintp, types.uintp))
+_recv = external("recv", "intp", "int32", "uintp", "uintp", "int32")
+_send = external("send", "intp", "int32", "uintp", "uintp", "int32")
+_write = external("write", "intp", "int32", "uintp", "uintp")
 _DONTWAIT = int(socket.MSG_DONTWAIT)
 
 
-@njit(**UNCOUNTED)
+@inner(**UNCOUNTED)
 def _written_down(one: Any, record: NDArray[np.float64]) -> bool:
     """Write a record of truth, if there is to be one; False where not all of it was taken."""
     if one.truth_fd < 0:

@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from simvehicle.kernels import inner
 
 Row = NDArray[np.float64]
 
@@ -59,7 +60,7 @@ class EstimateErrors:
         return np.array([self.position_s, self.velocity_s, self.attitude_s, self.rate_s])
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def error_step(error: Row, noise: Row, deviations: Row, decays: Row) -> None:
     """One step of errors (ERROR_SIZE,) in place: e⁺ = a e + σ √(1 - a²) n, with a = exp(-dt/τ), decays (4,)."""
     for k in range(4):

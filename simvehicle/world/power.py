@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import inner, kernel
 from simvehicle.world.airframes import A_AREA, A_DENSITY, A_PROFILE, A_RADIUS, INDUCED_FACTOR
 
 Row = NDArray[np.float64]
@@ -22,7 +21,7 @@ _FLATTEST = 4.65
 _MOST_EVALUATIONS = 20
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def induced_speed(thrust_n: float, across_m_s: float, along_m_s: float, area_m2: float, density_kg_m3: float) -> float:
     """Induced speed of a disc, m/s: v √(V_t² + (V_n + v)²) = T/(2 ρ A) (Glauert), V_n not below 0."""
     if thrust_n <= 0.0:
@@ -39,7 +38,7 @@ def induced_speed(thrust_n: float, across_m_s: float, along_m_s: float, area_m2:
     return v
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def shaft_power(thrust_n: float, speeds: Row, across_m_s: float, along_m_s: float, a: Row) -> float:
     """Power of all rotors at the shaft, W, not below 0: κ T v_i + T V_n + c Σω³ (1 + 4.65 μ²)."""
     v = induced_speed(thrust_n, across_m_s, along_m_s, a[A_AREA], a[A_DENSITY])
@@ -62,7 +61,7 @@ def cell_v(charge: float) -> float:
     return -1.031 * math.exp(-35.0 * s) + 3.685 + 0.2156 * s - 0.1178 * s * s + 0.3201 * s * s * s
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def discharge(power_w: float, charge: float, resistance_ohm: float) -> tuple[float, float, float]:
     """(terminal voltage V, current A, power taken from the cells W) of a battery that is asked for a power, W.
 

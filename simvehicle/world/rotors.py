@@ -10,10 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
-from simvehicle.kernels import kernel
+from simvehicle.kernels import inner, kernel
 from simvehicle.world.airframes import (
     A_ALLOCATION,
     A_BODY_DRAG,
@@ -45,7 +44,7 @@ _SUMS, _SLOPES, _AT = 0, 30, 30 + 4 * _MOVING
 SCRATCH_SIZE = _AT + _MOVING
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def rotated(q: Row, x: float, y: float, z: float, sign: float) -> tuple[float, float, float]:
     """A vector of the body in the world's axes (sign 1), or one of the world in the body's (sign -1), by q."""
     w, a, b, c = q[0], sign * q[1], sign * q[2], sign * q[3]
@@ -53,7 +52,7 @@ def rotated(q: Row, x: float, y: float, z: float, sign: float) -> tuple[float, f
     return x + w * tx + b * tz - c * ty, y + w * ty + c * tx - a * tz, z + w * tz + a * ty - b * tx
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def rotor_sums(body: Row, wanted: Row, share: float, a: Row, out: Row) -> None:
     """Sums over the rotors once they have come from their speed to the share `share` of what is missing to the wanted
     speed."""
@@ -75,7 +74,7 @@ def rotor_sums(body: Row, wanted: Row, share: float, a: Row, out: Row) -> None:
         out[_MZ] -= a[A_SPIN + i] * a[A_TORQUE] * speed * speed
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def wrench(at: Row, sums: Row, wind: Row, a: Row) -> tuple[float, float, float, float, float, float]:
     """Force (N) and moment (N m) of the air in the body's axes: thrust, rotor drag at each hub, body drag.
 
@@ -95,7 +94,7 @@ def wrench(at: Row, sums: Row, wind: Row, a: Row) -> tuple[float, float, float, 
     return fx, fy, fz, mx, my, mz
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _slope(at: Row, sums: Row, wind: Row, a: Row, out: Row) -> None:
     """Time derivative of position, velocity, quaternion and body rates (Newton, Euler)."""
     fx, fy, fz, mx, my, mz = wrench(at, sums, wind, a)
@@ -115,7 +114,7 @@ def _slope(at: Row, sums: Row, wind: Row, a: Row, out: Row) -> None:
     out[12] = (mz - (iy - ix) * p * q_rate) / iz
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def body_step(body: Row, wanted: Row, wind: Row, a: Row, dt: float, scratch: Row) -> None:
     """One step of dt seconds in place, towards wanted rotor speeds (4,) rad/s, in a wind (3,) nwu, m/s, held meanwhile.
 
@@ -148,7 +147,7 @@ def body_step(body: Row, wanted: Row, wind: Row, a: Row, dt: float, scratch: Row
     _normalise(body)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _normalise(body: Row) -> None:
     q = body[B_QUATERNION : B_QUATERNION + 4]
     size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
@@ -156,7 +155,7 @@ def _normalise(body: Row) -> None:
         q[i] /= size
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def meet_ground(body: Row, x: float, y: float, stood: bool) -> bool:
     """Stand level at z = 0 where there is no lift, x and y where the step began if it stood; whether it stands."""
     if body[2] > 0.0 or body[5] > 0.0:
@@ -171,7 +170,7 @@ def meet_ground(body: Row, x: float, y: float, stood: bool) -> bool:
     return True
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def euler_of(q: Row) -> tuple[float, float, float]:
     """Roll, pitch and yaw (z, y, x in turn), rad."""
     w, x, y, z = q[0], q[1], q[2], q[3]
@@ -192,7 +191,7 @@ def quaternion_of(roll: float, pitch: float, yaw: float, out: Row) -> None:
     out[3] = cr * cp * sy - sr * sp * cy
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def allocate(thrust: float, mx: float, my: float, mz: float, a: Row, out: Row) -> None:
     """Rotor speeds (4,), rad/s, for a thrust (N) and moments (N m) about the body's axes, within what they can turn.
 
@@ -209,7 +208,7 @@ def allocate(thrust: float, mx: float, my: float, mz: float, a: Row, out: Row) -
         _allocate_less(thrust, mx, my, mz, m, most, a[A_THRUST], out)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _allocate_less(
     thrust: float, mx: float, my: float, mz: float, m: Row, most: float, coefficient: float, out: Row
 ) -> None:
@@ -243,7 +242,7 @@ def _allocate_less(
         out[i] = math.sqrt(force / coefficient)
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def moments_of(
     angles: Row, rates: Row, roll_acc: float, pitch_acc: float, yaw_acc: float, a: Row
 ) -> tuple[float, float, float]:

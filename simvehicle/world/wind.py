@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
+
+from simvehicle.kernels import inner
 
 Row = NDArray[np.float64]
 
@@ -26,7 +27,7 @@ _ROOT3 = math.sqrt(3.0)
 _SMALL = 1e-3
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def dryden_scales(height_m: float, w20_m_s: float) -> tuple[float, float, float, float]:
     """σ_u = σ_v and σ_w in m/s, L_u = L_v and L_w in m (MIL-F-8785C, 3.7.3.4, low altitude), of a wind at 20 ft."""
     h = min(max(height_m / FOOT_M, LOWEST_FT), HIGHEST_FT)
@@ -35,14 +36,14 @@ def dryden_scales(height_m: float, w20_m_s: float) -> tuple[float, float, float,
     return sigma_w / d**0.4, sigma_w, h / d**1.2 * FOOT_M, h * FOOT_M
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _first_order(z: float, h: float, noise: float) -> float:
     """x of unit variance, correlated over a time of which a step is the share h."""
     a = math.exp(-h)
     return a * z + math.sqrt(max(1.0 - a * a, 0.0)) * noise
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def _second_order(g: Row, i: int, h: float, n1: float, n2: float) -> float:
     """(1 + √3 T s)/(1 + T s)² of white noise, of unit variance: √3 y1 + (1 - √3) y2 of two lags in a row, exactly."""
     a = math.exp(-h)
@@ -62,7 +63,7 @@ def _second_order(g: Row, i: int, h: float, n1: float, n2: float) -> float:
     return shaped
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def turbulence(
     gust: Row, noise: Row, height_m: float, air_speed_m_s: float, w20_m_s: float, dt: float
 ) -> tuple[float, float, float]:
@@ -86,7 +87,7 @@ def start_gust(noise: Row) -> Row:
     return gust
 
 
-@njit(error_model="numpy")
+@inner(error_model="numpy")
 def discrete(gusts: Row, t: float) -> tuple[float, float, float]:
     """Sum of discrete gusts (k, DISCRETE_SIZE), m/s: each rises as (1 - cos)/2, holds, and falls as it rose."""
     x = y = z = 0.0

@@ -34,8 +34,9 @@ loaded = set(sys.modules)
 after = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 again = [len(kernel.signatures) for kernel in kernels]
+later = sorted(set(sys.modules) - loaded)
 compiled = [kernel.__name__ for kernel in kernels if kernel.stats.cache_misses]
-print(json.dumps([before, after, again, sorted(set(sys.modules) - loaded), compiled]))
+print(json.dumps([before, after, again, later, compiled]))
 """
 
 

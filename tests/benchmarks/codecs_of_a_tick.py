@@ -12,6 +12,7 @@ from collections import deque
 from pathlib import Path
 from typing import cast
 
+import numpy as np
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
@@ -24,7 +25,7 @@ from gcs.mavlink.bundle_frames import Bundles
 from gcs.mavlink.datagram import runs_of
 from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.sequence import TickCollector
-from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
+from gcs.mavlink.setpoints import SetPointPlacer, SetPoints
 from gcs.recording import tlog_reader
 from gcs.recording.recorder import TLOG, Recorder
 from gcs.recording.session_folder import Gathering, Recorded
@@ -191,7 +192,7 @@ def reading() -> list[Figure]:
     )
     unit, other, theirs = "messages/CPU s", "pymavlink parse_buffer", count / peer_s
     return [
-        Figure(1, "live: datagram → link → fleet → snapshot", count / tick_s, unit, 2.5, False, True, other, theirs),
+        Figure(1, "live: datagram → link → fleet → snapshot", count / tick_s, unit, 9.0, False, True, other, theirs),
         Figure(1, "  of it datagram → fleet, decode as flown", count / read_s, unit, 9.0, False, True, other, theirs),
         Figure(1, "split and decode of any message", count / decode_s, unit, 4.0, False, True, other, theirs),
         Figure(1, "replay: tlog → fleet", TICKS * count / replay_s, unit, 1.3, False, True, other, theirs),
@@ -234,17 +235,16 @@ def sending() -> Figure:
     rng = random.Random(2)
     keys = [(sysid, AUTOPILOT) for sysid in range(1, VEHICLES + 1)]
     places = [[rng.uniform(-50.0, 50.0) for _ in range(6)] for _ in keys]
-    points = [
-        SetPoint(key[0], (n, e, d), (vn, ve, vd)) for key, (n, e, d, vn, ve, vd) in zip(keys, places, strict=True)
-    ]
-    offsets = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys]
+    columns = np.array(places)
+    points = SetPoints(tuple(sysid for sysid, _ in keys), columns[:, :3].copy(), columns[:, 3:].copy())
+    offsets, turns = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys], [0.0] * VEHICLES
     placer, roster = SetPointPlacer(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
     grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=61_300)
     sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
     message = common.MAVLink_set_position_target_local_ned_message
 
     def encode() -> Bundles:
-        placed = placer.place(points, list(offsets), [0.0] * VEHICLES, 61_200)
+        placed = placer.place(points, offsets, turns, 61_200)
         return roster.bundled([0] * VEHICLES, (), (), placed, grant)[0]
 
     def fields(sysid: int) -> tuple[float, ...]:

@@ -4,6 +4,7 @@ code."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import chain, groupby
 from typing import overload
 
 import numpy as np
@@ -35,7 +36,10 @@ class FrameSpans(Sequence[bytes]):
     @classmethod
     def joined(cls, parts: Sequence[Sequence[bytes]]) -> FrameSpans:
         """The frames of all parts, one part after the other."""
-        several = [cls.of(part) for part in parts]
+        several: list[FrameSpans] = []
+        for alike, run in groupby(filter(len, parts), lambda part: isinstance(part, cls)):
+            some = list(run)
+            several += some if alike else [cls.of(list(chain.from_iterable(some)))]  # type: ignore[arg-type]
         if len(several) == 1:
             return several[0]
         begins: dict[int, int] = {}  # of each piece of memory, which several parts may lie in

@@ -37,37 +37,35 @@ class Roster:
             row[bundle_frames.SYSID], row[bundle_frames.MARKER_BYTES] = sysid, len(marker)
             marks[: len(marker)] = np.frombuffer(marker, np.uint8)
         self._steered: Mapping[int, int] = {}
-        self._points = np.full(count, bundle_frames.NONE)
+        self._rows[:, bundle_frames.POINT] = bundle_frames.NONE
+        self._left_out = self._greets = False
+        """whether anyone was left out, or greeted, the last time"""
+        self.rows_of = {key: row for row, key in enumerate(self.keys)}
         self.stretches: list[tuple[int, int, Address, bool]] = []
         """(first, one behind the last, address, whether it is shared) of neighbours in the order with one address"""
         for (address, shared), run in groupby(range(count), lambda k: (addresses[k], bool(markers[k]))):
             places = list(run)
             self.stretches.append((places[0], places[-1] + 1, address, shared))
 
-    def bundled(
-        self,
-        numbers: Sequence[int],
-        left_out: Sequence[int],
-        greeted: Collection[int],
-        points: PlacedSetPoints,
-        grant: Message,
-    ) -> tuple[Bundles, list[int]]:
-        """Bundles of all but those in the places `left_out`, and everybody's next sequence number.
+    def number_cells(self) -> list[memoryview]:
+        """For each of them, where the sequence number of its next frame stands: as `bundled` reads it and counts on."""
+        return [row[bundle_frames.NUMBER : bundle_frames.NUMBER + 1].data for row in self._rows]
 
-        `numbers` are those with which they begin; `greeted`, system ids, get our HEARTBEAT. Raises ValueError for a set
-        point that no frame can hold.
-        """
-        if points.rows is not self._steered:
-            self._points[:] = [points.rows.get(sysid, bundle_frames.NONE) for sysid, _ in self.keys]
-            self._steered = points.rows
+    def bundled(
+        self, left_out: Sequence[int], greeted: Collection[int], points: PlacedSetPoints, grant: Message
+    ) -> Bundles:
+        """Bundles of all but those in the places `left_out`; `greeted`, system ids, get our HEARTBEAT. Raises
+        ValueError for a set point that no frame can hold."""
         rows = self._rows
-        rows[:, bundle_frames.NUMBER] = numbers
-        rows[:, bundle_frames.POINT] = self._points
-        rows[:, bundle_frames.GREETED] = [sysid in greeted for sysid, _ in self.keys] if greeted else 0
+        if points.rows is not self._steered or self._left_out:
+            rows[:, bundle_frames.POINT] = [points.rows.get(sysid, bundle_frames.NONE) for sysid, _ in self.keys]
+            self._steered = points.rows
+        if greeted or self._greets:
+            rows[:, bundle_frames.GREETED] = [sysid in greeted for sysid, _ in self.keys]
+        self._greets, self._left_out = bool(greeted), bool(left_out)
         if left_out:
             rows[left_out, bundle_frames.POINT] = bundle_frames.LEFT_OUT
-        made = bundle_frames.bundled(rows, self._markers, points, grant)
-        return made, rows[:, bundle_frames.NUMBER].tolist()
+        return bundle_frames.bundled(rows, self._markers, points, grant)
 
 
 class DatagramGatherer:

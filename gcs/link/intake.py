@@ -13,6 +13,8 @@ from gcs.mavlink.datagram import (
     ADDRESS,
     ALONE,
     AWAITED,
+    GRANTED_MS,
+    NOT_GRANTED,
     NOWHERE,
     NUMBERS,
     SHARED_BY,
@@ -44,6 +46,15 @@ class Intake:
             table[k, ADDRESS] = address
             lanes[key[0]] = k
         self._table, self._lanes = table, lanes
+
+    def begin(self, keys: Sequence[Key], t_ms: int) -> bool:
+        """Let all who are enrolled wait for the answer to a grant at once; False where these are others, or an earlier
+        answer has not been taken, and nobody does."""
+        granted = self._table[:, GRANTED_MS]
+        if keys != self._keys or not (granted == NOT_GRANTED).all():
+            return False
+        granted[:] = t_ms
+        return True
 
     def dismiss(self, key: Key) -> None:
         """Take in nothing more of a vehicle."""

@@ -16,13 +16,15 @@ import select
 import socket
 import time
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, count, groupby
 from operator import itemgetter
 
+import numpy as np
+
 from gcs.frame_spans import FrameSpans
-from gcs.link.bundles import Address, DatagramGatherer, Roster
+from gcs.link.bundles import Address, Cuts, DatagramGatherer, Roster
 from gcs.link.intake import Intake, numbered
 from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.link.socket import kernel_drops, widen
@@ -55,10 +57,13 @@ class _LockstepPeer:
     marker: bytes
     """begins each bundle where the address is shared"""
     collector: TickCollector
-    number: int = 0
-    """of the next frame"""
+    number_cell: memoryview = field(default_factory=lambda: np.zeros(1, np.int64).data)
+    """the number of the next frame, where the roster of the tick counts it on"""
     waiting: list[Message | bytes] = field(default_factory=list)
     bundle: bytes = b""
+    """the last one that was made for it alone,"""
+    bundle_ms: int = -1
+    """and what that grants"""
     held: int = 0
 
 
@@ -104,9 +109,15 @@ class LockstepLink(TickLink):
         self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
         self._roster: Roster | None = None
+        self._granted: list[_LockstepPeer] = []
+        """those of the roster"""
+        self._bundles: tuple[bytes, Cuts, Mapping[Key, int], int] = (b"", [], {}, -1)
+        """bundles that were made at once: the bytes, where each lies, by key, and what they grant"""
         """of the last tick"""
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
+        self._waiting: set[Key] = set()
+        """those for whom more waits than fitted into their last bundle"""
         self._whole: deque[Key] = deque()
         self.refused: dict[Key, Address] = {}
         """who spoke with an id that is not its own, and from where; the first of each"""
@@ -116,7 +127,7 @@ class LockstepLink(TickLink):
         self.resent = 0
         self._clocks: dict[Key, BootClock] = {}
         self._rebooted: set[int] = set()
-        self._granted_s = 0.0
+        self._granted_ms = 0
 
     @property
     def port(self) -> int:
@@ -170,6 +181,7 @@ class LockstepLink(TickLink):
                 del self._by_address[peer.address], self._origins[origin.number]
         self._expected.discard(key)
         self._awaited.discard(key)
+        self._waiting.discard(key)
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
@@ -182,32 +194,30 @@ class LockstepLink(TickLink):
         else:
             frames = self._fitting(peer, messages, relayed)
         frames.append(self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms))))
-        peer.bundle = peer.marker + b"".join(frames)
+        peer.bundle, peer.bundle_ms = peer.marker + b"".join(frames), t_ms
         peer.collector.begin(t_ms)
-        self._granted_s = t_ms / 1e3
-        peer.held = 0
+        self._granted_ms = t_ms
         self._awaited.add(key)
         self._send(peer)
         return frames
 
     def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         """As `grant`, one after the other; bundles of nothing but HEARTBEAT and set point are made at once."""
-        roster, peers = self._roster_of(grants.keys), [self._peers[key] for key in grants.keys]
-        general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
-        (raw, ends, spans), numbers = roster.bundled(
-            [peer.number for peer in peers],
-            general,
-            grants.greeted,
-            grants.points,
-            codec.Message(_SYSTEM_TIME, (grants.unix_us, grants.t_ms)),
+        roster, peers = self._roster_of(grants.keys), self._granted
+        general: list[int] = []
+        if grants.more or self._waiting:
+            general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
+        raw, ends, spans = roster.bundled(
+            general, grants.greeted, grants.points, codec.Message(_SYSTEM_TIME, (grants.unix_us, grants.t_ms))
         )
         cuts: list[tuple[int, int, int]] = ends.tolist()
-        for peer, number, (begin, end, _) in zip(peers, numbers, cuts, strict=True):
-            if begin != end:
-                peer.number, peer.bundle, peer.held = number, raw[begin:end], 0
-                peer.collector.begin(grants.t_ms)
+        if general or not self._enrolled or not self._intake.begin(grants.keys, grants.t_ms):
+            for peer, (begin, end, _) in zip(peers, cuts, strict=True):
+                if begin != end:
+                    peer.collector.begin(grants.t_ms)
+        self._bundles = (raw, cuts, roster.rows_of, grants.t_ms)
         self._awaited.update(grants.keys)
-        self._granted_s = grants.t_ms / 1e3
+        self._granted_ms = grants.t_ms
         frames = FrameSpans(raw, spans)
         sent: list[Sequence[bytes]] = []
         first = counted = 0
@@ -223,8 +233,11 @@ class LockstepLink(TickLink):
 
     def _roster_of(self, keys: Sequence[Key]) -> Roster:
         if self._roster is None or self._roster.keys != keys:
-            peers = [self._peers[key] for key in keys]
+            self._granted = peers = [self._peers[key] for key in keys]
             self._roster = Roster(keys, [peer.marker for peer in peers], [peer.address for peer in peers])
+            for peer, cell in zip(peers, self._roster.number_cells(), strict=True):
+                cell[0] = peer.number_cell[0]
+                peer.number_cell = cell
         return self._roster
 
     def _fitting(self, peer: _LockstepPeer, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
@@ -242,6 +255,7 @@ class LockstepLink(TickLink):
             if size > DATAGRAM_BYTES - _LARGEST_FRAME:
                 break
         del peer.waiting[:taken]
+        (self._waiting.add if peer.waiting else self._waiting.discard)(peer.key)
         return [*own, *foreign]
 
     def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
@@ -261,6 +275,7 @@ class LockstepLink(TickLink):
             while self._whole:
                 key = self._whole.popleft()
                 if key in self._peers:
+                    self._peers[key].held = 0
                     frames = self._peers[key].collector.pop_frames()
                     self._compare(key, frames)
                     yield [key], [frames]
@@ -321,13 +336,13 @@ class LockstepLink(TickLink):
         for frame in frames if clock is not None else ():
             if frame.msgid in CLOCKS:
                 assert clock is not None
-                if clock.feed(frame.msgid, codec.fields(frame).time_boot_ms / 1e3, self._granted_s):
+                if clock.feed(frame.msgid, codec.fields(frame).time_boot_ms / 1e3, self._granted_ms / 1e3):
                     self._rebooted.add(key[0])
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""
         for peer in self._peers.values():
-            if peer.bundle:
+            if self._bundle(peer):
                 self._send(peer)
         self.flush()
         self._drain()
@@ -337,7 +352,8 @@ class LockstepLink(TickLink):
         self._socket.close()
 
     def _frame(self, peer: _LockstepPeer, message: Message) -> bytes:
-        number, peer.number = peer.number, (peer.number + 1) % NUMBERS
+        number = peer.number_cell[0]
+        peer.number_cell[0] = (number + 1) % NUMBERS
         return codec.frame(message, number, *STATION)
 
     def flush(self) -> None:
@@ -345,7 +361,15 @@ class LockstepLink(TickLink):
         self._datagrams.flush()
 
     def _send(self, peer: _LockstepPeer) -> None:
-        self._datagrams.put(peer.address, peer.bundle, shared=bool(peer.marker))
+        self._datagrams.put(peer.address, self._bundle(peer), shared=bool(peer.marker))
+
+    def _bundle(self, peer: _LockstepPeer) -> bytes:
+        """The last one that went to a vehicle; nothing before the first."""
+        raw, cuts, rows, t_ms = self._bundles
+        if peer.bundle_ms < t_ms and (row := rows.get(peer.key)) is not None:
+            begin, end, _ = cuts[row]
+            return raw[begin:end]
+        return peer.bundle
 
     def _send_datagram(self, address: Address, datagram: bytes) -> None:
         if self._drop and self._random.random() < self._drop:

@@ -86,7 +86,7 @@ def _rehearse_bundles() -> None:
     """A bundle as in most ticks, made and counted."""
     points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
     grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
-    bundles, _ = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled([0], (), (), points, grant)
+    bundles = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled((), (), points, grant)
     sent = FrameSpans(bundles.raw, bundles.spans)
     Digest().frames_out(0, sent)
     stamped(0, sent)

@@ -245,7 +245,7 @@ def sending() -> Figure:
 
     def encode() -> Bundles:
         placed = placer.place(points, offsets, turns, 61_200)
-        return roster.bundled([0] * VEHICLES, (), (), placed, grant)[0]
+        return roster.bundled((), (), placed, grant)
 
     def fields(sysid: int) -> tuple[float, ...]:
         (n, e, d), (north, _, _) = points[sysid - 1].p_ned, offsets[sysid - 1]

@@ -181,7 +181,10 @@ class Publisher:
 
 
 def _line(content: Mapping[str, Any]) -> bytes:
-    return msgspec.json.encode(content) + b"\n"
+    try:
+        return msgspec.json.encode(content) + b"\n"
+    except UnicodeEncodeError:  # half a pair of surrogates, which JSON can spell and UTF-8 cannot
+        return json.dumps(content, allow_nan=False).encode() + b"\n"
 
 
 class Reader:

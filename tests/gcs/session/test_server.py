@@ -186,14 +186,17 @@ def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(
 def test_a_reply_goes_to_who_asked_and_carries_the_id(publisher: Publisher, tmp_path: Path) -> None:
     with connect(tmp_path) as first, connect(tmp_path) as second:
         publisher.poll()
-        second.sendall(b'{"command": "hold", "id": "a7"}\n{"command": "land", "id": NaN}\n')
-        hold, land = publisher.poll()
+        half = b'{"command": "stop", "id": "\\ud800"}\n'  # of a pair of surrogates, which is no text of UTF-8
+        second.sendall(b'{"command": "hold", "id": "a7"}\n{"command": "land", "id": NaN}\n' + half)
+        hold, land, stop = publisher.poll()
         publisher.reply(hold, True, "Yes.")
         publisher.reply(land, False, "No.")
+        publisher.reply(stop, False, "No.")
         publisher.publish({"t_s": 1})
-        assert lines(second, 3) == [
+        assert lines(second, 4) == [
             {"type": "reply", "id": "a7", "ok": True, "text": "Yes."},
             {"type": "reply", "id": None, "ok": False, "text": "No."},
+            {"type": "reply", "id": "\ud800", "ok": False, "text": "No."},
             {"t_s": 1},
         ]
         assert lines(first, 1) == [{"t_s": 1}]

@@ -23,7 +23,7 @@ from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.datagram import AnswerRuns, raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
+from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
 from gcs.recording.decision_lines import TickSetPoints
@@ -48,17 +48,16 @@ from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
+from gcs.supervisor.grants import Addressees, OwnFrames
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
-from gcs.telemetry.columns import UNSTAMPED
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 
-HEARTBEAT_EVERY_S = 1.0
 WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20
 """Texts of one vehicle that are told in one tick."""
@@ -122,10 +121,7 @@ class Supervisor:
         self.gaps = GapCounter()
         """in the vehicles' sequence numbers, after the radio"""
         self.quality = LinkQuality(self.gaps)
-        self._heartbeat_due_ms = dict.fromkeys(self.arming, 0)
-        self._greeting_due_ms = 0
-        self._granted_of: set[Key] = set()
-        self._keys: list[Key] = []
+        self._addressees = Addressees(self._join_ms)
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -138,10 +134,7 @@ class Supervisor:
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
-        self._placer = SetPointPlacer()
-        self._framed: tuple[tuple[int, ...], bytes] = ((), b"")
-        self._frames: tuple[list[Vec3], list[float]] = ([], [])
-        """by the stamps of whose own frames: their origins in the common one, and their turns"""
+        self._own_frames = OwnFrames()
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -499,9 +492,9 @@ class Supervisor:
     ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         grant_ms = self.time_ms + self._periods * self.period_ms
-        keys = self._granted(grant_ms)
-        points = self._placed(set_points, snapshot)
-        greeted = self._greeted(keys)
+        keys = self._addressees.granted(self.link.joined, grant_ms)
+        points = self._own_frames.placed(set_points, snapshot, self.time_ms)
+        greeted = self._addressees.greeted(keys, self.time_ms)
         more = {}
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.rows else []
@@ -514,35 +507,6 @@ class Supervisor:
         self.link.flush()
         self.sent += len(sent)
         self.time_ms = grant_ms
-
-    def _granted(self, grant_ms: int) -> Sequence[Key]:
-        """Those who may fly until then, in order."""
-        joined = self.link.joined
-        if joined != self._granted_of or len(self._keys) < len(joined):
-            self._granted_of, self._greeting_due_ms = set(joined), 0
-            self._keys = [key for key in sorted(joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
-        return self._keys
-
-    def _greeted(self, keys: Iterable[Key]) -> set[int]:
-        """System ids of those whose HEARTBEAT is due."""
-        now_ms, due_ms = self.time_ms, self._heartbeat_due_ms
-        if now_ms < self._greeting_due_ms:
-            return set()
-        greeted = {key[0] for key in keys if key != TRAFFIC and now_ms >= due_ms[key[0]]}
-        due_ms |= dict.fromkeys(greeted, now_ms + round(1e3 * HEARTBEAT_EVERY_S))
-        self._greeting_due_ms = min((due_ms[key[0]] for key in keys if key != TRAFFIC), default=0)
-        return greeted
-
-    def _placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot) -> PlacedSetPoints:
-        """Set points in their vehicles' own frames, which are asked for again where one may have changed."""
-        points, columns = SetPoints.of(set_points), snapshot.columns
-        stamped = (points.sysids, columns.stamps.tobytes())
-        if stamped != self._framed or (points.sysids and columns.stamps[0] == UNSTAMPED):
-            views = [snapshot.vehicle(sysid) for sysid in points.sysids]
-            offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
-            assert len(offsets_ned) == len(views)
-            self._framed, self._frames = stamped, (offsets_ned, [view.turn_rad for view in views])
-        return self._placer.place(points, *self._frames, self.time_ms)
 
     def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
         """Those of these to whom more goes than HEARTBEAT and set point, or over a radio that may hold it back."""

@@ -137,9 +137,10 @@ def does_what_is_said(command: str, folder: Path) -> None:
         )
         assert process.stdout is not None
         try:
-            assert any(UNTIL[command] in line for line in process.stdout)
+            said = any(UNTIL[command] in line for line in process.stdout)
             process.send_signal(signal.SIGINT)
             _, errors = process.communicate(timeout=60)
+            assert said, (process.returncode, errors)
         finally:
             process.kill()
             process.communicate()

@@ -57,7 +57,7 @@ UNTIL = {
     "gcs launch demo --json --until-eof": '"vehicles"',
     "gcs launch demo --connect udpout:127.0.0.1:14550": "tanker",
     "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550": "vehicle 1: ",
-    "simvehicle --sysid 2 --connect udpin:127.0.0.1:14540 --autopilot ardupilot": "vehicle 2: ",
+    "simvehicle --sysid 2 --connect udpin:127.0.0.1:14541 --autopilot ardupilot": "vehicle 2: ",
     "simvehicle --sysid 1 --count 25 --connect udpout:127.0.0.1:14550": "vehicle 25: ",
 }
 """What goes on until someone ends it: the words on stdout after which Ctrl-C does."""

@@ -98,7 +98,7 @@ def launch(
                     log = str(waiting.pop(sysid))
                     up.append({"sysid": sysid, "role": role, "label": label, "address": address, "log": log})
             if not reported and not waiting and up:
-                report(up)
+                report(sorted(up, key=lambda vehicle: vehicle["sysid"]))
                 reported = True
             if waiting and time.monotonic() > deadline_s:
                 late = ", ".join(labels[sysid][1] for sysid in waiting)

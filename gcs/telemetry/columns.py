@@ -28,10 +28,8 @@ class FleetColumns:
     snapshot: the truth of each flag, mode, profile, doubt, energy received or given, frame, ground. UNSTAMPED where
     that is not known."""
     alive: Flags
-    armed: Flags
     steerable: Flags
     """whether it is in a mode in which it may fly set points"""
-    landed: Flags
     flying: Flags
     fresh: Flags
     p_ned: Floats
@@ -41,7 +39,6 @@ class FleetColumns:
     p_now_ned: Floats
     """(n, 3) m"""
     age_s: Floats
-    last_received_s: Floats
     ground_down_m: Floats
     """(n,) NaN where it is unknown"""
     remaining_j: Floats

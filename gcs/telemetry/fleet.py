@@ -25,7 +25,7 @@ from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, Fram
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, PLACES, REMAINING_J, fill
+from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, IS_LANDED, PLACES, REMAINING_J, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
     ELSEWHERE,
@@ -228,7 +228,7 @@ class Fleet:
             tuple(self._rows),
             self._rows,
             self._stamps.copy(),
-            *flags,
+            *flags[:IS_LANDED],
             *places,
             *figures[: REMAINING_J + 1],
         )

@@ -40,12 +40,12 @@ FACTS = 11
 ) = range(FACTS)  # fmt: skip
 """Of a vehicle, beside its readings: as they change, which is seldom."""
 
-FLAGS = 6
-IS_ALIVE, IS_ARMED, IS_STEERABLE, IS_LANDED, IS_FLYING, IS_FRESH = range(FLAGS)
+FLAGS = 5
+IS_ALIVE, IS_STEERABLE, IS_FLYING, IS_FRESH, IS_LANDED = range(FLAGS)
 PLACES = 3
 P_NED, V_NED, P_NOW_NED = range(PLACES)
-FIGURES = 7
-AGE_S, LAST_RECEIVED_S, GROUND_DOWN_M, REMAINING_J, DRAWN_J, INITIAL_J, CAPACITY_J = range(FIGURES)
+FIGURES = 6
+AGE_S, GROUND_DOWN_M, REMAINING_J, DRAWN_J, INITIAL_J, CAPACITY_J = range(FIGURES)
 
 
 def _compiled(build: int) -> Callable[..., None]:
@@ -92,9 +92,9 @@ def _compiled(build: int) -> Callable[..., None]:
             alive, armed = fact[ALIVE] == 1.0, fact[ARMED] == 1.0
             flying = alive and armed and not landed and known
             fresh = alive and age_s <= STALE_S and not doubted and not overfull
-            flags[IS_ALIVE, k], flags[IS_ARMED, k], flags[IS_STEERABLE, k] = alive, armed, fact[STEERABLE] == 1.0
+            flags[IS_ALIVE, k], flags[IS_STEERABLE, k] = alive, fact[STEERABLE] == 1.0
             flags[IS_LANDED, k], flags[IS_FLYING, k], flags[IS_FRESH, k] = landed, flying, fresh
-            figures[AGE_S, k], figures[LAST_RECEIVED_S, k], figures[GROUND_DOWN_M, k] = age_s, row[RECEIVED_S], ground
+            figures[AGE_S, k], figures[GROUND_DOWN_M, k] = age_s, ground
             figures[REMAINING_J, k], figures[DRAWN_J, k] = left_j, one.drawn_j
             figures[INITIAL_J, k], figures[CAPACITY_J, k] = one.initial_j, one.capacity_j
             now_seen = (

@@ -209,16 +209,13 @@ def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
         {sysid: row for row, sysid in enumerate(sysids)},
         np.full(len(views), UNSTAMPED),
         alive=_flags([view.alive for view in views]),
-        armed=_flags([view.armed for view in views]),
         steerable=_flags([view.mode in STEERABLE for view in views]),
-        landed=_flags([view.landed for view in views]),
         flying=_flags([view.flying for view in views]),
         fresh=_flags([view.fresh for view in views]),
         p_ned=_rows([view.p_ned or _UNKNOWN for view in views]),
         v_ned=_rows([view.v_ned for view in views]),
         p_now_ned=_rows([view.p_now_ned() if there else _UNKNOWN for view, there in zip(views, known, strict=True)]),
         age_s=np.array([view.age_s for view in views], np.float64),
-        last_received_s=np.array([view.last_received_s for view in views], np.float64),
         ground_down_m=np.array(
             [math.nan if view.ground_down_m is None else view.ground_down_m for view in views], np.float64
         ),

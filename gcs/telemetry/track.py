@@ -174,7 +174,7 @@ class Instant:
             power_w, received_reported_s, given_reported_s, *_,
         ) = self.readings[row].tolist()  # fmt: skip
         doubted_s = float(self.facts[row, of.DOUBTED])
-        age_s, _, _, remaining_j, drawn_j, initial_j, capacity_j = self.figures[:, row].tolist()
+        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = self.figures[:, row].tolist()
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
         v_ned: Vec3 = (v_north, v_east, v_down)
         p_ned: Vec3 | None = tuple(self.places[of.P_NED, row].tolist())

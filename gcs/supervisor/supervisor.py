@@ -15,13 +15,9 @@ from typing import Any
 from gcs.link.forwarder import Forwarder
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickGrants, TickLink
-from gcs.link.quality import LinkQuality
-from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
-from gcs.mavlink.datagram import AnswerRuns, raws_of
-from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.custom import make_planner
@@ -51,10 +47,10 @@ from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.grants import Addressees, OwnFrames
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
+from gcs.supervisor.reception import Reception
 from gcs.supervisor.recovery import Recovery
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
-from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.metrics import Metrics
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
@@ -62,9 +58,7 @@ WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20
 """Texts of one vehicle that are told in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
-_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _SYSID_AT = 5  # in a frame
-_DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
 
 
 class Supervisor:
@@ -93,7 +87,6 @@ class Supervisor:
         bidding, policy_guard = make_bidding(scenario)
         self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
         self.schedule = make_schedule(scenario, bidding)
-        self._watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
             targets = [target.sysid for target in scenario.vehicles.targets]
@@ -118,9 +111,10 @@ class Supervisor:
         self._radio = make_radio(scenario, injections) if impaired else Impairment()
         self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
         self.command_queue = FleetCommandQueue(self.arming, stations)
-        self.gaps = GapCounter()
-        """in the vehicles' sequence numbers, after the radio"""
-        self.quality = LinkQuality(self.gaps)
+        watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
+        self._reception = Reception(self.fleet, self._radio, self._peer_radio, watched)
+        self.gaps, self.quality = self._reception.gaps, self._reception.quality
+        self.inspection = self._reception.inspection
         self._addressees = Addressees(self._join_ms)
         self.time_ms = 0
         self.received = 0
@@ -130,7 +124,6 @@ class Supervisor:
         self.grounded: frozenset[int] = frozenset()
         """who lands at a base, or stands at one"""
         self._watch = ChangeDetector()
-        self.inspection = MessageInspector()
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
@@ -296,36 +289,11 @@ class Supervisor:
     def _receive(
         self, answers: Iterable[Answers], now_s: float
     ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
-        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
-
-        Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
-        in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
-        """
+        """Let everybody read what came who is to: all frames, and those of each vehicle, in order of system id."""
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
-        received_from: dict[Key, Sequence[Frame]] = {}
-        together: tuple[Sequence[Key], AnswerRuns] | None = None
-        for keys, frames in answers:
-            if isinstance(frames, AnswerRuns) and self._reads_as_it_comes:
-                self.gaps.feed_runs(frames)
-                self.fleet.ingest_runs(frames, now_s)
-                self.quality.count_all(keys, frames.counts, now_s)
-                together = keys, frames
-            else:
-                for key, sent in zip(keys, frames, strict=True):
-                    received_from[key] = self._receive_from(key[0], sent, now_s)
-        arrived: Sequence[bytes]
-        delivered: Mapping[int, Sequence[Frame]]
-        if together is not None and not received_from:
-            arrived, delivered = together[1].frames, together[1].by_system()
-        else:
-            received_from |= zip(*together, strict=True) if together is not None else ()
-            in_order = sorted(received_from.items())
-            arrived = [raw for _, received in in_order for raw in raws_of(received)]
-            delivered = {key[0]: received for key, received in in_order}
-        for sysid in self.inspection.wanted & delivered.keys() if self.inspection.wanted else ():
-            self.inspection.add(delivered[sysid], now_s)
+        arrived, delivered = self._reception.receive(answers, now_s)
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
@@ -334,29 +302,6 @@ class Supervisor:
         if texts := self.fleet.pop_statustexts(now_s):
             self._report_texts(texts, now_s)
         return arrived, delivered
-
-    @property
-    def _reads_as_it_comes(self) -> bool:
-        """Whether nothing stands between what vehicles send and what reads it by compiled code."""
-        return self._peer_radio is None and self._radio.clear and self._watched is None
-
-    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float) -> Sequence[Frame]:
-        """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
-        received = frames
-        if self._peer_radio is not None:
-            self._peer_radio.send(sysid, frames)
-        if not self._radio.clear:
-            impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
-            grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
-            received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
-        self.gaps.feed_all(received)
-        self.fleet.ingest_all(received, now_s)
-        if self._watched is not None:
-            for frame in received:
-                if frame.msgid == _DEBUG_FLOAT_ARRAY:
-                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
-        self.quality.count(sysid, len(received), now_s)
-        return received
 
     def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> None:
         """Report what vehicles have said."""

@@ -1,0 +1,90 @@
+"""A tick's answers on their way in: through the radio to the fleet's state, counted, and shown to who inspects them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from gcs.link.impairment import Impairment
+from gcs.link.link import Answers, Key
+from gcs.link.peer_radio import PeerRadio
+from gcs.link.quality import LinkQuality
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.datagram import AnswerRuns, raws_of
+from gcs.mavlink.gaps import GapCounter
+from gcs.refuelling.watched_schedule import WatchedSchedule
+from gcs.telemetry.fleet import Fleet
+from gcs.telemetry.message_inspector import MessageInspector
+
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
+
+
+class Reception:
+    """Everything that reads each frame of each vehicle."""
+
+    def __init__(
+        self, fleet: Fleet, radio: Impairment, peer_radio: PeerRadio | None, watched: WatchedSchedule | None
+    ) -> None:
+        """`watched`: a schedule that hears vehicles compete on board."""
+        self._fleet, self._radio, self._peer_radio, self._watched = fleet, radio, peer_radio, watched
+        self.gaps = GapCounter()
+        """in the vehicles' sequence numbers, after the radio"""
+        self.quality = LinkQuality(self.gaps)
+        self.inspection = MessageInspector()
+
+    def receive(
+        self, answers: Iterable[Answers], now_s: float
+    ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
+        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes; all frames, and those of
+        each vehicle.
+
+        Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
+        in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
+        """
+        received_from: dict[Key, Sequence[Frame]] = {}
+        together: tuple[Sequence[Key], AnswerRuns] | None = None
+        for keys, frames in answers:
+            if isinstance(frames, AnswerRuns) and self._reads_as_it_comes:
+                self.gaps.feed_runs(frames)
+                self._fleet.ingest_runs(frames, now_s)
+                self.quality.count_all(keys, frames.counts, now_s)
+                together = keys, frames
+            else:
+                for key, sent in zip(keys, frames, strict=True):
+                    received_from[key] = self._receive_from(key[0], sent, now_s)
+        arrived: Sequence[bytes]
+        delivered: Mapping[int, Sequence[Frame]]
+        if together is not None and not received_from:
+            arrived, delivered = together[1].frames, together[1].by_system()
+        else:
+            received_from |= zip(*together, strict=True) if together is not None else ()
+            in_order = sorted(received_from.items())
+            arrived = [raw for _, received in in_order for raw in raws_of(received)]
+            delivered = {key[0]: received for key, received in in_order}
+        for sysid in self.inspection.wanted & delivered.keys() if self.inspection.wanted else ():
+            self.inspection.add(delivered[sysid], now_s)
+        return arrived, delivered
+
+    @property
+    def _reads_as_it_comes(self) -> bool:
+        """Whether nothing stands between what vehicles send and what reads it by compiled code."""
+        return self._peer_radio is None and self._radio.clear and self._watched is None
+
+    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float) -> Sequence[Frame]:
+        """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
+        received = frames
+        if self._peer_radio is not None:
+            self._peer_radio.send(sysid, frames)
+        if not self._radio.clear:
+            impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
+            grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
+            received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
+        self.gaps.feed_all(received)
+        self._fleet.ingest_all(received, now_s)
+        if self._watched is not None:
+            for frame in received:
+                if frame.msgid == _DEBUG_FLOAT_ARRAY:
+                    self._watched.receive(frame.sysid, codec.fields(frame), now_s)
+        self.quality.count(sysid, len(received), now_s)
+        return received

@@ -3,25 +3,43 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from operator import itemgetter
+from typing import NamedTuple
 
 import numpy as np
 
-from gcs.link.link import Key
-from gcs.mavlink import bundle_frames
-from gcs.mavlink.bundle_frames import Bundles
-from gcs.mavlink.codec import Message
-from gcs.mavlink.setpoints import PlacedSetPoints
+from gcs.kernel_files import checksum
+from gcs.kernels import UNCOUNTED, external, kernel
+from gcs.link.inbox import Address, packed
+from gcs.link.link import Key, TickGrants
+from gcs.mavlink import bundle_frames, codec, datagram
+from gcs.mavlink.bundle_frames import LEFT_OUT, NONE, Bytes, Floats, Ints, write_bundles
+from gcs.mavlink.ids import STATION
 
 SHARED_BYTES = 4096
 """Bundles for one address are sent as soon as they are so long together: who gets them flies while others' are made."""
 
-Address = tuple[str, int]
-Cuts = list[tuple[int, int, int]]
-"""`Bundles.cuts`"""
+NO_SOCKET = -1
+"""Where nothing is to be sent."""
 _END = itemgetter(1)
+_TO = 3
+_SHARED = 2
+"""Of a vehicle's address: behind what the system has of it, whether it is shared."""
+
+_sendto = external("sendto", "intp", "int32", "uintp", "uintp", "int32", "uintp", "uint32")
+
+
+class Bundles(NamedTuple):
+    """Bundles of n vehicles."""
+
+    raw: bytes
+    """one behind the other"""
+    cuts: Ints
+    """(n, 3) where each begins and ends, and how many frames there are with it"""
+    spans: Ints
+    """(m, 2) where each frame begins and ends; markers are none"""
 
 
 class Roster:
@@ -37,7 +55,7 @@ class Roster:
             row[bundle_frames.SYSID], row[bundle_frames.MARKER_BYTES] = sysid, len(marker)
             marks[: len(marker)] = np.frombuffer(marker, np.uint8)
         self._steered: Mapping[int, int] = {}
-        self._rows[:, bundle_frames.POINT] = bundle_frames.NONE
+        self._rows[:, bundle_frames.POINT] = NONE
         self._left_out = self._greets = False
         """whether anyone was left out, or greeted, the last time"""
         self.rows_of = {key: row for row, key in enumerate(self.keys)}
@@ -46,26 +64,40 @@ class Roster:
         for (address, shared), run in groupby(range(count), lambda k: (addresses[k], bool(markers[k]))):
             places = list(run)
             self.stretches.append((places[0], places[-1] + 1, address, shared))
+        self.in_turn = len({stretch[2] for stretch in self.stretches}) == len(self.stretches)
+        """whether those with one address are neighbours: `bundled` can send to all of them"""
+        self._out = np.empty(count * bundle_frames.BUNDLE_BYTES, np.uint8)
+        self._templates = bundle_frames.made_templates()
+        self._to = np.zeros((count, _TO), np.int64)
+        for to, address, marker in zip(self._to, addresses, markers, strict=True):
+            to[:_SHARED], to[_SHARED] = np.frombuffer(packed(address), np.int64), bool(marker)
 
     def number_cells(self) -> list[memoryview]:
         """For each of them, where the sequence number of its next frame stands: as `bundled` reads it and counts on."""
         return [row[bundle_frames.NUMBER : bundle_frames.NUMBER + 1].data for row in self._rows]
 
-    def bundled(
-        self, left_out: Sequence[int], greeted: Collection[int], points: PlacedSetPoints, grant: Message
-    ) -> Bundles:
-        """Bundles of all but those in the places `left_out`; `greeted`, system ids, get our HEARTBEAT. Raises
-        ValueError for a set point that no frame can hold."""
+    def bundled(self, left_out: Sequence[int], grants: TickGrants, fd: int = NO_SOCKET) -> Bundles:
+        """Bundles of all but those in the places `left_out`, sent through this socket. Raises ValueError for a set
+        point that no frame can hold: nothing is sent then."""
+        points, greeted = grants.points, grants.greeted
         rows = self._rows
         if points.rows is not self._steered or self._left_out:
-            rows[:, bundle_frames.POINT] = [points.rows.get(sysid, bundle_frames.NONE) for sysid, _ in self.keys]
+            rows[:, bundle_frames.POINT] = [points.rows.get(sysid, NONE) for sysid, _ in self.keys]
             self._steered = points.rows
         if greeted or self._greets:
             rows[:, bundle_frames.GREETED] = [sysid in greeted for sysid, _ in self.keys]
         self._greets, self._left_out = bool(greeted), bool(left_out)
         if left_out:
-            rows[left_out, bundle_frames.POINT] = bundle_frames.LEFT_OUT
-        return bundle_frames.bundled(rows, self._markers, points, grant)
+            rows[left_out, bundle_frames.POINT] = LEFT_OUT
+        count = len(rows)
+        cuts, spans = np.empty((count, 3), np.int64), np.empty((count * bundle_frames.MOST_FRAMES, 2), np.int64)
+        end, frames, refused = _bundle(
+            self._out, rows, self._markers, points.values, *self._templates, cuts, spans,
+            points.time_ms, grants.unix_us, grants.t_ms, fd, self._to,
+        )  # fmt: skip
+        if refused != NONE:
+            codec.frame(points.message(list(points.rows)[refused]), 0, *STATION)
+        return Bundles(self._out[:end].tobytes(), cuts, spans[:frames])
 
 
 class DatagramGatherer:
@@ -87,9 +119,9 @@ class DatagramGatherer:
             self._gathered.pop(address, None)
             self._send(address, gathered)
 
-    def put_all(self, roster: Roster, raw: bytes, cuts: Cuts, first: int, last: int) -> None:
+    def put_all(self, roster: Roster, raw: bytes, cuts: Sequence[tuple[int, int, int]], first: int, last: int) -> None:
         """As `put`, one after the other, for those in these places of the roster, whose bundles `raw` holds side by
-        side."""
+        side, as `Bundles.cuts` says."""
         for low, high, address, shared in roster.stretches:
             k, behind = max(low, first), min(high, last)
             while k < behind:
@@ -108,3 +140,50 @@ class DatagramGatherer:
         """Send what still waits."""
         while self._gathered:
             self._send(*self._gathered.popitem())
+
+
+def _compiled(build: int) -> Callable[..., tuple[int, int, int]]:
+    """The entry point; `build`: checksum of the other files that it is made of."""
+
+    @kernel(**UNCOUNTED)
+    def bundle(
+        out: Bytes,
+        rows: Ints,
+        markers: Bytes,
+        values: Floats,
+        templates: Bytes,
+        sizes: Ints,
+        cuts: Ints,
+        spans: Ints,
+        point_ms: int,
+        unix_us: int,
+        grant_ms: int,
+        fd: int,
+        to: Ints,
+    ) -> tuple[int, int, int]:
+        _ = build
+        count = len(rows)
+        end, refused = write_bundles(
+            out, rows, markers, values, templates, sizes, cuts, spans, point_ms, unix_us, grant_ms
+        )
+        frames = cuts[count - 1, 2] if count and refused == NONE else 0
+        k = 0
+        while fd != NO_SOCKET and refused == NONE and k < count:
+            first = k
+            k += 1
+            while k < count and to[first, _SHARED] and to[k, 0] == to[first, 0]:
+                if cuts[k - 1, 1] - cuts[first, 0] >= SHARED_BYTES:
+                    break
+                k += 1
+            begin, size = cuts[first, 0], cuts[k - 1, 1] - cuts[first, 0]
+            if size:
+                _sendto(fd, out.ctypes.data + begin, size, 0, to.ctypes.data + first * 8 * _TO, 8 * _SHARED)
+        return end, frames, refused
+
+    return bundle
+
+
+_bundle = _compiled(checksum(bundle_frames, datagram))
+"""Write bundles as `write_bundles` does, and send them through the socket `fd` unless that is NO_SOCKET. to (n, _TO): a
+`struct sockaddr_in` of each, and whether it is shared. (Where they end, frames, row of a set point that no frame can
+hold, or NONE.)"""

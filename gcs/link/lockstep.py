@@ -24,7 +24,8 @@ from operator import itemgetter
 import numpy as np
 
 from gcs.frame_spans import FrameSpans
-from gcs.link.bundles import Address, Cuts, DatagramGatherer, Roster
+from gcs.link.bundles import NO_SOCKET, DatagramGatherer, Roster
+from gcs.link.inbox import FULL, NOTHING, UNKNOWN, Address, Ints
 from gcs.link.intake import Intake, numbered
 from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.link.socket import kernel_drops, widen
@@ -104,14 +105,14 @@ class LockstepLink(TickLink):
         self._by_address: dict[Address, _Origin] = {}
         self._origins: dict[int, _Origin] = {}
         """by number"""
-        self._intake = Intake(MOST_AT_ONCE, RECEIVE_BYTES)
+        self._intake = Intake(MOST_AT_ONCE, RECEIVE_BYTES, HELLO_BYTES)
         self._enrolled = False
         self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
         self._roster: Roster | None = None
         self._granted: list[_LockstepPeer] = []
         """those of the roster"""
-        self._bundles: tuple[bytes, Cuts, Mapping[Key, int], int] = (b"", [], {}, -1)
+        self._bundles: tuple[bytes, Ints, Mapping[Key, int], int] = (b"", np.empty((0, 3), np.int64), {}, -1)
         """bundles that were made at once: the bytes, where each lies, by key, and what they grant"""
         """of the last tick"""
         self._expected: set[Key] = set()
@@ -207,23 +208,23 @@ class LockstepLink(TickLink):
         general: list[int] = []
         if grants.more or self._waiting:
             general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
-        raw, ends, spans = roster.bundled(
-            general, grants.greeted, grants.points, codec.Message(_SYSTEM_TIME, (grants.unix_us, grants.t_ms))
-        )
-        cuts: list[tuple[int, int, int]] = ends.tolist()
+        at_once = not general and roster.in_turn and not self._drop
         if general or not self._enrolled or not self._intake.begin(grants.keys, grants.t_ms):
-            for peer, (begin, end, _) in zip(peers, cuts, strict=True):
-                if begin != end:
-                    peer.collector.begin(grants.t_ms)
+            for k in set(range(len(peers))).difference(general):
+                peers[k].collector.begin(grants.t_ms)
+        raw, cuts, spans = roster.bundled(general, grants, self._socket.fileno() if at_once else NO_SOCKET)
         self._bundles = (raw, cuts, roster.rows_of, grants.t_ms)
         self._awaited.update(grants.keys)
         self._granted_ms = grants.t_ms
         frames = FrameSpans(raw, spans)
+        if at_once:
+            return frames
         sent: list[Sequence[bytes]] = []
         first = counted = 0
+        places: list[tuple[int, int, int]] = cuts.tolist()
         for k in (*general, len(peers)):
-            self._datagrams.put_all(roster, raw, cuts, first, k)
-            behind = cuts[k][2] if k < len(peers) else len(frames)
+            self._datagrams.put_all(roster, raw, places, first, k)
+            behind = places[k][2] if k < len(peers) else len(frames)
             sent.append(frames[counted:behind])
             if k < len(peers):
                 key = peers[k].key
@@ -311,7 +312,8 @@ class LockstepLink(TickLink):
                 origin = self._by_address[peer.address]
                 received = origin.shared or origin.first is peer
                 vehicles.append((key, peer.collector, origin.number if received else NOWHERE))
-            self._intake.enrol(vehicles)
+            origins = {origin.address: origin.number for origin in self._origins.values()}
+            self._intake.enrol(vehicles, origins)
             self._enrolled = True
 
     def begin(self) -> None:
@@ -367,7 +369,7 @@ class LockstepLink(TickLink):
         """The last one that went to a vehicle; nothing before the first."""
         raw, cuts, rows, t_ms = self._bundles
         if peer.bundle_ms < t_ms and (row := rows.get(peer.key)) is not None:
-            begin, end, _ = cuts[row]
+            begin, end, _ = cuts[row].tolist()
             return raw[begin:end]
         return peer.bundle
 
@@ -379,45 +381,43 @@ class LockstepLink(TickLink):
 
     def _drain(self) -> bool:
         """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
-        progress = False
-        buffer = self._intake.buffer
-        for _ in range(MOST_AT_ONCE):
-            if progress and not self._awaited:
-                break  # what else there is can wait
-            try:
-                size, address = self._socket.recvfrom_into(buffer.room)
-            except OSError:
+        progress, left = False, MOST_AT_ONCE
+        intake, inbox, fd = self._intake, self._intake.inbox, self._socket.fileno()
+        while left > 0 and (self._awaited or not progress):  # what else there is can wait
+            lost = self._drop > 0.0 and self._random.random() < self._drop
+            met = intake.receive(fd, 1 if self._drop else len(self._awaited) or 1, left, lost=lost)
+            left -= inbox.taken
+            stray = inbox.stray() if met in (UNKNOWN, FULL) else None
+            progress |= self._take_in()
+            if met == NOTHING:
                 break
-            if self._drop and self._random.random() < self._drop:
+            if stray is None:
                 continue
-            origin = self._by_address.get(address)
-            if origin is None:
-                if size <= HELLO_BYTES:
-                    self._admit(codec.split(bytes(buffer.room[:size])).frames, address)
-            elif buffer.full:
-                progress |= self._receive(origin, bytes(buffer.room[:size]))
-            else:
-                buffer.put(size, origin.number)
-                if buffer.waiting >= len(self._awaited) or buffer.full:
-                    progress |= self._take_in()
-        return self._take_in() or progress
+            datagram, address = stray
+            if (origin := self._by_address.get(address)) is not None:
+                progress |= self._receive(origin, datagram)
+            elif len(datagram) <= HELLO_BYTES:
+                self._admit(codec.split(datagram).frames, address)
+        return progress
 
     def _take_in(self) -> bool:
-        """Look into the datagrams that wait; whether any tick made progress."""
+        """See whose answers were found in datagrams, and read what else there is in them; whether any tick made
+        progress."""
         progress = False
-        buffer = self._intake.buffer
-        while buffer.waiting:
-            answered = self._intake.take_in()
-            if len(answered) == len(self._awaited):
+        inbox = self._intake.inbox
+        while True:
+            found = len(inbox.answered)
+            if found == len(self._awaited):
                 self._awaited.clear()
-            else:
-                self._awaited.difference_update(self._intake.keys(answered))
-            progress |= len(answered) > 0
-            if (rest := buffer.stopped()) is not None and (origin := self._origins.get(rest[0])) is not None:
+            elif found:
+                self._awaited.difference_update(self._intake.answered())
+            progress |= found > 0
+            rest = inbox.stopped()
+            if rest is None:
+                return progress
+            if (origin := self._origins.get(rest[0])) is not None:
                 progress |= self._receive(origin, rest[1])
-        if not buffer.answers:
-            buffer.clear()
-        return progress
+            self._intake.receive(-1, 0, 0)
 
     def _receive(self, origin: _Origin, datagram: bytes) -> bool:
         """Take in what one address has sent, frame by frame; whether any tick made progress."""

@@ -1,25 +1,23 @@
 """Bundles of a whole tick in one compiled call: marker, HEARTBEAT, set point and grant of each vehicle.
 
-Most vehicles in most ticks are sent nothing else. These frames differ from vehicle to vehicle in few bytes: the codec
-makes each once a tick, as a template, and the call writes number and set point into it, sums it and copies it.
+Most vehicles in most ticks are sent nothing else. These frames differ from vehicle to vehicle, and from tick to tick,
+in few bytes: the codec makes each once, as a template, and the call writes times, number and set point into it, sums it
+and copies it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.kernel_files import checksum
-from gcs.kernels import UNCOUNTED, inner, kernel
-from gcs.mavlink import codec, datagram
-from gcs.mavlink.codec import Message
+from gcs.kernels import UNCOUNTED, inner
+from gcs.mavlink import codec
 from gcs.mavlink.datagram import CRC_TABLE, crc_of
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
-from gcs.mavlink.setpoints import PlacedSetPoints, set_point_message
+from gcs.mavlink.setpoints import set_point_message
 
 Bytes = NDArray[np.uint8]
 Ints = NDArray[np.int64]
@@ -69,86 +67,92 @@ def _aim(frame: Bytes, sysid: int, values: Floats) -> bool:
     return True
 
 
-def _compiled(build: int) -> Callable[..., tuple[int, int]]:
-    """The entry, kept by numba; `build`: checksum of the other file that it is made of."""
-
-    @kernel(**UNCOUNTED)
-    def write(
-        out: Bytes, rows: Ints, markers: Bytes, values: Floats, templates: Bytes, sizes: Ints, cuts: Ints, spans: Ints
-    ) -> tuple[int, int]:
-        _ = build
-        at = frames = 0
-        for k in range(rows.shape[0]):
-            point, number = rows[k, POINT], rows[k, NUMBER]
-            cuts[k, 0] = at
-            if point != LEFT_OUT:
-                for i in range(rows[k, MARKER_BYTES]):
-                    out[at + i] = markers[k, i]
-                at += rows[k, MARKER_BYTES]
-                for which in range(MOST_FRAMES):
-                    if (which == GREETING and not rows[k, GREETED]) or (which == SET_POINT and point == NONE):
-                        continue
-                    frame, size = templates[which], sizes[which, 0]
-                    if which == SET_POINT and not _aim(frame, rows[k, SYSID], values[point]):
-                        return at, point
-                    if which == SET_POINT or frame[_SEQ_AT] != number:
-                        frame[_SEQ_AT] = number
-                        _sum(frame, size, sizes[which, 1])
-                    for i in range(size):
-                        out[at + i] = frame[i]
-                    spans[frames, 0], spans[frames, 1] = at, at + size
-                    at += size
-                    frames += 1
-                    number = (number + 1) & 0xFF
-                rows[k, NUMBER] = number
-            cuts[k, 1], cuts[k, 2] = at, frames
-        return at, NONE
-
-    return write
+@inner(**UNCOUNTED)
+def _write_number(frame: Bytes, at: int, number: int, size: int) -> None:
+    """Write a whole number, low byte first."""
+    for k in range(size):
+        frame[at + k] = (number >> (8 * k)) & 0xFF
 
 
-write_bundles = _compiled(checksum(datagram))
-"""Write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that no frame
-can hold, or NONE).
-
-Args:
-    out: (n BUNDLE_BYTES,) at least.
-    rows: (n, COLUMNS). NUMBER goes on by the frames written; of those LEFT_OUT nothing is written.
-    markers: (n, MARKER_WIDTH).
-    values: (k, VALUES) position and velocity of each set point in its vehicle's own frame, NED, m and m/s.
-    templates: (MOST_FRAMES, TEMPLATE_BYTES), whole frames; overwritten.
-    sizes: (MOST_FRAMES, 2), their lengths and CRC seeds.
-    cuts: (n, 3), filled: where each bundle begins and ends, and how many frames there are with it.
-    spans: (n MOST_FRAMES, 2), filled: where each frame begins and ends; markers are none.
-"""
-
-
-class Bundles(NamedTuple):
-    """Bundles of n vehicles."""
-
-    raw: bytes
-    """one behind the other"""
-    cuts: Ints
-    """(n, 3) where each begins and ends, and how many frames there are with it"""
-    spans: Ints
-    """(m, 2) where each frame begins and ends; markers are none"""
+@inner(**UNCOUNTED)
+def _date(templates: Bytes, sizes: Ints, point_ms: int, unix_us: int, grant_ms: int) -> None:
+    """Write the times of a tick into set point and grant, which is as long as its last byte that is not 0."""
+    _write_number(templates[SET_POINT], codec.HEADER_BYTES, point_ms, 4)
+    grant = templates[GRANT]
+    _write_number(grant, codec.HEADER_BYTES, unix_us, 8)
+    _write_number(grant, codec.HEADER_BYTES + 8, grant_ms, 4)
+    payload = 12
+    while payload > 1 and grant[codec.HEADER_BYTES + payload - 1] == 0:
+        payload -= 1
+    grant[1] = payload
+    sizes[GRANT, 0] = codec.HEADER_BYTES + payload + codec.CRC_BYTES
+    _sum(grant, sizes[GRANT, 0], sizes[GRANT, 1])
 
 
-def bundled(rows: Ints, markers: Bytes, points: PlacedSetPoints, grant: Message) -> Bundles:
-    """The bundles of n vehicles, their `rows` and `markers` as `write_bundles` takes them, of frames from our station.
+@inner(**UNCOUNTED)
+def write_bundles(
+    out: Bytes,
+    rows: Ints,
+    markers: Bytes,
+    values: Floats,
+    templates: Bytes,
+    sizes: Ints,
+    cuts: Ints,
+    spans: Ints,
+    point_ms: int,
+    unix_us: int,
+    grant_ms: int,
+) -> Any:
+    """Kernel: write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that
+    no frame can hold, or NONE).
 
-    `grant`: the SYSTEM_TIME at the end of each. Raises ValueError, as `codec.frame` does, for a set point that no frame
-    can hold.
+    Args:
+        out: (n BUNDLE_BYTES,) at least.
+        rows: (n, COLUMNS). NUMBER goes on by the frames written; of those LEFT_OUT nothing is written.
+        markers: (n, MARKER_WIDTH).
+        values: (k, VALUES) position and velocity of each set point in its vehicle's own frame, NED, m and m/s.
+        templates, sizes: as `made_templates` gives them; overwritten.
+        cuts: (n, 3), filled: where each bundle begins and ends, and how many frames there are with it.
+        spans: (n MOST_FRAMES, 2), filled: where each frame begins and ends; markers are none.
+        point_ms: the set points' time since boot, in ms.
+        unix_us, grant_ms: the grant's, in µs since 1970 and in ms since boot. Of more than 32 bits, the last count.
     """
-    count = len(rows)
+    _date(templates, sizes, point_ms, unix_us, grant_ms)
+    at = frames = 0
+    for k in range(rows.shape[0]):
+        point, number = rows[k, POINT], rows[k, NUMBER]
+        cuts[k, 0] = at
+        if point != LEFT_OUT:
+            for i in range(rows[k, MARKER_BYTES]):
+                out[at + i] = markers[k, i]
+            at += rows[k, MARKER_BYTES]
+            for which in range(MOST_FRAMES):
+                if (which == GREETING and not rows[k, GREETED]) or (which == SET_POINT and point == NONE):
+                    continue
+                frame, size = templates[which], sizes[which, 0]
+                if which == SET_POINT and not _aim(frame, rows[k, SYSID], values[point]):
+                    return at, point
+                if which == SET_POINT or frame[_SEQ_AT] != number:
+                    frame[_SEQ_AT] = number
+                    _sum(frame, size, sizes[which, 1])
+                for i in range(size):
+                    out[at + i] = frame[i]
+                spans[frames, 0], spans[frames, 1] = at, at + size
+                at += size
+                frames += 1
+                number = (number + 1) & 0xFF
+            rows[k, NUMBER] = number
+        cuts[k, 1], cuts[k, 2] = at, frames
+    return at, NONE
+
+
+def made_templates() -> tuple[Bytes, Ints]:
+    """HEARTBEAT, set point and grant from our station: whole frames (MOST_FRAMES, TEMPLATE_BYTES), and the length and
+    CRC seed of each (MOST_FRAMES, 2)."""
     templates, sizes = np.zeros((MOST_FRAMES, TEMPLATE_BYTES), np.uint8), np.empty((MOST_FRAMES, 2), np.int64)
-    for k, message in enumerate((OUR_HEARTBEAT, set_point_message(points.time_ms, 0, (0.0,) * VALUES), grant)):
+    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    for k, message in enumerate((OUR_HEARTBEAT, set_point_message(0, 0, (0.0,) * VALUES), grant)):
         frame = codec.frame(message, 0, *STATION)
         templates[k, : len(frame)] = np.frombuffer(frame, np.uint8)
         sizes[k] = len(frame), codec.seed_of(frame)[0]
-    out = np.empty(count * BUNDLE_BYTES, np.uint8)
-    cuts, spans = np.empty((count, 3), np.int64), np.empty((count * MOST_FRAMES, 2), np.int64)
-    end, refused = write_bundles(out, rows, markers, points.values, templates, sizes, cuts, spans)
-    if refused != NONE:
-        codec.frame(points.message(list(points.rows)[refused]), 0, *STATION)
-    return Bundles(out[:end].tobytes(), cuts, spans[: cuts[-1, 2] if count else 0])
+    return templates, sizes

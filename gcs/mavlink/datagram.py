@@ -4,8 +4,7 @@ found in one call of compiled code.
 Whether a frame is one is decided as by `codec.split`, which is asked about every other datagram. What reads such frames
 by compiled code too needs no `Frame` of each: a `FrameRun` makes them when somebody asks.
 
-Datagrams of a tick lie side by side in a `DatagramBuffer`. Most hold nothing but whole answers of vehicles that are
-awaited, and those are known there for what they are, by the rules of gcs/mavlink/sequence.py.
+Here also stands what compiled code keeps of a vehicle whose answer is awaited, which gcs/link/inbox.py takes in.
 """
 
 from __future__ import annotations
@@ -57,7 +56,7 @@ last one if that is SYSTEM_TIME, else NO_TIME."""
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _TIME_BOOT_MS = 8  # where it stands in the payload
 
-_SMALLEST_FRAME = codec.HEADER_BYTES + codec.CRC_BYTES
+SMALLEST_FRAME = codec.HEADER_BYTES + codec.CRC_BYTES
 
 NUMBERS = 256
 HALF = 128
@@ -69,11 +68,6 @@ NEXT, GRANTED_MS, COMPID_OF, HELD, ADDRESS, RUN = range(AWAITED)
 its component; whether a part of the answer is there (1, else 0); where it speaks from, else NOWHERE; and which of the
 buffer's runs its answer is, else NO_RUN."""
 NOT_GRANTED, NOWHERE, NO_RUN = -2, -1, -1
-ALONE, SHARED_BY = 0, 1
-"""The last bit of an address's number: whether one vehicle speaks from there or several."""
-_BOUNDS = 3
-_FILLED = 4
-_FRAMES, _RUNS, _ANSWERS, _STOPPED_AT = range(_FILLED)
 
 
 class FrameRun(Sequence[Frame]):
@@ -148,11 +142,11 @@ def runs_of(datagram: bytes) -> list[FrameRun] | None:
     """Frames of a datagram by system, in their order; None where not every byte belongs to a frame of the dialect."""
     if len(datagram) > MOST_BYTES:
         return None
-    _alone.clear()
-    _alone.room[: len(datagram)] = datagram
-    _alone.put(len(datagram), NOWHERE)
-    _alone.take_in(_NO_ROWS, _NO_LANES)
-    return _alone.runs(datagram)
+    frames, runs = _find_alone(datagram, SEEDS, CRC_TABLE, _BEGINS, _ROWS)
+    if runs < 0:
+        return None
+    begins = _BEGINS[:frames].tolist()
+    return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in _ROWS[:runs].tolist()]
 
 
 class AnswerRuns(Sequence[FrameRun]):
@@ -209,98 +203,6 @@ class _BySystem(Mapping[int, FrameRun]):
         return len(self._at)
 
 
-class DatagramBuffer:
-    """Datagrams side by side, and the runs of frames that were found in them."""
-
-    def __init__(self, most_bytes: int, most_datagrams: int, room_bytes: int) -> None:
-        """room_bytes: a datagram's, at most."""
-        self._data = np.zeros(most_bytes + 2 * room_bytes, dtype=np.uint8)
-        self._view = self._data.data
-        self._room_bytes, self._most_bytes = room_bytes, most_bytes
-        most_frames = (most_bytes + room_bytes) // _SMALLEST_FRAME
-        self._begins = np.empty(most_frames + most_datagrams, dtype=np.int64)
-        self._rows = np.empty((most_frames, COLUMNS), dtype=np.int64)
-        self._order = np.empty(NUMBERS, dtype=np.int64)
-        self._most = most_datagrams
-        bounds = np.empty(_BOUNDS * most_datagrams, dtype=np.int64)
-        filled = np.zeros(_FILLED, dtype=np.int64)
-        self._bounds, self._bound = bounds, bounds.data
-        self._filled, self._fill = filled, filled.data
-        self._used = self._count = self._first = 0
-        self.room = self._view[:room_bytes]
-        """where the next datagram goes"""
-
-    @property
-    def waiting(self) -> int:
-        """Datagrams that have not been looked into."""
-        return self._count - self._first
-
-    @property
-    def answers(self) -> int:
-        """Runs that were taken in as answers."""
-        return self._fill[_ANSWERS]
-
-    @property
-    def full(self) -> bool:
-        """Whether there is place for no further datagram; there still is room for one to be read elsewhere."""
-        return self._used > self._most_bytes or self._count == self._most
-
-    def put(self, size: int, address: int) -> None:
-        """A datagram of so many bytes has been written into `room`; `address` is where it came from, or NOWHERE."""
-        begin = self._used
-        end = begin + size
-        at = _BOUNDS * self._count
-        self._bound[at], self._bound[at + 1], self._bound[at + 2] = begin, end, address
-        self._count += 1
-        self._used = end
-        self.room = self._view[end : end + self._room_bytes]
-
-    def take_in(self, awaited: NDArray[np.int64], lanes: NDArray[np.int64]) -> NDArray[np.int64]:
-        """Look into the datagrams that wait, up to the first that holds something else than whole answers; the rows of
-        `awaited` (vehicles, AWAITED) whose answers were found. `lanes` (256,) are those rows by system id, else -1.
-
-        `stopped` then gives what is left of that one.
-        """
-        before = self._fill[_ANSWERS]
-        self._first = _take_in(
-            self._data, self._bounds, self._first, self._count, SEEDS, CRC_TABLE,
-            self._begins, self._rows, lanes, awaited, self._order, self._filled,
-        )  # fmt: skip
-        return self._order[before : self._fill[_ANSWERS]]
-
-    def stopped(self) -> tuple[int, bytes] | None:
-        """(address, rest) of the datagram at which `take_in` has stopped; it waits no more. None: at none."""
-        if self._first == self._count:
-            return None
-        at = _BOUNDS * self._first
-        self._first += 1
-        return self._bound[at + 2], bytes(self._view[self._fill[_STOPPED_AT] : self._bound[at + 1]])
-
-    def runs(self, datagram: bytes) -> list[FrameRun] | None:
-        """The runs of the only datagram, which holds these bytes; None where it was not whole."""
-        frames, runs = self._fill[_FRAMES], self._fill[_RUNS]
-        if not runs:
-            return None
-        begins = self._begins[:frames].tolist()
-        rows = self._rows[:runs].tolist()
-        return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in rows]
-
-    def pop_answers(self, awaited: NDArray[np.int64]) -> tuple[NDArray[np.int64], AnswerRuns]:
-        """The answers that were found: their rows (n,) of `awaited`, in order, and their runs. Nothing is left."""
-        rows = np.empty((self.answers, COLUMNS), np.int64)
-        spans = np.empty((self._fill[_FRAMES], 2), np.int64)
-        count, frames = _cut(awaited, self._rows, self._begins, self._order, rows, spans)
-        data = bytes(self._view[: self._used])
-        self.clear()
-        return self._order[:count], AnswerRuns(FrameSpans(data, spans[:frames]), rows[:count])
-
-    def clear(self) -> None:
-        """Begin again with nothing."""
-        self._used = self._count = self._first = 0
-        self._fill[_FRAMES] = self._fill[_RUNS] = self._fill[_ANSWERS] = 0
-        self.room = self._view[: self._room_bytes]
-
-
 @inner(**UNCOUNTED)
 def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
     """Kernel: CRC-16/MCRF4XX of some bytes, of `bytes` or of an array; `table` is CRC_TABLE."""
@@ -325,8 +227,8 @@ def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
 
 
 @inner(**UNCOUNTED)
-def _find(
-    data: NDArray[np.uint8],
+def find(
+    data: Any,
     at: Any,
     size: Any,
     seeds: NDArray[np.int16],
@@ -382,79 +284,17 @@ def _find(
 
 
 @kernel(**UNCOUNTED)
-def _take_in(
-    data: NDArray[np.uint8],
-    bounds: NDArray[np.int64],
-    first: int,
-    count: int,
+def _find_alone(
+    data: bytes,
     seeds: NDArray[np.int16],
     table: NDArray[np.uint16],
     begins: NDArray[np.int64],
     rows: NDArray[np.int64],
-    lanes: NDArray[np.int64],
-    awaited: NDArray[np.int64],
-    order: NDArray[np.int64],
-    filled: NDArray[np.int64],
-) -> int:
-    """Kernel: as `DatagramBuffer.take_in`, from the first datagram on; which it stops at."""
-    for k in range(first, count):
-        at, end, address = bounds[_BOUNDS * k], bounds[_BOUNDS * k + 1], bounds[_BOUNDS * k + 2]
-        filled[_STOPPED_AT] = at
-        before = filled[_RUNS]
-        frames, runs = _find(data, at, end, seeds, table, begins, filled[_FRAMES], rows, before)
-        if runs < 0:
-            return k
-        filled[_FRAMES], filled[_RUNS] = frames, runs
-        if address == NOWHERE or (address & SHARED_BY == ALONE and runs != before + 1):
-            return k
-        for r in range(before, runs):
-            row = rows[r]
-            lane = lanes[row[SYSID]]
-            if lane < 0:
-                filled[_STOPPED_AT] = begins[row[FIRST]]
-                return k
-            one, length = awaited[lane], row[LAST] - row[FIRST]
-            whole = row[IN_STEP] == 1 and row[SEQ] == one[NEXT] and length < HALF
-            whole = whole and row[COMPID] == one[COMPID_OF] and one[ADDRESS] == address
-            if not whole or row[TIME_MS] != one[GRANTED_MS] or one[HELD] or filled[_ANSWERS] == order.size:
-                filled[_STOPPED_AT] = begins[row[FIRST]]
-                return k
-            one[NEXT] = (one[NEXT] + length) % NUMBERS
-            one[GRANTED_MS], one[RUN] = NOT_GRANTED, r
-            order[filled[_ANSWERS]] = lane
-            filled[_ANSWERS] += 1
-    return count
-
-
-@kernel(**UNCOUNTED)
-def _cut(
-    awaited: NDArray[np.int64],
-    rows: NDArray[np.int64],
-    begins: NDArray[np.int64],
-    lanes: NDArray[np.int64],
-    found: NDArray[np.int64],
-    spans: NDArray[np.int64],
 ) -> Any:
-    """Kernel: as `DatagramBuffer.pop_answers`, which fills lanes (n,), found (n, COLUMNS) and spans (frames, 2); how
-    many runs and frames there are."""
-    count = frames = 0
-    for lane in range(awaited.shape[0]):
-        if awaited[lane, RUN] == NO_RUN:
-            continue
-        row = rows[awaited[lane, RUN]]
-        awaited[lane, RUN] = NO_RUN
-        lanes[count] = lane
-        for column in range(COLUMNS):
-            found[count, column] = row[column]
-        found[count, FIRST] = frames
-        for k in range(row[FIRST], row[LAST]):
-            spans[frames, 0], spans[frames, 1] = begins[k], begins[k + 1]
-            frames += 1
-        found[count, LAST] = frames
-        count += 1
-    return count, frames
+    """Kernel: as `find`, of one datagram."""
+    return find(data, 0, len(data), seeds, table, begins, 0, rows, 0)
 
 
-_alone = DatagramBuffer(0, 1, MOST_BYTES)
+_BEGINS = np.empty(MOST_BYTES // SMALLEST_FRAME + 1, np.int64)
+_ROWS = np.empty((MOST_BYTES // SMALLEST_FRAME, COLUMNS), np.int64)
 """For one datagram at a time: one thread reads a session's links."""
-_NO_ROWS, _NO_LANES = np.empty((0, AWAITED), dtype=np.int64), np.full(NUMBERS, -1, dtype=np.int64)

@@ -6,12 +6,14 @@ Loading the planner's and the metrics' kernels takes about 0.2 s, which in fligh
 from __future__ import annotations
 
 import functools
+import socket
 
 import numpy as np
 
 from gcs.frame_spans import FrameSpans
 from gcs.link.bundles import Roster
 from gcs.link.intake import Intake, numbered
+from gcs.link.link import TickGrants
 from gcs.mavlink import codec
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
@@ -71,12 +73,14 @@ def _rehearse_answer(fleet: Fleet, sysid: int) -> None:
     key = (sysid, AUTOPILOT)
     end = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
     answer = codec.frame(OUR_HEARTBEAT, FIRST_ANSWER, *key) + codec.frame(end, FIRST_ANSWER + 1, *key)
-    collector, intake, gaps = TickCollector(*key), Intake(1, len(answer)), GapCounter()
-    intake.enrol([(key, collector, numbered(0, shared=False))])
-    collector.begin(0)
-    intake.buffer.room[:] = answer
-    intake.buffer.put(len(answer), numbered(0, shared=False))
-    intake.take_in()
+    collector, intake, gaps = TickCollector(*key), Intake(1, len(answer), 0), GapCounter()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as loop:
+        loop.bind(("127.0.0.1", 0))
+        number = numbered(0, shared=False)
+        intake.enrol([(key, collector, number)], {loop.getsockname(): number})
+        intake.begin([key], 0)
+        loop.sendto(answer, loop.getsockname())
+        intake.receive(loop.fileno(), 1, 1)
     for _, runs in intake.answers():
         gaps.feed_runs(runs)
         fleet.ingest_runs(runs, 0.0)
@@ -85,8 +89,8 @@ def _rehearse_answer(fleet: Fleet, sysid: int) -> None:
 def _rehearse_bundles() -> None:
     """A bundle as in most ticks, made and counted."""
     points = SetPointPlacer().place([SetPoint(1, ZERO, ZERO)], [ZERO], [0.0], 0)
-    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
-    bundles = Roster([(1, AUTOPILOT)], [b""], [("", 0)]).bundled((), (), points, grant)
+    key = (1, AUTOPILOT)
+    bundles = Roster([key], [b""], [("127.0.0.1", 0)]).bundled((), TickGrants(0, 0, [key], set(), points, {}))
     sent = FrameSpans(bundles.raw, bundles.spans)
     Digest().frames_out(0, sent)
     stamped(0, sent)

@@ -16,12 +16,11 @@ import numpy as np
 from measure import Figure, cpu_times
 from pymavlink.dialects.v20 import common
 
-from gcs.link.bundles import Roster
+from gcs.link.bundles import Bundles, Roster
 from gcs.link.keys import LinkSigning, read_key
-from gcs.link.link import Key
+from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
-from gcs.mavlink.bundle_frames import Bundles
 from gcs.mavlink.datagram import runs_of
 from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.sequence import TickCollector
@@ -239,13 +238,12 @@ def sending() -> Figure:
     points = SetPoints(tuple(sysid for sysid, _ in keys), columns[:, :3].copy(), columns[:, 3:].copy())
     offsets, turns = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys], [0.0] * VEHICLES
     placer, roster = SetPointPlacer(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
-    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=61_300)
     sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
     message = common.MAVLink_set_position_target_local_ned_message
 
     def encode() -> Bundles:
         placed = placer.place(points, offsets, turns, 61_200)
-        return roster.bundled((), (), placed, grant)
+        return roster.bundled((), TickGrants(61_300, 0, keys, (), placed, {}))
 
     def fields(sysid: int) -> tuple[float, ...]:
         (n, e, d), (north, _, _) = points[sysid - 1].p_ned, offsets[sysid - 1]

@@ -1,14 +1,13 @@
 """Bundles that are made for all vehicles at once, against the same bundles made one by one."""
 
+import contextlib
 import random
 import socket
-from collections import deque
-from typing import cast
 
 import numpy as np
 import pytest
 
-from gcs.link.bundles import DatagramGatherer
+from gcs.link.bundles import Address, DatagramGatherer
 from gcs.link.link import Key, TickGrants, one_by_one
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
@@ -16,7 +15,6 @@ from gcs.mavlink.codec import Message
 from gcs.mavlink.ids import TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints
 
-Address = tuple[str, int]
 COMMAND = codec.message(
     "COMMAND_LONG", target_system=1, target_component=1, command=400, confirmation=0,
     param1=1.0, param2=0.0, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
@@ -24,49 +22,45 @@ COMMAND = codec.message(
 LONG = codec.message("STATUSTEXT", severity=6, text="x" * 50)
 
 
-class Wire:
-    """A socket whose other side is this test: each vehicle answers as soon as it is asked to."""
-
-    def __init__(self) -> None:
-        self.sent: list[tuple[Address, bytes]] = []
-        self.coming: deque[tuple[bytes, Address]] = deque()
-
-    def sendto(self, datagram: bytes, address: Address) -> None:
-        self.sent.append((address, datagram))
-
-    def recvfrom_into(self, room: memoryview) -> tuple[int, Address]:
-        if not self.coming:
-            raise BlockingIOError
-        datagram, address = self.coming.popleft()
-        room[: len(datagram)] = datagram
-        return len(datagram), address
-
-    def close(self) -> None:
-        pass
-
-
 class Field:
-    """A link and its vehicles, by what it sends them."""
+    """A link and its vehicles' sockets, `addresses` as numbers: what each receives is read by this test."""
 
-    def __init__(self, addresses: dict[Key, tuple[Address, int]]) -> None:
-        self.link, self.wire, self.numbers = LockstepLink(), Wire(), dict.fromkeys(addresses, 2)
-        self.link._socket.close()
-        self.link._socket = cast(socket.socket, self.wire)
+    def __init__(self, addresses: dict[Key, tuple[int, int]]) -> None:
+        self.link, self.numbers = LockstepLink(), dict.fromkeys(addresses, 2)
+        places = {place for place, _ in addresses.values()}
+        self.sockets = {place: socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for place in places}
+        for one in self.sockets.values():
+            one.connect(("127.0.0.1", self.link.port))
+            one.setblocking(False)
         self.addresses = addresses
         self.link.expect(addresses)
         beat = codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=3)
-        for key, (address, shared) in addresses.items():
+        for key, (place, shared) in addresses.items():
             stamp = codec.message("SYSTEM_TIME", time_unix_usec=self.link.secret, time_boot_ms=shared)
-            self.wire.coming.append((codec.frame(beat, 0, *key) + codec.frame(stamp, 1, *key), address))
-        self.link._drain()
+            self.sockets[place].send(codec.frame(beat, 0, *key) + codec.frame(stamp, 1, *key))
+        self.link.listen(0.0)
         assert self.link.joined == set(addresses)
+
+    def received(self) -> dict[int, list[bytes]]:
+        """Datagrams that have come since the last call, by place."""
+        found: dict[int, list[bytes]] = {place: [] for place in self.sockets}
+        for place, one in self.sockets.items():
+            with contextlib.suppress(BlockingIOError):
+                while True:
+                    found[place].append(one.recv(1 << 16))
+        return found
 
     def answered(self, keys: list[Key], t_ms: int) -> None:
         end = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=t_ms)
         for key in keys:
-            self.wire.coming.append((codec.frame(end, self.numbers[key], *key), self.addresses[key][0]))
+            self.sockets[self.addresses[key][0]].send(codec.frame(end, self.numbers[key], *key))
             self.numbers[key] = (self.numbers[key] + 1) % 256
         assert {key for some, _ in self.link.answers(pytest.fail) for key in some} == set(keys)
+
+    def close(self) -> None:
+        self.link.close()
+        for one in self.sockets.values():
+            one.close()
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -74,10 +68,9 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
     """Processes of several vehicles and of one, whose ids lie among each other's; some vehicles leave."""
     draw = random.Random(seed)
     keys = sorted((sysid, 1) for sysid in draw.sample(range(1, 255), 120))
-    places = [("127.0.0.1", 20_000 + k) for k in range(3)]
-    addresses = {key: (places[n // 50 if seed % 2 else draw.randrange(3)], 1) for n, key in enumerate(keys)}
-    addresses |= {key: (("127.0.0.1", 30_000 + key[0]), 0) for key in draw.sample(keys, 20)}
-    addresses[TRAFFIC] = (("127.0.0.1", 40_000), 0)
+    addresses = {key: (n // 50 if seed % 2 else draw.randrange(3), 1) for n, key in enumerate(keys)}
+    addresses |= {key: (1000 + key[0], 0) for key in draw.sample(keys, 20)}
+    addresses[TRAFFIC] = (2000, 0)
     at_once, single = Field(addresses), Field(addresses)
     for tick in range(300):  # past 255
         t_ms = 100 * (tick + 1)
@@ -100,14 +93,14 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
         assert at_once.link.grant_all(grants) == one_by_one(single.link, grants)
         for field in (at_once, single):
             field.link.flush()
-        assert at_once.wire.sent == single.wire.sent
+        assert at_once.received() == single.received()
         for field in (at_once, single):
-            field.wire.sent.clear()
             field.link.repeat()
-        assert at_once.wire.sent == single.wire.sent
+        assert at_once.received() == single.received()
         for field in (at_once, single):
-            field.wire.sent.clear()
             field.answered(there, t_ms)
+    at_once.close()
+    single.close()
 
 
 def test_a_datagram_leaves_with_the_bundle_with_which_there_is_enough() -> None:

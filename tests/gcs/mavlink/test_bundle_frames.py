@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common
 
+from gcs.link.bundles import Roster
+from gcs.link.link import TickGrants
 from gcs.mavlink import bundle_frames, codec
-from gcs.mavlink.bundle_frames import LEFT_OUT, NONE
+from gcs.mavlink.bundle_frames import LEFT_OUT, NONE, write_bundles
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
 
@@ -36,9 +38,10 @@ def test_bundles_are_what_pymavlink_packs(seed: int) -> None:
     special = random.random((VEHICLES, 6)) < 0.2
     values[special] = random.choice(SPECIAL, special.sum())
     time_ms = (0, 5, 1 << 24, (1 << 32) - 1, int(random.integers(1 << 32)))[seed % 5]
-    unix_us = (0, UNIX_US, (1 << 64) - 1)[seed % 3]
+    unix_us = (0, UNIX_US, (1 << 63) - 1)[seed % 3]
     rows, markers = np.zeros((VEHICLES, bundle_frames.COLUMNS), np.int64), np.zeros((VEHICLES, 32), np.uint8)
     expected, frames, numbers = [], [], []
+    templates = bundle_frames.made_templates()
     for k in range(VEHICLES):
         number, sysid, marker = int(random.integers(256)), int(random.integers(1, 255)), random.bytes(26 * (seed % 2))
         point, greeted = int(random.choice([k, NONE, LEFT_OUT], p=[0.7, 0.2, 0.1])), bool(random.random() < 0.3)
@@ -51,23 +54,27 @@ def test_bundles_are_what_pymavlink_packs(seed: int) -> None:
         expected.append(marker + b"".join(own) if own else b"")
         frames += own
         numbers.append((number + len(own)) % 256)
-    grant = codec.message("SYSTEM_TIME", time_unix_usec=unix_us, time_boot_ms=time_ms)
-    points = PlacedSetPoints(time_ms, {}, values)
-    raw, cuts, spans = bundle_frames.bundled(rows, markers, points, grant)
+    out = np.empty(VEHICLES * bundle_frames.BUNDLE_BYTES, np.uint8)
+    cuts, spans = np.empty((VEHICLES, 3), np.int64), np.empty((VEHICLES * bundle_frames.MOST_FRAMES, 2), np.int64)
+    for told_ms in ((time_ms + 255) % (1 << 32), time_ms):  # nothing of an earlier tick is left
+        again = rows.copy()
+        end, refused = write_bundles(out, again, markers, values, *templates, cuts, spans, told_ms, unix_us, told_ms)
+    assert refused == NONE
+    raw, spans = out[:end].tobytes(), spans[: cuts[-1, 2]]
     assert [raw[begin:end] for begin, end, _ in cuts] == expected
     assert raw == b"".join(expected)
     assert [raw[begin:end] for begin, end in spans] == frames
-    assert rows[:, bundle_frames.NUMBER].tolist() == numbers
+    assert again[:, bundle_frames.NUMBER].tolist() == numbers
 
 
 @pytest.mark.parametrize("value", [3.5e38, -1e39, 3.40282357e38])
 def test_a_set_point_that_no_frame_can_hold_is_refused_as_the_codec_does(value: float) -> None:
     values = np.zeros((2, 6))
     values[1, 4] = value
-    rows = np.array([[0, 7, 0, 0, 0], [0, 8, 0, 1, 0]])
-    grant = codec.message("SYSTEM_TIME", time_unix_usec=0, time_boot_ms=0)
+    keys = [(7, 1), (8, 1)]
+    roster = Roster(keys, [b"", b""], [("127.0.0.1", 1), ("127.0.0.1", 2)])
     with pytest.raises(ValueError, match=r"^SET_POSITION_TARGET_LOCAL_NED\.vy cannot be "):
-        bundle_frames.bundled(rows, np.zeros((2, 32), np.uint8), PlacedSetPoints(0, {7: 0, 8: 1}, values), grant)
+        roster.bundled((), TickGrants(0, 0, keys, (), PlacedSetPoints(0, {7: 0, 8: 1}, values), {}))
 
 
 def test_set_points_are_placed_in_their_vehicles_frames() -> None:

@@ -14,10 +14,10 @@ from gcs.supervisor.warmup import rehearse
 CODE = """
 import json, sys
 from gcs.scenario import geometry
-from gcs.mavlink import bundle_frames
 from gcs.recording import digest
 from gcs.session import process
-from gcs.mavlink import datagram, gaps
+from gcs.link import bundles, inbox, intake
+from gcs.mavlink import gaps
 from gcs.telemetry import approach, metrics, readings
 from gcs.scenario.file import find
 from gcs.planner import goals, leader, limits
@@ -26,8 +26,8 @@ from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
 kernels = [leader._lead, goals._any_near, limits._limited, geometry.fill_clearances,
-           metrics._measure, approach.look, approach.pass_points, bundle_frames.write_bundles,
-           digest._count, datagram._take_in, datagram._cut, gaps._go_on, readings.read]
+           metrics._measure, approach.look, approach.pass_points, bundles._bundle,
+           digest._count, inbox._receive, inbox._cut, intake._begin, gaps._go_on, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)
@@ -44,8 +44,8 @@ def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     for _ in range(2):  # the first time they may have to be compiled
         done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after, again, imported_later, compiled = json.loads(done.stdout)
-    assert before == [0] * 13
-    assert after == again == [1] * 13
+    assert before == [0] * 14
+    assert after == again == [1] * 14
     assert imported_later == []
     assert compiled == []
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import hashlib
-import struct
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.frame_spans import FrameSpans
-from gcs.kernels import UNCOUNTED, kernel
+from gcs.frame_spans import FrameSpans, Spans
+from gcs.kernels import UNCOUNTED, inner, kernel
 
-_PREFIX = struct.Struct("<QB").pack
+Bytes = NDArray[np.uint8]
+
+_PREFIX_BYTES = 9
+_LENGTH_BYTES = 4
 _IN, _OUT, _DECISION = range(3)
 
 
@@ -27,46 +29,73 @@ class Digest:
     def __init__(self) -> None:
         self._hash = hashlib.sha256()
 
-    def frames_in(self, t_ms: int, frames: Sequence[bytes]) -> None:
-        """Whole frames (MAVLink 2) that were delivered to the supervisor in the tick that ends at `t_ms`."""
-        self._frames(_PREFIX(t_ms, _IN), frames)
+    def tick(self, t_ms: int, received: Sequence[bytes], sent: Sequence[bytes], lines: Sequence[bytes]) -> None:
+        """Count a tick.
 
-    def frames_out(self, t_ms: int, frames: Sequence[bytes]) -> None:
-        """Whole frames (MAVLink 2) that were sent at `t_ms`, each once however often its datagram was repeated."""
-        self._frames(_PREFIX(t_ms, _OUT), frames)
-
-    def decisions(self, t_ms: int, lines: Iterable[bytes]) -> None:
-        """Decisions made at `t_ms`, as their lines of decisions.jsonl."""
-        prefix = _PREFIX(t_ms, _DECISION)
-        self._hash.update(b"".join([prefix + len(line).to_bytes(4, "little") + line for line in lines]))
+        Args:
+            t_ms: its time.
+            received: whole frames (MAVLink 2) that were delivered to the supervisor in the tick that ends then.
+            sent: those that were sent then, each once however often its datagram was repeated.
+            lines: decisions made then, as their lines of decisions.jsonl.
+        """
+        parts = FrameSpans.of(received), FrameSpans.of(sent), FrameSpans.of(lines)
+        room = sum([len(part.data) + (_PREFIX_BYTES + _LENGTH_BYTES) * len(part) for part in parts])
+        counted = np.empty(room, np.uint8)
+        (one, two, three) = parts
+        size = _count(t_ms, one.data, one.spans, two.data, two.spans, three.data, three.spans, counted)
+        self._hash.update(counted[:size].data)
 
     def hexdigest(self) -> str:
         return f"sha256:{self._hash.hexdigest()}"
 
-    def _frames(self, prefix: bytes, frames: Sequence[bytes]) -> None:
-        if frames:
-            whole = FrameSpans.of(frames)
-            counted = np.empty(len(whole.data) + len(prefix) * len(frames), np.uint8)
-            size = _count(whole.data, whole.spans, prefix, counted)
-            self._hash.update(counted[:size].data)
+
+@inner(**UNCOUNTED)
+def _put_prefix(t_ms: int, part: int, out: Bytes, at: Any) -> Any:
+    for i in range(_PREFIX_BYTES - 1):
+        out[at + i] = (t_ms >> 8 * i) & 0xFF
+    out[at + _PREFIX_BYTES - 1] = part
+    return at + _PREFIX_BYTES
 
 
-@kernel(**UNCOUNTED)
-def _count(raw: bytes, spans: NDArray[np.int64], prefix: bytes, counted: NDArray[np.uint8]) -> Any:
-    """Kernel: write what counts of frames, which stand in `raw` at these spans (n, 2), each behind the prefix; how much
-    it is.
+@inner(**UNCOUNTED)
+def _put_frames(t_ms: int, part: int, raw: bytes, spans: Spans, out: Bytes, at: Any) -> Any:
+    """Write what counts of frames, behind where `out` is filled up to; where it is then.
 
     A frame's byte 1 is the payload's length; bytes 5 to 9 are system, component and message id, then the payload.
     """
-    at: Any = 0
     for k in range(len(spans)):
         begin, end = spans[k, 0], spans[k, 1]
-        for i in range(len(prefix)):
-            counted[at + i] = prefix[i]
-        at += len(prefix)
-        counted[at] = raw[begin + 1]
+        at = _put_prefix(t_ms, part, out, at)
+        out[at] = raw[begin + 1]
         at += 1
-        for i in range(begin + 5, min(begin + 10 + raw[begin + 1], end)):
-            counted[at] = raw[i]
-            at += 1
+        size = min(5 + np.int64(raw[begin + 1]), end - begin - 5)
+        for i in range(size):
+            out[at + i] = raw[begin + 5 + i]
+        at += size
+    return at
+
+
+@kernel(**UNCOUNTED)
+def _count(
+    t_ms: int,
+    received: bytes,
+    received_spans: Spans,
+    sent: bytes,
+    sent_spans: Spans,
+    lines: bytes,
+    lines_spans: Spans,
+    counted: Bytes,
+) -> Any:
+    """Kernel: write what counts of a tick's frames and lines, which stand at these spans (n, 2); how much it is."""
+    at = _put_frames(t_ms, _IN, received, received_spans, counted, 0)
+    at = _put_frames(t_ms, _OUT, sent, sent_spans, counted, at)
+    for k in range(len(lines_spans)):
+        begin, size = lines_spans[k, 0], lines_spans[k, 1] - lines_spans[k, 0]
+        at = _put_prefix(t_ms, _DECISION, counted, at)
+        for i in range(_LENGTH_BYTES):
+            counted[at + i] = (size >> 8 * i) & 0xFF
+        at += _LENGTH_BYTES
+        for i in range(size):
+            counted[at + i] = lines[begin + i]
+        at += size
     return at

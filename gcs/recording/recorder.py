@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Self
 
+from gcs.frame_spans import FrameSpans
 from gcs.recording.changes import ChangeFilter
 from gcs.recording.decision_lines import Decisions, decision_lines, each
 from gcs.recording.rotation import ROTATED, part
@@ -88,22 +89,25 @@ class Recorder:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
-        """Record frames in order, received or sent at `t_us` µs since the Unix epoch (session epoch + session time)."""
-        if raws:
-            self._tlog.batch += stamped(t_us, raws)
+    def frames(self, t_us: int, received: Sequence[bytes], sent: Sequence[bytes] = ()) -> None:
+        """Record frames in order, received and sent at `t_us` µs since the Unix epoch (session epoch + session
+        time)."""
+        if received or sent:
+            self._tlog.batch += stamped(t_us, received, sent)
             if len(self._tlog.batch) >= BATCH_BYTES or self._end is not None:
                 self._write()
 
-    def decisions(self, decisions: Decisions) -> list[bytes]:
+    def decisions(self, decisions: Decisions) -> FrameSpans:
         """Record decisions, those that are to be written; the lines of all of them, for the digest.
 
         Raises ValueError for NaN or infinity in one, TypeError for what JSON has no form for; none is recorded then.
         """
-        lines = written = decision_lines(decisions)
-        if self._changes is not None:
-            written = [line for line, made in zip(lines, each(decisions), strict=True) if self._changes.is_change(made)]
-        self._decisions.batch += b"".join(written)
+        lines = decision_lines(decisions)
+        if self._changes is None:
+            self._decisions.batch += lines.data
+        else:
+            both = zip(lines, each(decisions), strict=True)
+            self._decisions.batch += b"".join([line for line, made in both if self._changes.is_change(made)])
         if len(self._decisions.batch) >= BATCH_BYTES or self._end is not None:
             self._write()
         return lines

@@ -34,12 +34,8 @@ class TickRecord:
 
         The system has all of it then: a supervisor that is killed loses nothing but the tick that it was at.
         """
-        t_us = epoch_us + 1000 * self.t_ms
-        recorder.frames(t_us, self.arrived)
-        recorder.frames(t_us, self.sent)
-        digest.frames_in(self.t_ms, self.arrived)
-        digest.frames_out(self.t_ms, self.sent)
-        digest.decisions(self.t_ms, recorder.decisions(self.decisions))
+        recorder.frames(epoch_us + 1000 * self.t_ms, self.arrived, self.sent)
+        digest.tick(self.t_ms, self.arrived, self.sent, recorder.decisions(self.decisions))
         recorder.flush()
 
 

@@ -2,37 +2,39 @@
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.frame_spans import FrameSpans
-from gcs.kernels import UNCOUNTED, kernel
+from gcs.frame_spans import FrameSpans, Spans
+from gcs.kernels import UNCOUNTED, inner, kernel
 
-_TIME = struct.Struct(">Q")
+_TIME_BYTES = 8
 
 
-def stamped(t_us: int, frames: Sequence[bytes]) -> bytes | memoryview:
-    """These frames of one time."""
-    time = _TIME.pack(t_us)
-    if not isinstance(frames, FrameSpans):
-        return time + time.join(frames) if frames else b""
-    out = np.empty(len(frames.data) + _TIME.size * len(frames), np.uint8)
-    return out.data[: _stamp(frames.data, frames.spans, time, out)]
+def stamped(t_us: int, received: Sequence[bytes], sent: Sequence[bytes]) -> memoryview:
+    """These frames of one time, the sent ones last."""
+    first, last = FrameSpans.of(received), FrameSpans.of(sent)
+    out = np.empty(len(first.data) + len(last.data) + _TIME_BYTES * (len(first) + len(last)), np.uint8)
+    return out.data[: _stamp(t_us, first.data, first.spans, last.data, last.spans, out)]
+
+
+@inner(**UNCOUNTED)
+def _put(t_us: int, raw: bytes, spans: Spans, out: NDArray[np.uint8], at: Any) -> Any:
+    for k in range(len(spans)):
+        for i in range(_TIME_BYTES):
+            out[at + i] = (t_us >> 8 * (_TIME_BYTES - 1 - i)) & 0xFF
+        at += _TIME_BYTES
+        begin, size = spans[k, 0], spans[k, 1] - spans[k, 0]
+        for i in range(size):
+            out[at + i] = raw[begin + i]
+        at += size
+    return at
 
 
 @kernel(**UNCOUNTED)
-def _stamp(raw: bytes, spans: NDArray[np.int64], time: bytes, out: NDArray[np.uint8]) -> Any:
-    """Kernel: write the frames that stand in `raw` at these spans (n, 2), each behind the time; how much it is."""
-    at: Any = 0
-    for k in range(len(spans)):
-        for i in range(len(time)):
-            out[at + i] = time[i]
-        at += len(time)
-        for i in range(spans[k, 0], spans[k, 1]):
-            out[at] = raw[i]
-            at += 1
-    return at
+def _stamp(t_us: int, first: bytes, first_spans: Spans, last: bytes, last_spans: Spans, out: NDArray[np.uint8]) -> Any:
+    """Kernel: write the frames that stand in two texts at these spans (n, 2), each behind the time; how much it is."""
+    return _put(t_us, last, last_spans, out, _put(t_us, first, first_spans, out, 0))

@@ -159,10 +159,10 @@ class Comparer:
         self.made: list[dict[str, Any]] = []
         self._changes = ChangeFilter() if changes_only else None
 
-    def frames(self, t_us: int, raws: Sequence[bytes]) -> None:
+    def frames(self, t_us: int, received: Sequence[bytes], sent: Sequence[bytes]) -> None:
         """As `Recorder.frames`."""
 
-    def decisions(self, decisions: Decisions) -> list[bytes]:
+    def decisions(self, decisions: Decisions) -> Sequence[bytes]:
         """As `Recorder.decisions`."""
         lines = decision_lines(decisions)
         for line, decision in zip(lines, each(decisions), strict=True):

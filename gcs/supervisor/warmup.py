@@ -25,6 +25,7 @@ from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.route import Router
 from gcs.planner.tracking import Tracking
+from gcs.recording.decision_lines import TickSetPoints, decision_lines
 from gcs.recording.digest import Digest
 from gcs.recording.tlog_frames import stamped
 from gcs.scenario import geometry
@@ -92,8 +93,8 @@ def _rehearse_bundles() -> None:
     key = (1, AUTOPILOT)
     bundles = Roster([key], [b""], [("127.0.0.1", 0)]).bundled((), TickGrants(0, 0, [key], set(), points, {}))
     sent = FrameSpans(bundles.raw, bundles.spans)
-    Digest().frames_out(0, sent)
-    stamped(0, sent)
+    stamped(0, sent, sent)
+    Digest().tick(0, sent, sent, decision_lines([TickSetPoints(0.0, [SetPoint(1, ZERO, ZERO)])]))
 
 
 def _rehearse_tracking() -> None:

@@ -60,7 +60,7 @@ def test_frames_side_by_side_are_recorded_and_counted_as_frames_apart(tmp_path: 
     for name, frames in (("apart", raws), ("side by side", apart)):
         (tmp_path / name).mkdir()
         with Recorder(tmp_path / name) as recorder:
-            recorder.frames(EPOCH_US, frames)
+            recorder.frames(EPOCH_US, frames[:4], frames[4:])
             recorder.frames(EPOCH_US, frames[:0])
     recorded = {(tmp_path / name / TLOG).read_bytes() for name in ("apart", "side by side")}
     assert recorded == {b"".join(struct.pack(">Q", EPOCH_US) + raw for raw in raws)}
@@ -231,9 +231,8 @@ def digest_of(
 ) -> str:
     digest = Digest()
     for t_ms, came, went in ticks:
-        digest.frames_in(t_ms, came)
-        digest.frames_out(t_ms, went)
-    digest.decisions(100, decision_lines(decisions))
+        digest.tick(t_ms, came, went, ())
+    digest.tick(100, (), (), decision_lines(decisions))
     return digest.hexdigest()
 
 
@@ -245,9 +244,7 @@ def test_digest_is_the_hash_of_what_the_protocol_says() -> None:
     signed = bytes(attitude(1)[:2] + b"\x01" + attitude(1)[3:] + random.bytes(13))
     went, lines = [signed, attitude(9, roll=-0.5), signed], [b'{"a":1}\n', b'{"b":2}\n']
     digest, expected = Digest(), hashlib.sha256()
-    digest.frames_in(12_300, came)
-    digest.frames_out(12_300, went)
-    digest.decisions(12_300, lines)
+    digest.tick(12_300, came, went, lines)
     for direction, frames in ((0, came), (1, went)):
         for raw in frames:
             frame = codec.split(raw).frames[0] if raw != signed else codec.split(attitude(1)).frames[0]

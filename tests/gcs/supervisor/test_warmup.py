@@ -14,7 +14,7 @@ from gcs.supervisor.warmup import rehearse
 CODE = """
 import json, sys
 from gcs.scenario import geometry
-from gcs.recording import digest
+from gcs.recording import digest, set_point_lines, tlog_frames
 from gcs.session import process
 from gcs.link import bundles, inbox, intake
 from gcs.mavlink import gaps
@@ -27,7 +27,8 @@ from gcs.scenario import load
 scenario = load(find("paper/example1"))
 kernels = [leader._lead, goals._any_near, limits._limited, geometry.fill_clearances,
            metrics._measure, approach.look, approach.pass_points, bundles._bundle,
-           digest._count, inbox._receive, inbox._cut, intake._begin, gaps._go_on, readings.read]
+           digest._count, tlog_frames._stamp, set_point_lines._lay_out,
+           inbox._receive, inbox._cut, intake._begin, gaps._go_on, readings.read]
 before = [len(kernel.signatures) for kernel in kernels]
 rehearse(scenario)
 loaded = set(sys.modules)
@@ -44,8 +45,8 @@ def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     for _ in range(2):  # the first time they may have to be compiled
         done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after, again, imported_later, compiled = json.loads(done.stdout)
-    assert before == [0] * 14
-    assert after == again == [1] * 14
+    assert before == [0] * 16
+    assert after == again == [1] * 16
     assert imported_later == []
     assert compiled == []
 

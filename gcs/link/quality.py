@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-from numpy.typing import NDArray
-
 from gcs.link.link import Key
+from gcs.mavlink.datagram import AnswerRuns
 from gcs.mavlink.gaps import GapCounter
 
 WINDOW_S = 10.0
@@ -43,11 +41,18 @@ class _Together:
     """Frames of vehicles that are heard together tick by tick, until they are counted for each."""
 
     keys: Sequence[Key] = ()
-    frames: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    runs: list[AnswerRuns] = field(default_factory=list)
+    """of each tick, those of all vehicles"""
     due_s: float = math.inf
     """when the first of them has gone without a sample for long enough, or a little before"""
-    some: bool = False
-    """whether there are any"""
+
+    def pop(self) -> Iterator[tuple[int, int]]:
+        """Each system id and its number of frames; nothing if there are none."""
+        if self.runs:
+            frames: list[int] = sum([runs.counts for runs in self.runs]).tolist()  # type: ignore[union-attr]
+            self.runs.clear()
+            for (sysid, _), received in zip(self.keys, frames, strict=True):
+                yield sysid, received
 
 
 class LinkQuality:
@@ -58,20 +63,16 @@ class LinkQuality:
         self._counts: dict[int, _Counts] = {}
         self._together = _Together()
 
-    def count_all(self, keys: Sequence[Key], frames: NDArray[np.int64], now_s: float) -> None:
-        """As `count` for each of some vehicles, with frames (n,)."""
+    def count_all(self, keys: Sequence[Key], runs: AnswerRuns, now_s: float) -> None:
+        """As `count` for each of some vehicles, with its run of frames."""
         together = self._together
-        if together.keys != keys:
+        if together.keys is not keys and together.keys != keys:
             self._settle()
-            due_s = min(map(self._due_s, keys), default=math.inf)
-            together = self._together = _Together(keys, np.zeros(len(keys), np.int64), due_s)
-        together.frames += frames
-        together.some = True
+            together = self._together = _Together(keys, due_s=min(map(self._due_s, keys), default=math.inf))
+        together.runs.append(runs)
         if now_s >= together.due_s:
-            for (sysid, _), received in zip(keys, together.frames.tolist(), strict=True):
+            for sysid, received in together.pop():
                 self._count(sysid, received, now_s)
-            together.frames[:] = 0
-            together.some = False
             together.due_s = min(map(self._due_s, keys))
 
     def _due_s(self, key: Key) -> float:
@@ -80,12 +81,8 @@ class LinkQuality:
 
     def _settle(self) -> None:
         """Count for each vehicle what has been counted for all together."""
-        together = self._together
-        if together.some:
-            for (sysid, _), received in zip(together.keys, together.frames.tolist(), strict=True):
-                self._counts[sysid].received += received
-            together.frames[:] = 0
-            together.some = False
+        for sysid, received in self._together.pop():
+            self._counts[sysid].received += received
 
     def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""

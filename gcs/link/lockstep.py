@@ -267,11 +267,19 @@ class LockstepLink(TickLink):
         that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
         answered get their last bundle every second, so that one that stalls does not make the others leave.
         """
-        wait_s = RESEND_FIRST_S
-        repeat_s = time.monotonic() + REPEAT_S
-        deadline_s = time.monotonic() + wait_s
         self._enrol()
         self._drain()
+        if self._awaited or self._whole:
+            yield from self._late_answers(idle)
+        for keys, runs in self._intake.answers():
+            for k, key in enumerate(keys if self._clocks else ()):
+                self._compare(key, runs[k])
+            yield keys, runs
+
+    def _late_answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
+        """Wait until all have answered; the answers that were read frame by frame."""
+        now_s = time.monotonic()
+        wait_s, deadline_s, repeat_s = RESEND_FIRST_S, now_s + RESEND_FIRST_S, now_s + REPEAT_S
         while self._awaited or self._whole:
             while self._whole:
                 key = self._whole.popleft()
@@ -299,10 +307,6 @@ class LockstepLink(TickLink):
             if time.monotonic() >= repeat_s:
                 self.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
-        for keys, runs in self._intake.answers():
-            for k, key in enumerate(keys if self._clocks else ()):
-                self._compare(key, runs[k])
-            yield keys, runs
 
     def _enrol(self) -> None:
         """Let the intake know who is there."""

@@ -38,10 +38,9 @@ class Digest:
             sent: those that were sent then, each once however often its datagram was repeated.
             lines: decisions made then, as their lines of decisions.jsonl.
         """
-        parts = FrameSpans.of(received), FrameSpans.of(sent), FrameSpans.of(lines)
-        room = sum([len(part.data) + (_PREFIX_BYTES + _LENGTH_BYTES) * len(part) for part in parts])
-        counted = np.empty(room, np.uint8)
-        (one, two, three) = parts
+        one, two, three = FrameSpans.of(received), FrameSpans.of(sent), FrameSpans.of(lines)
+        heads = (_PREFIX_BYTES + _LENGTH_BYTES) * (len(one.spans) + len(two.spans) + len(three.spans))
+        counted = np.empty(len(one.data) + len(two.data) + len(three.data) + heads, np.uint8)
         size = _count(t_ms, one.data, one.spans, two.data, two.spans, three.data, three.spans, counted)
         self._hash.update(counted[:size].data)
 

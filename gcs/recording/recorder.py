@@ -43,10 +43,9 @@ class _File:
         """Write the batch. Raises OSError, with the file cut back to whole records and closed."""
         batch, self.batch = self.batch, bytearray()
         try:
-            with memoryview(batch) as view:
-                at = 0
-                while at < len(batch):
-                    at += os.write(self._fd, view[at:])
+            at = os.write(self._fd, batch) if batch else 0
+            while at < len(batch):
+                at += os.write(self._fd, batch[at:])
         except OSError:
             with contextlib.suppress(OSError):
                 os.ftruncate(self._fd, self.size)
@@ -92,10 +91,9 @@ class Recorder:
     def frames(self, t_us: int, received: Sequence[bytes], sent: Sequence[bytes] = ()) -> None:
         """Record frames in order, received and sent at `t_us` µs since the Unix epoch (session epoch + session
         time)."""
-        if received or sent:
-            self._tlog.batch += stamped(t_us, received, sent)
-            if len(self._tlog.batch) >= BATCH_BYTES or self._end is not None:
-                self._write()
+        self._tlog.batch += stamped(t_us, received, sent)
+        if len(self._tlog.batch) >= BATCH_BYTES or self._end is not None:
+            self._write()
 
     def decisions(self, decisions: Decisions) -> FrameSpans:
         """Record decisions, those that are to be written; the lines of all of them, for the digest.

@@ -17,7 +17,7 @@ _TIME_BYTES = 8
 def stamped(t_us: int, received: Sequence[bytes], sent: Sequence[bytes]) -> memoryview:
     """These frames of one time, the sent ones last."""
     first, last = FrameSpans.of(received), FrameSpans.of(sent)
-    out = np.empty(len(first.data) + len(last.data) + _TIME_BYTES * (len(first) + len(last)), np.uint8)
+    out = np.empty(len(first.data) + len(last.data) + _TIME_BYTES * (len(first.spans) + len(last.spans)), np.uint8)
     return out.data[: _stamp(t_us, first.data, first.spans, last.data, last.spans, out)]
 
 

@@ -30,7 +30,7 @@ from gcs.link.intake import Intake, numbered
 from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
-from gcs.mavlink.boot_clock import CLOCKS, BootClock
+from gcs.mavlink.boot_clock import ComparedClocks
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.datagram import NOWHERE, NUMBERS, FrameRun, runs_of
 from gcs.mavlink.ids import STATION
@@ -126,8 +126,7 @@ class LockstepLink(TickLink):
         """the same of those who know the session's secret: two of its own processes say that they are one vehicle"""
         self.malformed = 0
         self.resent = 0
-        self._clocks: dict[Key, BootClock] = {}
-        self._rebooted: set[int] = set()
+        self._clocks = ComparedClocks()
         self._granted_ms = 0
 
     @property
@@ -273,7 +272,7 @@ class LockstepLink(TickLink):
             yield from self._late_answers(idle)
         for keys, runs in self._intake.answers():
             for k, key in enumerate(keys if self._clocks else ()):
-                self._compare(key, runs[k])
+                self._clocks.feed(key, runs[k], self._granted_ms / 1e3)
             yield keys, runs
 
     def _late_answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
@@ -286,7 +285,7 @@ class LockstepLink(TickLink):
                 if key in self._peers:
                     self._peers[key].held = 0
                     frames = self._peers[key].collector.pop_frames()
-                    self._compare(key, frames)
+                    self._clocks.feed(key, frames, self._granted_ms / 1e3)
                     yield [key], [frames]
             if not self._awaited:
                 continue
@@ -325,25 +324,15 @@ class LockstepLink(TickLink):
 
     def compare_clocks(self, keys: Iterable[Key]) -> None:
         """Compare the own clocks of these vehicles, whose autopilot is not ours, with the session's."""
-        self._clocks = {key: BootClock() for key in keys}
+        self._clocks = ComparedClocks(keys)
 
     def clock_offsets_s(self) -> dict[int, float]:
         """As `Link.clock_offsets_s`, of those whose clocks are compared."""
-        offsets = {key[0]: clock.offset_s for key, clock in self._clocks.items()}
-        return {sysid: offset_s for sysid, offset_s in offsets.items() if offset_s is not None}
+        return self._clocks.offsets_s()
 
     def pop_rebooted(self) -> set[int]:
         """As `Link.pop_rebooted`, of those whose clocks are compared."""
-        rebooted, self._rebooted = self._rebooted, set()
-        return rebooted
-
-    def _compare(self, key: Key, frames: Sequence[Frame]) -> None:
-        clock = self._clocks.get(key)
-        for frame in frames if clock is not None else ():
-            if frame.msgid in CLOCKS:
-                assert clock is not None
-                if clock.feed(frame.msgid, codec.fields(frame).time_boot_ms / 1e3, self._granted_ms / 1e3):
-                    self._rebooted.add(key[0])
+        return self._clocks.pop_rebooted()
 
     def repeat(self) -> None:
         """Send every last bundle again, so that vehicles know during a pause that they are not forgotten."""

@@ -8,8 +8,10 @@ simulated autopilot, which stands still whenever its machine is busy, by a secon
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 
 from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
 
 CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
 """Messages that carry a vehicle's time; the second comes also while it has not found its place, as after a boot."""
@@ -49,3 +51,35 @@ class BootClock:
         """Offset from boot time to the session's, s; None before the first message."""
         offset_s = min(self._least_s, self._least_before_s)
         return offset_s if math.isfinite(offset_s) else None
+
+
+class ComparedClocks:
+    """The clocks of some vehicles, by (system, component)."""
+
+    def __init__(self, keys: Iterable[tuple[int, int]] = ()) -> None:
+        self._clocks = {key: BootClock() for key in keys}
+        self._rebooted: set[int] = set()
+
+    def __bool__(self) -> bool:
+        return bool(self._clocks)
+
+    def feed(self, key: tuple[int, int], frames: Sequence[Frame], arrival_s: float) -> None:
+        """Frames of a vehicle arrived then; those of one whose clock is not compared are passed over."""
+        clock = self._clocks.get(key)
+        if clock is None:
+            return
+        for frame in frames:
+            if frame.msgid in CLOCKS:
+                boot_s = codec.fields(frame).time_boot_ms / 1e3
+                if clock.feed(frame.msgid, boot_s, arrival_s):
+                    self._rebooted.add(key[0])
+
+    def offsets_s(self) -> dict[int, float]:
+        """Offset from boot time to the session's by system id, of those who have told a time."""
+        offsets = {key[0]: clock.offset_s for key, clock in self._clocks.items()}
+        return {sysid: offset_s for sysid, offset_s in offsets.items() if offset_s is not None}
+
+    def pop_rebooted(self) -> set[int]:
+        """System ids of those who have booted anew since the last call."""
+        rebooted, self._rebooted = self._rebooted, set()
+        return rebooted

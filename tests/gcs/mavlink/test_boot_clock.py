@@ -2,7 +2,8 @@
 
 import pytest
 
-from gcs.mavlink.boot_clock import WINDOW_S, BootClock
+from gcs.mavlink import codec
+from gcs.mavlink.boot_clock import WINDOW_S, BootClock, ComparedClocks
 
 OFFSET_S = 812.5
 POSITION, ATTITUDE = 32, 30
@@ -66,3 +67,26 @@ def test_a_boot_is_told_once_by_all_messages() -> None:
     assert not clock.feed(ATTITUDE, 100.0, 100.0)
     assert clock.feed(POSITION, 0.5, 110.0)
     assert not clock.feed(ATTITUDE, 0.5, 110.0)
+
+
+def test_clocks_are_compared_of_some_vehicles_and_their_boots_told_once() -> None:
+    clocks = ComparedClocks([(1, 1), (2, 1)])
+    still = dict.fromkeys(("roll", "pitch", "yaw", "rollspeed", "pitchspeed", "yawspeed"), 0.0)
+
+    def hear(sysid: int, boot_ms: int, arrival_s: float) -> None:
+        attitude = codec.encode("ATTITUDE", 0, sysid, 1, time_boot_ms=boot_ms, **still)
+        beat = codec.encode("HEARTBEAT", 1, sysid, 1, type=2, autopilot=3, base_mode=0, custom_mode=0, system_status=3)
+        clocks.feed((sysid, 1), codec.split(attitude + beat).frames, arrival_s)
+
+    assert clocks
+    assert not ComparedClocks()
+    assert clocks.offsets_s() == {}
+    hear(1, 5_000, 12.0)
+    hear(3, 5_000, 99.0)  # of whom nobody asked
+    assert clocks.offsets_s() == {1: 7.0}
+    assert clocks.pop_rebooted() == set()
+    hear(2, 1_000, 12.0)
+    hear(1, 500, 13.0)
+    assert clocks.offsets_s() == {1: 12.5, 2: 11.0}
+    assert clocks.pop_rebooted() == {1}
+    assert clocks.pop_rebooted() == set()

@@ -65,6 +65,7 @@ _DATAGRAM_FROM = struct.Struct("=HH4s8x")
 _ADDRESS_BYTES = _DATAGRAM_FROM.size
 _DONTWAIT = int(socket.MSG_DONTWAIT)
 
+_sched_yield = external("sched_yield", "int32")
 _recvfrom = external("recvfrom", "intp", "int32", "uintp", "uintp", "int32", "uintp", "uintp")
 
 
@@ -97,18 +98,21 @@ class Inbox:
         rows = [(*struct.unpack("=q8x", packed(address)), number) for address, number in origins.items()]
         self._origins = np.array(rows, np.int64).reshape(-1, 2)
 
-    def receive(self, fd: int, most: int, left: int, awaited: Ints, lanes: Ints, *, lost: bool = False) -> int:
+    def receive(
+        self, fd: int, most: int, left: int, awaited: Ints, lanes: Ints, *, yields: int = 0, lost: bool = False
+    ) -> int:
         """Receive datagrams that have come to this socket until `most` wait to be looked into, and `left` at most; look
         into those that wait, up to the first that holds something else than whole answers.
 
         `awaited` (vehicles, AWAITED) is filled for those whose answers were found; `lanes` (256,) are its rows by
-        system id, else -1. `lost`: let one datagram go. With `most` 0 nothing is received. What it ends with; then
+        system id, else -1. `yields`: so often, where nothing is there, let another process run, and look again. `lost`:
+        let one datagram go. With `most` 0 nothing is received. What it ends with; then
         `answered`, `taken`, `stray` and `stopped` have more to say.
         """
         self._before = self._cell[_ANSWERS]
         return _receive(
-            fd, most, left, lost, self._sizes, self._data, self._sender, self._origins, self._bounds, self._cells,
-            SEEDS, CRC_TABLE, self._begins, self._rows, lanes, awaited, self._order,
+            fd, most, left, yields, lost, self._sizes, self._data, self._sender, self._origins, self._bounds,
+            self._cells, SEEDS, CRC_TABLE, self._begins, self._rows, lanes, awaited, self._order,
         )  # fmt: skip
 
     @property
@@ -210,6 +214,7 @@ def _compiled(build: int) -> Callable[..., int]:
         fd: int,
         most: int,
         left: int,
+        yields: int,
         lost: bool,
         sizes: Ints,
         data: Bytes,
@@ -235,6 +240,10 @@ def _compiled(build: int) -> Callable[..., int]:
             sender[2] = _ADDRESS_BYTES
             where = sender.ctypes.data
             size = _recvfrom(fd, data.ctypes.data + at, sizes[1], _DONTWAIT, where, where + _ADDRESS_BYTES)
+            if size < 0 and yields > 0:
+                yields -= 1
+                _sched_yield()
+                continue
             if size < 0:
                 met = NOTHING
                 break

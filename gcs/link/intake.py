@@ -49,9 +49,9 @@ class Intake:
         if key in self._keys:
             self._table[self._keys.index(key), ADDRESS] = NOWHERE
 
-    def receive(self, fd: int, most: int, left: int, *, lost: bool = False) -> int:
+    def receive(self, fd: int, most: int, left: int, *, yields: int = 0, lost: bool = False) -> int:
         """As `Inbox.receive`; whose answers were found is in `answered`."""
-        return self.inbox.receive(fd, most, left, self._table, self._lanes, lost=lost)
+        return self.inbox.receive(fd, most, left, self._table, self._lanes, yields=yields, lost=lost)
 
     def answered(self) -> list[Key]:
         """Vehicles whose answers the last call of `receive` has found."""

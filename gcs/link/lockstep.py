@@ -41,6 +41,10 @@ RECEIVE_BYTES = 16_384
 """A longer datagram is no answer, and is cut."""
 HELLO_BYTES = 64
 """No hello is longer."""
+YIELDS = 100
+"""So often the processor is left to others before a tick's late answers are slept for. A vehicle that has a process to
+itself answers in some ten microseconds, and the sleep would cost as much; several together take so long that looking
+again and again would take time from them."""
 MOST_AT_ONCE = 4096
 """Datagrams that are taken in before anything else has its turn."""
 SECRET_BITS = 64
@@ -107,6 +111,7 @@ class LockstepLink(TickLink):
         """by number"""
         self._intake = Intake(MOST_AT_ONCE, RECEIVE_BYTES, HELLO_BYTES)
         self._enrolled = False
+        self._yields = 0
         self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
         self._roster: Roster | None = None
@@ -262,12 +267,13 @@ class LockstepLink(TickLink):
         """Every vehicle's answer to the last grant: those that fill datagrams all together when everybody has answered,
         the others each as soon as it is whole.
 
-        Waits without spinning; after 20 ms without progress, doubling to 200 ms, the same bytes go out again to those
-        that are missing, and `idle` is called: it sees whether they still live and may call `leave`. Those that have
-        answered get their last bundle every second, so that one that stalls does not make the others leave.
+        Waits without spinning, but for some looks at the beginning; after 20 ms without progress, doubling to 200 ms,
+        the same bytes go out again to those that are missing, and `idle` is called: it sees whether they still live and
+        may call `leave`. Those that have answered get their last bundle every second, so that one that stalls does not
+        make the others leave.
         """
         self._enrol()
-        self._drain()
+        self._drain(self._yields)
         if self._awaited or self._whole:
             yield from self._late_answers(idle)
         for keys, runs in self._intake.answers():
@@ -317,6 +323,7 @@ class LockstepLink(TickLink):
                 vehicles.append((key, peer.collector, origin.number if received else NOWHERE))
             origins = {origin.address: origin.number for origin in self._origins.values()}
             self._intake.enrol(vehicles, origins)
+            self._yields = 0 if any(origin.shared for origin in self._origins.values()) else YIELDS
             self._enrolled = True
 
     def begin(self) -> None:
@@ -372,14 +379,16 @@ class LockstepLink(TickLink):
         with contextlib.suppress(OSError):
             self._socket.sendto(datagram, address)
 
-    def _drain(self) -> bool:
-        """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress."""
+    def _drain(self, yields: int = 0) -> bool:
+        """Take in the datagrams that have come, MOST_AT_ONCE at most; whether any tick made progress. `yields`: as
+        `Inbox.receive`."""
         progress, left = False, MOST_AT_ONCE
         intake, inbox, fd = self._intake, self._intake.inbox, self._socket.fileno()
         while left > 0 and (self._awaited or not progress):  # what else there is can wait
             lost = self._drop > 0.0 and self._random.random() < self._drop
-            met = intake.receive(fd, 1 if self._drop else len(self._awaited) or 1, left, lost=lost)
-            left -= inbox.taken
+            most = 1 if self._drop else len(self._awaited) or 1
+            met = intake.receive(fd, most, left, yields=yields, lost=lost)
+            left, yields = left - inbox.taken, 0
             stray = inbox.stray() if met in (UNKNOWN, FULL) else None
             progress |= self._take_in()
             if met == NOTHING:

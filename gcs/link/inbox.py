@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import socket
 import struct
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -93,10 +93,14 @@ class Inbox:
         self._sender = np.zeros(_ADDRESS_BYTES // 8 + 1, np.int64)
         self._origins = np.empty((0, 2), np.int64)
 
-    def know(self, origins: Mapping[Address, int]) -> None:
-        """Take in what comes from these addresses from now on, under these numbers."""
-        rows = [(*struct.unpack("=q8x", packed(address)), number) for address, number in origins.items()]
-        self._origins = np.array(rows, np.int64).reshape(-1, 2)
+    def know(self, address: Address, number: int) -> None:
+        """Take in what comes from this address from now on, under this number."""
+        (place,) = struct.unpack("=q8x", packed(address))
+        self._origins = np.vstack((self._origins, np.array([[place, number]])))
+
+    def forget(self, number: int) -> None:
+        """Take in nothing more of the address with this number."""
+        self._origins = self._origins[self._origins[:, 1] != number]
 
     def receive(
         self, fd: int, most: int, left: int, awaited: Ints, lanes: Ints, *, yields: int = 0, lost: bool = False

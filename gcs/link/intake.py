@@ -3,12 +3,12 @@ compiled code; of all the rest the link is told."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from gcs.kernels import UNCOUNTED, kernel
-from gcs.link.inbox import ALONE, SHARED_BY, Address, Inbox, Ints
+from gcs.link.inbox import ALONE, SHARED_BY, Inbox, Ints
 from gcs.link.link import Key
 from gcs.mavlink.datagram import ADDRESS, AWAITED, GRANTED_MS, NOT_GRANTED, NOWHERE, NUMBERS, AnswerRuns
 from gcs.mavlink.sequence import TickCollector
@@ -27,9 +27,8 @@ class Intake:
         self._lanes = np.full(NUMBERS, -1)
         self._keys: list[Key] = []
 
-    def enrol(self, vehicles: Sequence[tuple[Key, TickCollector, int]], origins: Mapping[Address, int]) -> None:
-        """Know these vehicles from now on, in their order: key, collector, number of the address, or NOWHERE; and
-        these addresses."""
+    def enrol(self, vehicles: Sequence[tuple[Key, TickCollector, int]]) -> None:
+        """Know these vehicles from now on, in their order: key, collector, number of the address, or NOWHERE."""
         self._keys = [key for key, *_ in vehicles]
         table, lanes = np.empty((len(vehicles), AWAITED), np.int64), np.full(NUMBERS, -1)
         for k, (key, collector, number) in enumerate(vehicles):
@@ -37,7 +36,6 @@ class Intake:
             table[k, ADDRESS] = number
             lanes[key[0]] = k
         self._table, self._lanes = table, lanes
-        self.inbox.know(origins)
 
     def begin(self, keys: Sequence[Key], t_ms: int) -> bool:
         """Let all who are enrolled wait for the answer to a grant at once; False where these are others, or an earlier

@@ -184,6 +184,7 @@ class LockstepLink(TickLink):
             del origin.peers[key[0]]
             if not origin.peers:
                 del self._by_address[peer.address], self._origins[origin.number]
+                self._intake.inbox.forget(origin.number)
         self._expected.discard(key)
         self._awaited.discard(key)
         self._waiting.discard(key)
@@ -321,8 +322,7 @@ class LockstepLink(TickLink):
                 origin = self._by_address[peer.address]
                 received = origin.shared or origin.first is peer
                 vehicles.append((key, peer.collector, origin.number if received else NOWHERE))
-            origins = {origin.address: origin.number for origin in self._origins.values()}
-            self._intake.enrol(vehicles, origins)
+            self._intake.enrol(vehicles)
             self._yields = 0 if any(origin.shared for origin in self._origins.values()) else YIELDS
             self._enrolled = True
 
@@ -467,6 +467,7 @@ class LockstepLink(TickLink):
             if address not in self._by_address:
                 number = numbered(next(self._numbers), shared=hello.shared)
                 self._by_address[address] = self._origins[number] = _Origin(number, address, hello.shared)
+                self._intake.inbox.know(address, number)
             self._by_address[address].peers[key[0]] = peer
 
 

@@ -78,7 +78,8 @@ def _rehearse_answer(fleet: Fleet, sysid: int) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as loop:
         loop.bind(("127.0.0.1", 0))
         number = numbered(0, shared=False)
-        intake.enrol([(key, collector, number)], {loop.getsockname(): number})
+        intake.enrol([(key, collector, number)])
+        intake.inbox.know(loop.getsockname(), number)
         intake.begin([key], 0)
         loop.sendto(answer, loop.getsockname())
         intake.receive(loop.fileno(), 1, 1)

@@ -48,7 +48,10 @@ def test_every_datagram_is_an_answer_or_handed_over(sockets: list[socket.socket]
         collector.live_in(awaited[k])
         awaited[k, ADDRESS] = numbered(k, shared=False)
         lanes[k + 1] = k
-    inbox.know({senders[k].getsockname(): numbered(k, shared=False) for k in range(KNOWN)})
+    inbox.know(senders[-1].getsockname(), numbered(KNOWN, shared=False))
+    for k in range(KNOWN):
+        inbox.know(senders[k].getsockname(), numbered(k, shared=False))
+    inbox.forget(numbered(KNOWN, shared=False))
     numbers = [2] * KNOWN
     for tick in range(60):
         expected: dict[int, bytes] = {}
@@ -100,7 +103,7 @@ def test_every_datagram_is_an_answer_or_handed_over(sockets: list[socket.socket]
 def test_one_is_let_go_where_it_is_to_be_lost(sockets: list[socket.socket]) -> None:
     inbox = Inbox(1 << 10, 10, 300, UNKNOWN_BYTES)
     none, lanes = np.empty((0, AWAITED), np.int64), np.full(NUMBERS, -1)
-    inbox.know({sockets[1].getsockname(): numbered(0, shared=False)})
+    inbox.know(sockets[1].getsockname(), numbered(0, shared=False))
     for text in (b"lost", b"kept"):
         sockets[1].send(text)
     assert inbox.receive(sockets[0].fileno(), 5, 5, none, lanes, lost=True) == LOST

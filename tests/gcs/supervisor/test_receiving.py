@@ -1,16 +1,15 @@
 """Answers that are taken in by the datagram, against the same datagrams taken in frame by frame: what is delivered, and
 what the fleet, the gaps, the link's quality and the events say afterwards."""
 
+import contextlib
 import random
 import socket
-from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import pytest
 
-from gcs.link.bundles import Address
 from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
@@ -22,36 +21,24 @@ from gcs.scenario.model import Scenario
 from gcs.supervisor.supervisor import Supervisor
 
 SECRET = 7
+Place = int
+"""A socket of the test's, by its number."""
+NOBODY: Place = -1
 NAMES = ["HEARTBEAT", "ATTITUDE", "ATTITUDE", "LOCAL_POSITION_NED", "LOCAL_POSITION_NED", "BATTERY_STATUS",
          "SYS_STATUS", "EXTENDED_SYS_STATE", "NAMED_VALUE_FLOAT", "NAMED_VALUE_INT", "PARAM_VALUE", "STATUSTEXT",
          "COMMAND_ACK", "ADSB_VEHICLE", "GPS_GLOBAL_ORIGIN", "HOME_POSITION", "GLOBAL_POSITION_INT",
          "DEBUG_VECT"]  # fmt: skip
 
 
-class Wire:
-    """A socket into which the test writes."""
-
-    def __init__(self) -> None:
-        self.coming: deque[tuple[bytes, Address]] = deque()
-
-    def recvfrom_into(self, room: memoryview) -> tuple[int, Address]:
-        if not self.coming:
-            raise BlockingIOError
-        datagram, address = self.coming.popleft()
-        room[: len(datagram)] = datagram
-        return len(datagram), address
-
-    def sendto(self, datagram: bytes, address: Address) -> None:
-        pass
-
-
 class Side:
     """A supervisor and its link; `alone`: frame by frame."""
 
-    def __init__(self, scenario: Scenario, addresses: dict[Key, Address], folder: Path, *, alone: bool) -> None:
-        self.link, self.wire = LockstepLink(), Wire()
-        self.link.close()
-        self.link._socket = cast(socket.socket, self.wire)
+    def __init__(self, scenario: Scenario, addresses: dict[Key, Place], folder: Path, *, alone: bool) -> None:
+        self.link = LockstepLink()
+        places = {*addresses.values(), NOBODY}
+        self.sockets = {place: socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for place in places}
+        for one in self.sockets.values():
+            one.connect(("127.0.0.1", self.link.port))
         self.link.secret = SECRET
         self.alone, self.together = alone, 0
         self.link.expect(addresses)
@@ -60,8 +47,8 @@ class Side:
             hello = codec.encode("HEARTBEAT", 0, *key, type=2, autopilot=12, base_mode=0, custom_mode=0,
                                  system_status=3)  # fmt: skip
             hello += codec.encode("SYSTEM_TIME", 1, *key, time_unix_usec=SECRET, time_boot_ms=int(address in shared))
-            self.wire.coming.append((hello, address))
-        self.link._drain()
+            self.sockets[address].send(hello)
+        self.link.listen(0.0)
         folder.mkdir()
         self.supervisor = Supervisor(scenario, self.link, Recorder(folder))
 
@@ -70,10 +57,13 @@ class Side:
         self.link.grant_all(TickGrants(t_ms, 0, keys, (), points, {}))
         self.link._enrolled |= self.alone
 
-    def take(self, datagrams: list[tuple[bytes, Address]]) -> list[Key]:
-        self.wire.coming.extend(datagrams)
-        while self.wire.coming:
-            self.link._drain()
+    def take(self, datagrams: list[tuple[bytes, Place]]) -> list[Key]:
+        for datagram, place in datagrams:
+            self.sockets[place].send(datagram)
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                self.link._socket.recv(1, socket.MSG_PEEK)
+                self.link._drain()
         return self.link.awaited
 
     def delivered(self, now_s: float) -> Any:
@@ -81,6 +71,11 @@ class Side:
         self.together += sum(len(frames) for _, frames in answers if isinstance(frames, AnswerRuns))
         arrived, by_system = self.supervisor._receive(answers, now_s)
         return list(arrived), {sysid: list(frames) for sysid, frames in by_system.items()}
+
+    def close(self) -> None:
+        self.link.close()
+        for one in self.sockets.values():
+            one.close()
 
     def state(self, now_s: float) -> Any:
         supervisor = self.supervisor
@@ -112,10 +107,10 @@ def values(name: str, rng: random.Random) -> dict[str, Any]:
 class Vehicles:
     """Those on the other side, whose datagrams meet with everything."""
 
-    def __init__(self, rng: random.Random, addresses: dict[Key, Address]) -> None:
+    def __init__(self, rng: random.Random, addresses: dict[Key, Place]) -> None:
         self.rng, self.addresses = rng, addresses
         self.numbers = dict.fromkeys(addresses, 2)
-        self.before: list[tuple[bytes, Address]] = []
+        self.before: list[tuple[bytes, Place]] = []
 
     def answers(self, keys: list[Key], t_ms: int) -> dict[Key, list[bytes]]:
         """Frames of everybody's answer."""
@@ -132,11 +127,11 @@ class Vehicles:
             told[key] = frames
         return told
 
-    def whole(self, told: dict[Key, list[bytes]]) -> list[tuple[bytes, Address]]:
+    def whole(self, told: dict[Key, list[bytes]]) -> list[tuple[bytes, Place]]:
         """The answers in as few datagrams as may be, in any order."""
         keys = list(told)
         self.rng.shuffle(keys)
-        by_address: dict[Address, bytes] = {}
+        by_address: dict[Place, bytes] = {}
         datagrams = []
         for key in keys:
             address = self.addresses[key]
@@ -145,7 +140,7 @@ class Vehicles:
                 datagrams.append((by_address.pop(address), address))
         return [*datagrams, *((datagram, address) for address, datagram in by_address.items())]
 
-    def mangled(self, told: dict[Key, list[bytes]]) -> Iterator[tuple[bytes, Address]]:
+    def mangled(self, told: dict[Key, list[bytes]]) -> Iterator[tuple[bytes, Place]]:
         """The same with losses, cuts, repetitions, and what others say."""
         rng = self.rng
         datagrams = self.whole(told)
@@ -171,7 +166,7 @@ class Vehicles:
                 other = codec.encode("ATTITUDE", rng.randrange(256), *sender, **values("ATTITUDE", rng))
                 yield rng.choice([other + datagram, datagram + other]), address
             elif draw < 0.42:
-                yield datagram, rng.choice([*self.addresses.values(), ("127.0.0.1", 9)])
+                yield datagram, rng.choice([*self.addresses.values(), NOBODY])
             elif draw < 0.46:
                 yield b"".join(codec.sent_by(frame, 2).raw for frame in codec.split(datagram).frames), address
             else:
@@ -186,8 +181,7 @@ def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tm
     rng = random.Random(seed)
     scenario = load(find("fleet"))
     keys = [(sysid, 1) for sysid in range(1, 13)]
-    places = [("127.0.0.1", 20_000 + k) for k in range(12)]
-    addresses = {key: places[k // (1, 4, 12)[seed % 3]] for k, key in enumerate(keys)}
+    addresses = {key: k // (1, 4, 12)[seed % 3] for k, key in enumerate(keys)}
     both = [Side(scenario, addresses, tmp_path / str(alone), alone=alone) for alone in (False, True)]
     usual, alone = both
     assert usual.link.joined == alone.link.joined == set(keys)
@@ -214,6 +208,8 @@ def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tm
     assert 400 < usual.together < 1750
     lost = sum(usual.supervisor.gaps.lost_of.values())
     assert lost == 0
+    for side in both:
+        side.close()
 
 
 def test_a_tick_that_does_not_fit_the_buffer_is_received_all_the_same(
@@ -222,7 +218,7 @@ def test_a_tick_that_does_not_fit_the_buffer_is_received_all_the_same(
     monkeypatch.setattr("gcs.link.intake.BUFFER_BYTES", 300)
     rng = random.Random(1)
     keys = [(sysid, 1) for sysid in range(1, 13)]
-    addresses = {key: ("127.0.0.1", 20_000 + key[0]) for key in keys}
+    addresses = {key: key[0] for key in keys}
     side = Side(load(find("fleet")), addresses, tmp_path / "one", alone=False)
     vehicles = Vehicles(rng, addresses)
     for tick in range(50):
@@ -232,3 +228,4 @@ def test_a_tick_that_does_not_fit_the_buffer_is_received_all_the_same(
         arrived, _ = side.delivered(0.1 * tick)
         assert arrived == [raw for key in keys for raw in told[key]]
     assert 50 < side.together < 400
+    side.close()

@@ -8,12 +8,10 @@ import random
 import secrets
 import socket
 import tempfile
-from collections import deque
 from pathlib import Path
-from typing import cast
 
 import numpy as np
-from measure import Figure, cpu_times
+from measure import Figure, Prepared, cpu_times
 from pymavlink.dialects.v20 import common
 
 from gcs.link.bundles import Bundles, Roster
@@ -60,58 +58,44 @@ def hot_frames() -> list[bytes]:
     return frames
 
 
-class _Wire:
-    """A socket that has datagrams."""
-
-    def __init__(self) -> None:
-        self.coming: deque[tuple[bytes, tuple[str, int]]] = deque()
-
-    def recvfrom_into(self, room: memoryview) -> tuple[int, tuple[str, int]]:
-        if not self.coming:
-            raise BlockingIOError
-        datagram, address = self.coming.popleft()
-        room[: len(datagram)] = datagram
-        return len(datagram), address
-
-    def sendto(self, datagram: bytes, address: tuple[str, int]) -> None:
-        pass
-
-
 class Flown:
-    """A supervisor of the shipped fleet and its link, handed the datagrams of one tick after the other: what they do
-    with them from the datagram on, up to the snapshot."""
+    """A supervisor of the shipped fleet and its link, sent the datagrams of one tick after the other: what they do with
+    them from the socket on, up to the snapshot."""
 
     def __init__(self, ticks: list[list[bytes]]) -> None:
-        self._link, self._wire = LockstepLink(), _Wire()
-        self._link.close()
-        self._link._socket = cast(socket.socket, self._wire)
+        self._link = LockstepLink()
         self._ticks = ticks
         self._tick = 0
         self._keys: list[Key] = [(sysid, 1) for sysid in range(1, VEHICLES + 1)]
+        self._sockets = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in self._keys]
         self._link.expect(self._keys)
-        for key in self._keys:
+        for key, one in zip(self._keys, self._sockets, strict=True):
+            one.connect(("127.0.0.1", self._link.port))
             hello = [codec.frame(codec.message("HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0,
                      system_status=3), 0, *key), codec.encode("SYSTEM_TIME", 1, *key,
                      time_unix_usec=self._link.secret, time_boot_ms=0)]  # fmt: skip
-            self._wire.coming.append((b"".join(hello), ("127.0.0.1", PORT + key[0])))
-        self._link._drain()
+            one.send(b"".join(hello))
+        self._link.listen(0.0)
         scenario = load(find("fleet"))
         assert {(v.sysid, 1) for v in scenario.vehicles.all} == set(self._keys)
         self.supervisor = Supervisor(scenario, self._link, Recorder(Path(tempfile.mkdtemp())))
 
-    def tick(self) -> None:
-        """The next one; after the last the first again, its numbers new."""
+    def send(self) -> None:
+        """The vehicles' answers to the next tick; after the last the first again, its numbers new."""
         link, at = self._link, self._tick % TICKS
         self._tick += 1
         if at == 0:
             for key in self._keys:
                 link._peers[key].collector = TickCollector(*key)
             link._enrolled = False
-        for key, datagram in zip(self._keys, self._ticks[at], strict=True):
+        for key, one, datagram in zip(self._keys, self._sockets, self._ticks[at], strict=True):
             link._peers[key].collector.begin(PERIOD_MS * (at + 1))
-            self._wire.coming.append((datagram, ("127.0.0.1", PORT + key[0])))
+            one.send(datagram)
         link._awaited.update(self._keys)
-        arrived, _ = self.supervisor._receive(link.answers(lambda: None), 0.1 * self._tick)
+
+    def receive(self) -> None:
+        """Take them in."""
+        arrived, _ = self.supervisor._receive(self._link.answers(lambda: None), 0.1 * self._tick)
         assert len(arrived) == 7 * VEHICLES
         self.supervisor.fleet.snapshot(0.1 * self._tick)
 
@@ -187,11 +171,12 @@ def reading() -> list[Figure]:
         assert view.control_effort == told["NAMED_VALUE_FLOAT"].value
 
     tick_s, read_s, decode_s, replay_s, report_s, peer_s = cpu_times(
-        flown.tick, read, decode, replay, report, lambda: [peer.parse_buffer(datagram) for datagram in ticks[0]]
-    )
+        Prepared(flown.send, flown.receive), read, decode, replay, report,
+        lambda: [peer.parse_buffer(datagram) for datagram in ticks[0]],
+    )  # fmt: skip
     unit, other, theirs = "messages/CPU s", "pymavlink parse_buffer", count / peer_s
     return [
-        Figure(1, "live: datagram → link → fleet → snapshot", count / tick_s, unit, 9.0, False, True, other, theirs),
+        Figure(1, "live: socket → link → fleet → snapshot", count / tick_s, unit, 9.0, False, True, other, theirs),
         Figure(1, "  of it datagram → fleet, decode as flown", count / read_s, unit, 9.0, False, True, other, theirs),
         Figure(1, "split and decode of any message", count / decode_s, unit, 4.0, False, True, other, theirs),
         Figure(1, "replay: tlog → fleet", TICKS * count / replay_s, unit, 1.3, False, True, other, theirs),

@@ -81,23 +81,45 @@ def calibrate() -> Scale:
     return Scale(reference_s / statistics.median(cpu), reference_s / statistics.median(wall))
 
 
-def cpu_times(*jobs: Callable[[], object], least_s: float = 0.02) -> list[float]:
+@dataclass(frozen=True)
+class Prepared:
+    """A job, and what has to be done before each of its calls, whose time does not count."""
+
+    before: Callable[[], object]
+    job: Callable[[], object]
+
+    def timed(self, count: int) -> float:
+        """CPU seconds of so many calls."""
+        spent_s = 0.0
+        for _ in range(count):
+            self.before()
+            begun_s = time.process_time()
+            self.job()
+            spent_s += time.process_time() - begun_s
+        return spent_s
+
+
+def _timed(job: Callable[[], object] | Prepared, count: int) -> float:
+    if isinstance(job, Prepared):
+        return job.timed(count)
+    begun_s = time.process_time()
+    for _ in range(count):
+        job()
+    return time.process_time() - begun_s
+
+
+def cpu_times(*jobs: Callable[[], object] | Prepared, least_s: float = 0.02) -> list[float]:
     """CPU seconds of one call of each job: medians over rounds in which they take turns."""
     repeats = []
     for job in jobs:
-        job()
+        _timed(job, 1)
         count, spent = 0, 0.0
         while spent < least_s:
-            begun = time.process_time()
-            job()
-            spent += time.process_time() - begun
+            spent += _timed(job, 1)
             count += 1
         repeats.append(count)
     rounds: list[list[float]] = [[] for _ in jobs]
     for _ in range(ROUNDS):
         for job, count, times in zip(jobs, repeats, rounds, strict=True):
-            begun = time.process_time()
-            for _ in range(count):
-                job()
-            times.append((time.process_time() - begun) / count)
+            times.append(_timed(job, count) / count)
     return [statistics.median(times) for times in rounds]

@@ -75,11 +75,6 @@ class Replayed:
     def recv(self, size: int) -> bytes:
         return self.recvfrom(size)[0]
 
-    def recvfrom_into(self, room: memoryview) -> tuple[int, Any]:
-        datagram, address = self.recvfrom(len(room))
-        room[: len(datagram)] = datagram
-        return len(datagram), address
-
     def send(self, data: bytes) -> int:
         return len(data)
 
@@ -128,13 +123,13 @@ def simvehicle(hostile: Hostile) -> Iterator[Callable[[int], None]]:
 def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """Both ends of a supervised link: strangers and the joined vehicle's own address, and bundles to a vehicle."""
     link = LockstepLink()
-    link._socket.close()
-    wire = Replayed()
-    link._socket = cast(socket.socket, wire)
+    vehicle, stranger = (socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(2))
+    for one in (vehicle, stranger):
+        one.connect(("127.0.0.1", link.port))
     link.expect([KEY, (9, 1)])
     own = Grants(Connection(7))
     hello = own.hello(_unit(Connection(7)).hello(), link.secret)
-    wire.waiting.append((hello, WHERE))
+    vehicle.send(hello)
     link._drain()
     assert link.joined == {KEY}
     grants = Grants(Connection(7))
@@ -143,8 +138,7 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     def attack(n: int) -> None:
         for _ in range(50):
             datagram = hostile.datagram()
-            address = WHERE if hostile.random.random() < 0.5 else ("127.0.0.1", hostile.random.randrange(1024, 1 << 16))
-            wire.waiting.append((datagram, address))
+            (vehicle if hostile.random.random() < 0.5 else stranger).send(datagram)
             link._drain()
             list(bundles(datagram))
             if isinstance(bundle := grants.feed(tuple(split(datagram))), Bundle):
@@ -160,7 +154,8 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
         _ = n
 
     yield attack
-    link.close()
+    for one in (link, vehicle, stranger):
+        one.close()
 
 
 def _scenario(**more: Any) -> Scenario:

@@ -47,7 +47,8 @@ class FleetArming:
     def due(self, columns: FleetColumns) -> list[int]:
         """System ids, in order, of those that have to be asked now; `columns` are of the views they will be shown."""
         self._look_at_touched()
-        self._restless.update(self._stamps.new(columns))
+        if new := self._stamps.new(columns):
+            self._restless.update(new)
         return sorted(self._restless) if self._restless else []
 
     def asked(self, sysid: int, view: VehicleView) -> None:

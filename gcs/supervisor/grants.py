@@ -5,10 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from gcs.link.link import Key
 from gcs.mavlink.ids import TRAFFIC
 from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
-from gcs.telemetry.columns import UNSTAMPED
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
 HEARTBEAT_EVERY_MS = 1000
@@ -48,18 +50,18 @@ class OwnFrames:
 
     def __init__(self) -> None:
         self._placer = SetPointPlacer()
-        self._stamped: tuple[tuple[int, ...], bytes] = ((), b"")
+        self._sysids: tuple[int, ...] = ()
+        self._stamps: NDArray[np.int64] | None = None
         self._offsets_ned: list[Vec3] = []
         self._turns_rad: list[float] = []
 
     def placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot, time_ms: int) -> PlacedSetPoints:
         """These set points as they are sent. Every vehicle of theirs has told where its frame lies."""
         points, stamps = SetPoints.of(set_points), snapshot.columns.stamps
-        stamped = (points.sysids, stamps.tobytes())
-        if stamped != self._stamped or (points.sysids and stamps[0] == UNSTAMPED):
+        if stamps is not self._stamps or (points.sysids is not self._sysids and points.sysids != self._sysids):
             views = [snapshot.vehicle(sysid) for sysid in points.sysids]
             self._offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
             self._turns_rad = [view.turn_rad for view in views]
-            self._stamped = stamped
+            self._sysids, self._stamps = points.sysids, stamps
             assert len(self._offsets_ned) == len(views)
         return self._placer.place(points, self._offsets_ned, self._turns_rad, time_ms)

@@ -152,8 +152,10 @@ class Supervisor:
         if self.scenario.faults:
             self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
-        ordered: dict[int, End] = dict.fromkeys(self.grounded, "land")
-        self.events += self._watch.look(snapshot, ordered | self._fleet_arming.ordered)
+        ordered: Mapping[int, End] = self._fleet_arming.ordered
+        if self.grounded:
+            ordered = {**dict.fromkeys(self.grounded, "land"), **ordered}
+        self.events += self._watch.look(snapshot, ordered)
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
         self._prepare(snapshot)

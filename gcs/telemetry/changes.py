@@ -31,7 +31,10 @@ class ChangeDetector:
         here commands them, so that no change of mode can be distinguished from an order.
         """
         events: list[Event] = []
-        for view in map(snapshot.vehicle, sorted(self._aged.union(self._stamps.new(snapshot.columns)))):
+        new = self._stamps.new(snapshot.columns)
+        if not new and not self._aged:
+            return events
+        for view in map(snapshot.vehicle, sorted(self._aged.union(new))):
             wanted = str(view.mode) if ordered is None else ordered.get(view.sysid)
             by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
             self._watch_mode(view, snapshot.time_s, by_order, events)

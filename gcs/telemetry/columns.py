@@ -6,7 +6,7 @@ What every tick asks of every vehicle is read here; a `VehicleView` is for what 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,30 +15,90 @@ Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 UNSTAMPED = -1
 
+FLAGS = 5
+IS_ALIVE, IS_STEERABLE, IS_FLYING, IS_FRESH, IS_LANDED = range(FLAGS)
+PLACES = 3
+P_NED, V_NED, P_NOW_NED = range(PLACES)
+FIGURES = 6
+AGE_S, GROUND_DOWN_M, REMAINING_J, DRAWN_J, INITIAL_J, CAPACITY_J = range(FIGURES)
 
-@dataclass(frozen=True, slots=True, eq=False)
-class FleetColumns:
-    """Of n vehicles; each column as the attribute of `VehicleView` with its name. Nobody writes into them."""
+
+class FleetColumns(NamedTuple):
+    """Of n vehicles; each column as the attribute of `VehicleView` with its name. Nobody writes into them.
+
+    They are kept as three blocks, of which columns are made when somebody asks for them.
+    """
 
     sysids: Sequence[int]
     row: Mapping[int, int]
     """by system id"""
     stamps: NDArray[np.int64]
     """(n,) another number whenever anything of a vehicle but the figures below may have changed since the fleet's last
-    snapshot: the truth of each flag, mode, profile, doubt, energy received or given, frame, ground. UNSTAMPED where
-    that is not known."""
-    alive: Flags
-    steerable: Flags
-    """whether it is in a mode in which it may fly set points"""
-    flying: Flags
-    fresh: Flags
-    p_ned: Floats
-    """(n, 3) m; NaN where it is unknown, as in `p_now_ned`"""
-    v_ned: Floats
-    """(n, 3) m/s"""
-    p_now_ned: Floats
-    """(n, 3) m"""
-    age_s: Floats
-    ground_down_m: Floats
-    """(n,) NaN where it is unknown"""
-    remaining_j: Floats
+    snapshot: the truth of each flag, mode, profile, doubt, energy received or given, whether any is left, frame,
+    ground. UNSTAMPED where that is not known. The very same array only if none of them is another."""
+    flags: Flags
+    """(FLAGS, n)"""
+    places: Floats
+    """(PLACES, n, 3)"""
+    figures: Floats
+    """(FIGURES, n)"""
+
+    @property
+    def alive(self) -> Flags:
+        """(n,)"""
+        column: Flags = self.flags[IS_ALIVE]
+        return column
+
+    @property
+    def steerable(self) -> Flags:
+        """(n,) whether it is in a mode in which it may fly set points."""
+        column: Flags = self.flags[IS_STEERABLE]
+        return column
+
+    @property
+    def flying(self) -> Flags:
+        """(n,)"""
+        column: Flags = self.flags[IS_FLYING]
+        return column
+
+    @property
+    def fresh(self) -> Flags:
+        """(n,)"""
+        column: Flags = self.flags[IS_FRESH]
+        return column
+
+    @property
+    def p_ned(self) -> Floats:
+        """(n, 3) m; NaN where it is unknown, as in `p_now_ned`."""
+        column: Floats = self.places[P_NED]
+        return column
+
+    @property
+    def v_ned(self) -> Floats:
+        """(n, 3) m/s."""
+        column: Floats = self.places[V_NED]
+        return column
+
+    @property
+    def p_now_ned(self) -> Floats:
+        """(n, 3) m."""
+        column: Floats = self.places[P_NOW_NED]
+        return column
+
+    @property
+    def age_s(self) -> Floats:
+        """(n,)"""
+        column: Floats = self.figures[AGE_S]
+        return column
+
+    @property
+    def ground_down_m(self) -> Floats:
+        """(n,) NaN where it is unknown."""
+        column: Floats = self.figures[GROUND_DOWN_M]
+        return column
+
+    @property
+    def remaining_j(self) -> Floats:
+        """(n,)"""
+        column: Floats = self.figures[REMAINING_J]
+        return column

@@ -13,10 +13,11 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import astuple, dataclass
 from functools import lru_cache
 from operator import itemgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pymap3d
+from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink.codec import Frame, fields
@@ -24,8 +25,8 @@ from gcs.mavlink.common_frame import FramePlace, frame_place
 from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
-from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, FIGURES, FLAGS, IS_LANDED, PLACES, REMAINING_J, fill
+from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, FleetColumns
+from gcs.telemetry.fleet_columns import FACTS, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
     ELSEWHERE,
@@ -45,7 +46,7 @@ from gcs.telemetry.readings import (
     read,
 )
 from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3
-from gcs.telemetry.track import Instant, Member, VehicleTrack
+from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
 
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
@@ -62,6 +63,14 @@ class GlobalOrigin:
     lat_deg: float
     lon_deg: float
     alt_m: float
+
+
+class _Settled(NamedTuple):
+    """Part of a snapshot that is the same in all of them until something else than figures may have changed."""
+
+    stamps: NDArray[np.int64]
+    statuses: tuple[VehicleStatus, ...]
+    facts: NDArray[np.float64]
 
 
 class Fleet:
@@ -87,6 +96,7 @@ class Fleet:
         """Let the vehicles live in tables with a row each, in order of system id; all get a new stamp."""
         self._tracks = dict(sorted(self._tracks.items()))
         count = len(self._tracks)
+        self._sysids = tuple(self._tracks)
         self._rows = {sysid: row for row, sysid in enumerate(self._tracks)}
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
@@ -97,10 +107,12 @@ class Fleet:
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]
+        self._settled: _Settled | None = None
 
     def _settle(self, track: VehicleTrack) -> None:
         """After something else than figures may have changed."""
         row, status = self._rows[track.member.sysid], track.status()
+        self._settled = None
         if status != self._statuses[row]:
             self._statuses[row] = status
             self._stamps[row] += 1
@@ -223,24 +235,24 @@ class Fleet:
         count = len(self._statuses)
         flags, places = np.empty((FLAGS, count), np.bool_), np.empty((PLACES, count, 3))
         figures = np.empty((FIGURES, count))
-        fill(time_s, self._readings, self._facts, self._accounts, self._seen, self._stamps, flags, places, figures)
-        columns = FleetColumns(
-            tuple(self._rows),
-            self._rows,
-            self._stamps.copy(),
-            *flags[:IS_LANDED],
-            *places,
-            *figures[: REMAINING_J + 1],
-        )
-        instant = Instant(
-            time_s, tuple(self._statuses), self._readings.copy(), self._facts.copy(), flags, places, figures
-        )
-        traffic = tuple(
+        readings, settled = self._readings, self._settled
+        changed = fill(
+            time_s, readings, self._facts, self._accounts, self._seen, self._stamps, flags, places, figures
+        )  # fmt: skip
+        if changed or settled is None:
+            self._settled = settled = _Settled(self._stamps.copy(), tuple(self._statuses), self._facts.copy())
+        columns = FleetColumns(self._sysids, self._rows, settled.stamps, flags, places, figures)
+        instant = Instant(time_s, settled.statuses, readings.copy(), settled.facts, columns)
+        return FleetSnapshot.of_columns(time_s, columns, instant.view, self._traffic_at(time_s))
+
+    def _traffic_at(self, time_s: float) -> tuple[TrafficView, ...]:
+        if not self._traffic:
+            return ()
+        return tuple(
             TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
             for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
             if time_s - seen_s <= TRAFFIC_FORGOTTEN_S
         )
-        return FleetSnapshot.of_columns(time_s, columns, instant.view, traffic)
 
     def _global_origin(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):

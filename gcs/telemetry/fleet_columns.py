@@ -11,7 +11,23 @@ from numpy.typing import NDArray
 
 from gcs.kernel_files import checksum
 from gcs.kernels import UNCOUNTED, kernel
-from gcs.telemetry import energy, plausibility, readings, state
+from gcs.telemetry import columns, energy, plausibility, readings, state
+from gcs.telemetry.columns import (
+    AGE_S,
+    CAPACITY_J,
+    DRAWN_J,
+    GROUND_DOWN_M,
+    INITIAL_J,
+    IS_ALIVE,
+    IS_FLYING,
+    IS_FRESH,
+    IS_LANDED,
+    IS_STEERABLE,
+    P_NED,
+    P_NOW_NED,
+    REMAINING_J,
+    V_NED,
+)
 from gcs.telemetry.plausibility import DOUBTED_S, LEAST_SHARE, MOST_SHARE
 from gcs.telemetry.readings import (
     DOWN,
@@ -40,15 +56,8 @@ FACTS = 11
 ) = range(FACTS)  # fmt: skip
 """Of a vehicle, beside its readings: as they change, which is seldom."""
 
-FLAGS = 5
-IS_ALIVE, IS_STEERABLE, IS_FLYING, IS_FRESH, IS_LANDED = range(FLAGS)
-PLACES = 3
-P_NED, V_NED, P_NOW_NED = range(PLACES)
-FIGURES = 6
-AGE_S, GROUND_DOWN_M, REMAINING_J, DRAWN_J, INITIAL_J, CAPACITY_J = range(FIGURES)
 
-
-def _compiled(build: int) -> Callable[..., None]:
+def _compiled(build: int) -> Callable[..., bool]:
     """The entry, kept by numba; `build`: checksum of the other files that it is made of."""
 
     @kernel(**UNCOUNTED)
@@ -62,8 +71,9 @@ def _compiled(build: int) -> Callable[..., None]:
         flags: NDArray[np.bool_],
         places: NDArray[np.float64],
         figures: NDArray[np.float64],
-    ) -> None:
+    ) -> bool:
         _ = build
+        changed = False
         for k in range(len(reports)):
             row, fact, one = reports[k], facts[k], accounts[k]
             north, east, down = row[NORTH], row[EAST], row[DOWN]
@@ -106,15 +116,19 @@ def _compiled(build: int) -> Callable[..., None]:
                 | np.int64(overfull) << 5
                 | np.int64(row[RECEIVED_S] >= 0.0) << 6
                 | np.int64(not math.isnan(row[NORTH])) << 7
+                | np.int64(left_j <= 0.0) << 8
             )
             if now_seen != seen[k]:
                 seen[k] = now_seen
                 stamps[k] += 1
+                changed = True
+        return changed
 
     return fill
 
 
-fill = _compiled(checksum(energy, plausibility, readings, state))
+fill = _compiled(checksum(columns, energy, plausibility, readings, state))
 """(session time, readings (n, READINGS), facts (n, FACTS), accounts (n,), seen (n,), stamps (n,), flags (FLAGS, n),
 places (PLACES, n, 3), figures (FIGURES, n)): fills the last three, of n vehicles, from the first ones. If more than
-figures of one is another than in the last call, which `seen` remembers, it gets the next number in `stamps`."""
+figures of one is another than in the last call, which `seen` remembers, it gets the next number in `stamps`. Whether
+any does."""

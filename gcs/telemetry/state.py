@@ -12,7 +12,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
 from gcs.renamed import warn_of_field
-from gcs.telemetry.columns import UNSTAMPED, Flags, FleetColumns, Floats
+from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, UNSTAMPED, FleetColumns
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
@@ -203,29 +203,26 @@ _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
     """The same vehicles as columns, not stamped."""
     sysids = [view.sysid for view in views]
-    known = [view.p_ned is not None for view in views]
+    flags = [(v.alive, v.mode in STEERABLE, v.flying, v.fresh, v.landed) for v in views]
+    places = [
+        (_UNKNOWN, v.v_ned, _UNKNOWN) if v.p_ned is None else (v.p_ned, v.v_ned, v.p_now_ned()) for v in views
+    ]  # fmt: skip
+    figures = [
+        (
+            v.age_s,
+            math.nan if v.ground_down_m is None else v.ground_down_m,
+            v.remaining_j,
+            v.drawn_j,
+            v.initial_j,
+            v.capacity_j,
+        )
+        for v in views
+    ]
     return FleetColumns(
         sysids,
         {sysid: row for row, sysid in enumerate(sysids)},
         np.full(len(views), UNSTAMPED),
-        alive=_flags([view.alive for view in views]),
-        steerable=_flags([view.mode in STEERABLE for view in views]),
-        flying=_flags([view.flying for view in views]),
-        fresh=_flags([view.fresh for view in views]),
-        p_ned=_rows([view.p_ned or _UNKNOWN for view in views]),
-        v_ned=_rows([view.v_ned for view in views]),
-        p_now_ned=_rows([view.p_now_ned() if there else _UNKNOWN for view, there in zip(views, known, strict=True)]),
-        age_s=np.array([view.age_s for view in views], np.float64),
-        ground_down_m=np.array(
-            [math.nan if view.ground_down_m is None else view.ground_down_m for view in views], np.float64
-        ),
-        remaining_j=np.array([view.remaining_j for view in views], np.float64),
+        np.array(flags, np.bool_).reshape(-1, FLAGS).T.copy(),
+        np.array(places, np.float64).reshape(-1, PLACES, 3).transpose(1, 0, 2).copy(),
+        np.array(figures, np.float64).reshape(-1, FIGURES).T.copy(),
     )
-
-
-def _flags(values: Sequence[bool]) -> Flags:
-    return np.array(values, np.bool_)
-
-
-def _rows(places: Sequence[Vec3]) -> Floats:
-    return np.array(places, np.float64).reshape(-1, 3)

@@ -20,6 +20,7 @@ from gcs.mavlink.statustext import Texts
 from gcs.telemetry import fleet_columns as of
 from gcs.telemetry import plausibility
 from gcs.telemetry.battery_account import BatteryAccount
+from gcs.telemetry.columns import IS_LANDED, P_NED, FleetColumns
 from gcs.telemetry.readings import (
     AUTOPILOT,
     BASE_MODE,
@@ -152,38 +153,34 @@ class VehicleTrack:
         )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Instant:
+class Instant(NamedTuple):
     """The fleet at one instant, from which a vehicle's view is made when somebody asks for it."""
 
     time_s: float
     statuses: tuple[VehicleStatus, ...]
     readings: NDArray[np.float64]
     facts: NDArray[np.float64]
-    flags: NDArray[np.bool_]
-    places: NDArray[np.float64]
-    figures: NDArray[np.float64]
-    """as of gcs/telemetry/fleet_columns.py"""
+    columns: FleetColumns
 
     def view(self, row: int) -> VehicleView:
         """The vehicle of a row."""
-        status, now_s = self.statuses[row], self.time_s
+        status, now_s, columns = self.statuses[row], self.time_s, self.columns
         (
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
             power_w, received_reported_s, given_reported_s, *_,
         ) = self.readings[row].tolist()  # fmt: skip
         doubted_s = float(self.facts[row, of.DOUBTED])
-        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = self.figures[:, row].tolist()
+        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = columns.figures[:, row].tolist()
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
         v_ned: Vec3 = (v_north, v_east, v_down)
-        p_ned: Vec3 | None = tuple(self.places[of.P_NED, row].tolist())
+        p_ned: Vec3 | None = tuple(columns.places[P_NED, row].tolist())
         offset, turn_rad, member = status.origin_offset_ned, status.turn_rad, status.member
         doubt = status.doubt if now_s - doubted_s < plausibility.DOUBTED_S else ""
         # By place: by name it takes three times as long.
         return VehicleView(
             member.sysid, member.role, member.label, status.alive, status.profile, status.mode, status.armed,
-            bool(self.flags[of.IS_LANDED, row]),
+            bool(columns.flags[IS_LANDED, row]),
             received_s,
             p_ned if p_local is not None and offset is not None else None,
             turned(v_ned, turn_rad) if turn_rad else v_ned,

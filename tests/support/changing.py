@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,20 +34,29 @@ class ChangingFleet:
         self._silent: set[int] = set()
         self._stamps = np.zeros(len(sysids), np.int64)
         self._seen: list[Any] = [None] * len(sysids)
+        self._shown, self._copies = self._stamps.copy(), random.Random(seed)
 
     def tick(self) -> tuple[FleetSnapshot, FleetSnapshot]:
         """A snapshot with stamps, and the same without."""
         self.time_s = round(self.time_s + PERIOD_S, 6)
         self.views = [self._later(each) for each in self.views]
         for row, each in enumerate(self.views):
-            known = each.p_ned is not None, each.last_received_s >= 0.0, each.flying, each.fresh
+            known = (
+                each.p_ned is not None,
+                each.last_received_s >= 0.0,
+                each.flying,
+                each.fresh,
+                each.remaining_j <= 0.0,
+            )
             seen = (each._replace(**FIGURES), *known)
             if seen != self._seen[row]:
                 self._seen[row] = seen
                 self._stamps[row] += 1
         stamped, plain = (FleetSnapshot(self.time_s, tuple(self.views), ()) for _ in range(2))
         row = dict(plain.columns.row)
-        vars(stamped)["columns"] = replace(stamped.columns, stamps=self._stamps.copy(), row=row)
+        if self._copies.random() < 0.2 or (self._stamps != self._shown).any():
+            self._shown = self._stamps.copy()
+        vars(stamped)["columns"] = stamped.columns._replace(stamps=self._shown, row=row)
         return stamped, plain
 
     def _later(self, one: VehicleView) -> VehicleView:

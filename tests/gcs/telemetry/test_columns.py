@@ -1,7 +1,6 @@
 """A snapshot's columns against its views, which are made one by one in Python; and the stamps against their words."""
 
 import random
-from dataclasses import fields
 
 import numpy as np
 
@@ -47,7 +46,10 @@ def told(snapshot: FleetSnapshot) -> list[tuple[object, ...]]:
     unread = [
         view._replace(**dict.fromkeys(FIGURES), doubt=view.doubt.split(" would hold ")[0]) for view in snapshot.vehicles
     ]
-    known = [(view.p_ned is None, view.last_received_s >= 0.0, view.fresh) for view in snapshot.vehicles]
+    known = [
+        (view.p_ned is None, view.last_received_s >= 0.0, view.fresh, view.remaining_j <= 0.0)
+        for view in snapshot.vehicles
+    ]
     return [(*one, *other) for one, other in zip(unread, known, strict=True)]
 
 
@@ -56,7 +58,7 @@ def made_of_views(snapshot: FleetSnapshot) -> FleetColumns:
 
 
 def test_columns_are_the_views_and_stamps_move_with_all_that_is_no_figure() -> None:
-    changes = 0
+    changes = same = 0
     for seed in range(12):
         chance = random.Random(seed)
         members = [Member(sysid, "pursuer", f"p {sysid}", 24_000.0, 18_000.0, external=sysid == 9) for sysid in (9, 3)]
@@ -76,18 +78,28 @@ def test_columns_are_the_views_and_stamps_move_with_all_that_is_no_figure() -> N
             else:
                 earlier.append((snapshot, fleet.snapshot(now_s).vehicles))
             expected = made_of_views(fleet.snapshot(now_s))
-            for field in fields(FleetColumns):
-                if field.name not in ("stamps", "sysids"):
-                    actual = getattr(snapshot.columns, field.name)
-                    np.testing.assert_array_equal(actual, getattr(expected, field.name), err_msg=field.name)
+            for block in ("row", "flags", "places", "figures"):
+                actual = getattr(snapshot.columns, block)
+                np.testing.assert_array_equal(actual, getattr(expected, block), err_msg=block)
+            views = fleet.snapshot(now_s).vehicles
+            for name in ("alive", "flying", "fresh", "v_ned", "age_s", "remaining_j"):
+                told_by_views = [getattr(view, name) for view in views]
+                np.testing.assert_array_equal(getattr(snapshot.columns, name), told_by_views, err_msg=name)
+            for name, column in (("p_ned", snapshot.columns.p_ned), ("ground_down_m", snapshot.columns.ground_down_m)):
+                unknown = [getattr(view, name) is None for view in views]
+                np.testing.assert_array_equal(np.isnan(column.reshape(3, -1)[:, 0]), unknown, err_msg=name)
             assert list(snapshot.columns.sysids) == [3, 4, 9]
             before, after = told(last), told(snapshot) if tick % 3 else told(fleet.snapshot(now_s))
             moved = last.columns.stamps != snapshot.columns.stamps
             for row in range(3):
                 assert moved[row] or before[row] == after[row], (seed, tick, row)
                 changes += before[row] != after[row]
+            if last.columns.stamps is snapshot.columns.stamps:
+                assert before == after
+                same += 1
             last = fleet.snapshot(now_s)
         for snapshot, views in earlier:  # made long after the vehicles have said more
             assert snapshot.vehicles == views
     assert changes > 500
+    assert same > 100
     assert (last.columns.stamps == fleet.snapshot(last.time_s).columns.stamps).all()

@@ -1,7 +1,5 @@
 """Whose stamps are new, and what that spares those who look for events."""
 
-from dataclasses import replace
-
 import numpy as np
 from changing import ChangingFleet
 from views import snapshot, view
@@ -13,7 +11,7 @@ from gcs.telemetry.stamps import StampWatch
 
 def stamped(*stamps: int) -> FleetColumns:
     columns = snapshot(*(view(sysid=10 * (k + 1)) for k in range(len(stamps)))).columns
-    return replace(columns, stamps=np.array(stamps, np.int64))
+    return columns._replace(stamps=np.array(stamps, np.int64))
 
 
 def test_all_are_new_at_first_and_then_those_with_another_stamp() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -44,9 +44,9 @@ def records_of_tick(
     decision: Decision,
     set_points: Sequence[SetPoint],
     *,
-    pursued: Iterable[Mapping[str, Any]],
-    facts: Iterable[tuple[int, Fact]],
-    problems: Iterable[PluginFault],
+    pursued: Collection[Mapping[str, Any]],
+    facts: Collection[tuple[int, Fact]],
+    problems: Collection[PluginFault],
     competition_states: tuple[CompetitionState, CompetitionState],
 ) -> tuple[list[Mapping[str, Any] | TickSetPoints], list[Event]]:
     """Records and events of all that the tick at `t_s` decided or noticed, in the session's order.
@@ -54,13 +54,17 @@ def records_of_tick(
     `pursued` are the pursuit's records, `facts` (system id, what its battery showed), `problems` what people's own
     planner or policy did wrong, `competition_states` the competitions for tankers and for bases.
     """
-    batteries = [{"kind": "battery", "sysid": sysid, **asdict(fact)} for sysid, fact in facts]
-    blamed = [problem.record() for problem in problems]
-    told = [{"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)]
-    events = [event_of(record) for record in told]
-    records: list[Mapping[str, Any] | TickSetPoints] = [*told]
-    for competition_state, giver in zip(competition_states, ({}, {"giver": "base"}), strict=True):
+    records: list[Mapping[str, Any] | TickSetPoints] = []
+    events: list[Event] = []
+    if decision.records or pursued or facts or problems:  # seldom
+        batteries = [{"kind": "battery", "sysid": sysid, **asdict(fact)} for sysid, fact in facts]
+        blamed = [problem.record() for problem in problems]
+        told = [{"t_s": t_s, **record} for record in (*decision.records, *pursued, *batteries, *blamed)]
+        records += told
+        events = [event_of(record) for record in told]
+    for competition_state in competition_states:
         if competition_state.v:
+            giver = {} if competition_state is competition_states[0] else {"giver": "base"}
             records.append(
                 {
                     "t_s": t_s,

@@ -20,7 +20,7 @@ from gcs.refuelling.bidding import NO_COMPETITION, Award, BiddingRule, Competiti
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
 from gcs.refuelling.policy_bidding import make_competition
-from gcs.refuelling.service import Decision, Phase, Service, ServiceRequests, by_text
+from gcs.refuelling.service import NOTHING_DECIDED, Decision, Phase, Service, ServiceRequests, by_text
 from gcs.refuelling.settlement import Settlement
 from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s, way
@@ -143,7 +143,7 @@ class Scheduler:
         if self._nothing_to_do:
             self._last_s = snapshot.time_s
             self._requests.clear()
-            return Decision()
+            return NOTHING_DECIDED
         dt_s = 0.0 if self._last_s is None else snapshot.time_s - self._last_s
         self._last_s = snapshot.time_s
         self._requests.clear()
@@ -176,8 +176,9 @@ class Scheduler:
     @property
     def _nothing_to_do(self) -> bool:
         """Whether nobody is, was or can soon be served, so that time changes nothing."""
-        competes = self._bidding is not None or self._base_bidding is not None
-        return not (competes or self.services or self.asked or self._ability.open)
+        if self._bidding is not None or self._base_bidding is not None:
+            return False
+        return not (self.services or self.asked or self._ability.open)
 
     def _compete(self, snapshot: FleetSnapshot) -> None:
         """Move both competitions on, and give every free tanker and base who is decided for it."""

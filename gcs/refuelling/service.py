@@ -146,6 +146,10 @@ class Decision:
     records: tuple[dict[str, Any], ...] = ()
 
 
+NOTHING_DECIDED = Decision()
+"""Of a tick in which nobody is served; only to be read, as every decision."""
+
+
 class ServiceRequests:
     """Commands that services request in this tick, their records, and the results of earlier commands."""
 

@@ -40,6 +40,7 @@ NEVER_FLEW_S = 10.0
 """A vehicle that is not in the air so long after it joined has never taken part."""
 PARTING_S = 3.0
 """Time that a tanker and its receiver, nearer than the separation, have to part."""
+_NO_TRAFFIC: tuple[Mapping[str, Vec3], tuple[str, ...], Floats] = ({}, (), approach.STRAIGHT)
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
 _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 
@@ -91,33 +92,31 @@ class GoalWatch:
     def update(self, snapshot: FleetSnapshot, partners: Collection[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
         now_s, columns = snapshot.time_s, snapshot.columns
-        looked_at = self._restless.union(self._stamps.new(columns), self._others_moved)
-        self._others_moved.clear()
-        empty = columns.remaining_j <= 0.0
-        if np.count_nonzero(empty):
-            looked_at.update(columns.sysids[row] for row in np.flatnonzero(empty).tolist())
-        height_m = self._unknown_m
-        if looked_at or self._some_up:
-            height_m = columns.ground_down_m - columns.p_now_ned[:, 2]
-        for sysid in sorted(looked_at):
-            self._look_at(snapshot.vehicle(sysid), height_m, now_s)
+        new, p_ned, height_m = self._stamps.new(columns), columns.p_now_ned, self._unknown_m
+        if new or self._restless or self._others_moved or self._some_up:
+            looked_at = self._restless.union(new, self._others_moved)
+            self._others_moved.clear()
+            height_m = columns.ground_down_m - p_ned[:, 2]
+            for sysid in sorted(looked_at):
+                self._look_at(snapshot.vehicle(sysid), height_m, now_s)
         airspace = self._airspace_of(self._exempt(partners, now_s))
-        p_ned = columns.p_now_ned
         if not self._all_count:
             p_ned = p_ned.copy()
             p_ned[self._uncounted] = np.nan
-        traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
-        places = Places(p_ned, height_m, traffic=traffic)
+        traffic, callsigns, there = _NO_TRAFFIC
+        if snapshot.traffic:
+            traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
+            callsigns, there = tuple(traffic), np.array([*traffic.values()])
         if self._keeps_log:
-            callsigns = tuple(traffic)
             if self._log and self._log[-1][2] == callsigns:
                 callsigns = self._log[-1][2]
-            there = np.array([*traffic.values()]) if traffic else approach.STRAIGHT
             self._log.append((now_s, airspace, callsigns, there))
             if self._has_external:
-                self._external_p_ned.append(places.p_ned[~self._ours].astype(np.float32))
+                self._external_p_ned.append(p_ned[~self._ours].astype(np.float32))
+        places = Places(p_ned, height_m, traffic)
         self._waypoints.update(p_ned)
-        return self._notices_of(now_s, self.believed.update(now_s, airspace, places), "reports")
+        breaches = self.believed.update(now_s, airspace, places)
+        return self._notices_of(now_s, breaches, "reports") if breaches else ([], [])
 
     def _look_at(self, view: VehicleView, height_m: Floats, now_s: float) -> None:
         """See what of a vehicle counts, and that its height does only where it does."""

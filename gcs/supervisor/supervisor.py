@@ -224,7 +224,8 @@ class Supervisor:
             self._reported_lost = set(self.externals.lost)
         broken, events = watch.update(snapshot, self._partners)
         lost, of_losses = watch.new_losses(now_s)
-        self.events += events + of_losses
+        if events or of_losses:
+            self.events += events + of_losses
         return broken + lost
 
     def stop(self) -> None:
@@ -521,13 +522,14 @@ class Supervisor:
             decision,
             set_points,
             pursued=self.pursuit.records if self.pursuit else (),
-            facts=self.fleet.pop_facts(),
-            problems=[problem for guard in self._guards for problem in guard.pop_faults()],
+            facts=self.fleet.pop_facts() if self.fleet.facts else (),
+            problems=[problem for guard in self._guards for problem in guard.pop_faults()] if self._guards else (),
             competition_states=self.schedule.competition_states,
         )
         self.events += events
         interventions = self.planner.pop_records()
-        self.events += [event_of(record) for record in interventions]
+        if interventions:
+            self.events += [event_of(record) for record in interventions]
         return [*self._new_records(), *interventions, *records]
 
     def _new_records(self) -> list[dict[str, Any]]:

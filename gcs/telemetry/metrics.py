@@ -11,15 +11,12 @@ from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.scenario.model import Scenario
 from gcs.telemetry.approach import Ints, segment_gap2
-from gcs.telemetry.columns import Flags, FleetColumns, Floats
+from gcs.telemetry.columns import FLAGS, IS_FLYING, IS_FRESH, P_NOW_NED, PLACES, Flags, FleetColumns, Floats
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
-
-
-_OF_EACH = ((np.bool_, ()), (np.bool_, ()), (np.float64, (3,)))
 
 
 class Metrics:
@@ -56,15 +53,15 @@ class Metrics:
         if pursuing is not None and pursuing != self.target_of:
             self.target_of = dict(pursuing)
             self._pairs = self._pairs_of(self.target_of)
-        flying, fresh, p_ned = self._in_order(snapshot.columns)
+        flags, places = self._in_order(snapshot.columns)
         points = SetPoints.of(set_points)
-        if points.sysids != self._sysids:
-            self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
-        self._sysids = points.sysids
+        if points.sysids is not self._sysids:
+            if points.sysids != self._sysids:
+                self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
+            self._sysids = points.sysids
         _measure(
-            flying,
-            fresh,
-            p_ned,
+            flags,
+            places,
             self._rows,
             points.p_ned,
             self._pairs,
@@ -94,14 +91,15 @@ class Metrics:
         """By system id, of those whose way was held against a plan."""
         return _known(self._row, self._errors_m)
 
-    def _in_order(self, columns: FleetColumns) -> tuple[Flags, Flags, Floats]:
-        """Flags and places of all the scenario's vehicles: who flies, whose place is fresh, and where they are."""
-        if len(columns.sysids) == len(self._row):
-            return columns.flying, columns.fresh, columns.p_now_ned
+    def _in_order(self, columns: FleetColumns) -> tuple[Flags, Floats]:
+        """Flags and places of all the scenario's vehicles, as in `FleetColumns`."""
+        count = len(self._row)
+        if len(columns.sysids) == count:
+            return columns.flags, columns.places
         rows = [self._row[sysid] for sysid in columns.sysids]
-        flying, fresh, p_ned = (np.zeros((len(self._row), *rest), kind) for kind, rest in _OF_EACH)
-        flying[rows], fresh[rows], p_ned[rows] = columns.flying, columns.fresh, columns.p_now_ned
-        return flying, fresh, p_ned
+        flags, places = np.zeros((FLAGS, count), np.bool_), np.zeros((PLACES, count, 3))
+        flags[:, rows], places[:, rows] = columns.flags, columns.places
+        return flags, places
 
     def _pairs_of(self, target_of: Mapping[int, int]) -> Ints:
         """(k, 3) rows of pursuers and targets, and whose distance it is, of those that are measured."""
@@ -133,9 +131,8 @@ def distance_to_path(plan: Floats, oldest: int, n: float, e: float, d: float) ->
 
 @kernel(**UNCOUNTED)
 def _measure(
-    flying: Flags,
-    fresh: Flags,
-    p_ned: Floats,
+    flags: Flags,
+    places: Floats,
     rows: Ints,
     planned: Floats,
     pairs: Ints,
@@ -146,7 +143,7 @@ def _measure(
     errors_m: Floats,
     distances_m: Floats,
 ) -> None:
-    """Kernel: one tick of n vehicles, who count while they are flying and fresh (n,), with their places p_ned (n, 3).
+    """Kernel: one tick of n vehicles, who count while they are flying and fresh, of `FleetColumns` flags and places.
 
     rows (k,), planned (k, 3): who has a set point, and where. pairs (m, 3): rows of pursuer and target, and the column
     of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
@@ -154,8 +151,9 @@ def _measure(
     the second place in a row; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points and how many there were
     without a break; errors_m (n,), the greatest distance from the plan, NaN before the first.
     """
+    p_ned = places[P_NOW_NED]
     for i in range(len(last)):
-        if not (flying[i] and fresh[i]):
+        if not (flags[IS_FLYING, i] and flags[IS_FRESH, i]):
             last[i, 0] = math.nan
             continue
         if not math.isnan(last[i, 0]):

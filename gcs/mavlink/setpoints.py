@@ -38,16 +38,14 @@ class SetPoints(Sequence[SetPoint]):
     Who wants all of them takes the columns, which nobody writes into; each `SetPoint` is made when it is asked for.
     """
 
-    __slots__ = ("_made", "p_ned", "sysids", "v_ned")
+    __slots__ = ("_made", "sysids", "values")
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, sysids: tuple[int, ...], p_ned: NDArray[np.float64], v_ned: NDArray[np.float64]) -> None:
+    def __init__(self, sysids: tuple[int, ...], values: NDArray[np.float64]) -> None:
         self.sysids = sysids
         """of k vehicles; from a planner's tick to the next the same object, for as long as they are the same"""
-        self.p_ned = p_ned
-        """(k, 3) m"""
-        self.v_ned = v_ned
-        """(k, 3) m/s"""
+        self.values = values
+        """(k, 6) position and velocity, m and m/s"""
         self._made: list[SetPoint] | None = None
 
     @classmethod
@@ -56,7 +54,17 @@ class SetPoints(Sequence[SetPoint]):
         if isinstance(points, cls):
             return points
         columns = np.array([(*point.p_ned, *point.v_ned) for point in points], np.float64).reshape(-1, 6)
-        return cls(tuple([point.sysid for point in points]), columns[:, :3].copy(), columns[:, 3:].copy())
+        return cls(tuple([point.sysid for point in points]), columns)
+
+    @property
+    def p_ned(self) -> NDArray[np.float64]:
+        """(k, 3) m."""
+        return self.values[:, :3]
+
+    @property
+    def v_ned(self) -> NDArray[np.float64]:
+        """(k, 3) m/s."""
+        return self.values[:, 3:]
 
     def _points(self) -> list[SetPoint]:
         if self._made is None:
@@ -111,7 +119,8 @@ class SetPointPlacer:
         self._rows: dict[int, int] = {}
         self._offsets_ned: list[Vec3] = []
         self._turns_rad: list[float] = []
-        self._origins = np.empty((0, 3))
+        self._origins = np.empty((0, 6))
+        """with nothing to take off a velocity, so that one subtraction does for both"""
         self._aslant: list[int] = []
 
     def place(
@@ -119,14 +128,13 @@ class SetPointPlacer:
     ) -> PlacedSetPoints:
         """These set points; for each where its vehicle's own frame lies in the common one, as `FramePlace` says."""
         if offsets_ned is not self._offsets_ned and offsets_ned != self._offsets_ned:
-            self._origins = np.array(offsets_ned, np.float64).reshape(-1, 3)
+            self._origins = np.zeros((len(offsets_ned), 6))
+            self._origins[:, :3] = np.array(offsets_ned, np.float64).reshape(-1, 3)
         if turns_rad is not self._turns_rad and turns_rad != self._turns_rad:
             self._aslant = [row for row, turn_rad in enumerate(turns_rad) if turn_rad]
         self._offsets_ned, self._turns_rad = offsets_ned, turns_rad
         columns = SetPoints.of(points)
-        values = np.empty((len(points), 6))
-        np.subtract(columns.p_ned, self._origins, out=values[:, :3])
-        values[:, 3:] = columns.v_ned
+        values = columns.values - self._origins
         for row in self._aslant:
             n, e, d, *v_ned = values[row].tolist()
             values[row, :3] = turned((n, e, d), -turns_rad[row])

@@ -10,7 +10,7 @@ A scenario names it: `planner: {method: MODULE:CLASS}`.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
@@ -79,7 +79,7 @@ class OwnPlanner(TickPlanner):
         own_pursuers = self._pursuers - request.stations.keys()
         follows = self._follows if request.pursuing is None else request.pursuing
         situation = Situation(snapshot.time_s, request.period_s, snapshot, follows, self._scenario.obstacles)
-        shipped = self._shipped.plan(replace(request, steered=steered - own_pursuers))
+        shipped = self._shipped.plan(request._replace(steered=steered - own_pursuers))
         self._guard.begin_tick()
         led = steered & own_pursuers
         own = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.assignment import least_cost
-from gcs.kernels import kernel
 from gcs.planner.neighbours import IntArray
 from gcs.scenario.geometry import FloatArray
 
@@ -72,6 +71,8 @@ class Courses:
         """(n,) of those who have left their last way point behind"""
         self._left = {row: list(course) for row, course in courses.items()}
         self._reached_m = reached_m
+        self.near2 = (_ROUNDING * reached_m) ** 2
+        """m², beyond which nobody can have come to a way point"""
         self._least_left = 1 if keeps_last else 0
         for row, course in courses.items():
             self.goal_ned[row] = course[0]
@@ -79,8 +80,6 @@ class Courses:
     def go_on(self, rows: IntArray, q_ned: FloatArray) -> bool:
         """Leave behind the way point that a leader of these rows (k,), at q_ned (n, 3), has come to; whether any has.
         A leader has come to no more than one in a tick."""
-        if not _any_near(rows, q_ned, self.goal_ned, (_ROUNDING * self._reached_m) ** 2):
-            return False
         passed = False
         for row, here in zip(rows.tolist(), q_ned[rows].tolist(), strict=True):
             left = self._left[row]
@@ -96,13 +95,3 @@ class Courses:
     def goes_on(self, row: int) -> bool:
         """Whether a row may still come to a way point to be left behind."""
         return len(self._left[row]) > self._least_left
-
-
-@kernel()
-def _any_near(rows: IntArray, a: FloatArray, b: FloatArray, square: float) -> bool:
-    """Kernel: whether any row's places are as near to each other as this distance's square."""
-    for row in rows:
-        n, e, d = a[row, 0] - b[row, 0], a[row, 1] - b[row, 1], a[row, 2] - b[row, 2]
-        if n * n + e * e + d * d <= square:
-            return True
-    return False

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.kernels import kernel
+from gcs.kernels import UNCOUNTED, kernel
 from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
 from gcs.planner.neighbours import FEW, IntArray, everyone, within_range
 from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
@@ -25,6 +25,10 @@ _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any
 _FEW_MOVING = 8_000
 """Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
 _ROUNDING_M = 1e-6
+_SURE = 1.0 - 1e-9
+HOLDS, STAYS, GOES_ON, ARRIVED = range(4)
+"""Of a leader: it has no way points; it stays at its last one; it may come to one to be left behind; it has left its
+last one behind."""
 _ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads
 
 BoolArray = NDArray[np.bool_]
@@ -68,7 +72,7 @@ def advance(
     Leaders see each other where they were at the start, so that their order does not matter. The arguments are left as
     they are. ValueError names the argument whose shape is wrong or which holds a value that is not finite.
     """
-    q = _array("q_ned", q_ned, (-1, 3)).copy()
+    q = _array("q_ned", q_ned, (-1, 3))
     n = len(q)
     at = _array("moving", moving, (-1, 3))
     m = len(at)
@@ -98,48 +102,77 @@ def advance(
         reach_of_obstacles = np.full(n, field.repulsion_range_m)
     else:
         reach_of_obstacles = _array("obstacle_ranges_m", obstacle_ranges_m, (n,))
-    v = np.empty((n, 3))
+    leaders = LeaderRows(n, reach_of_obstacles, following)
+    leaders.q_ned[:], leaders.speed_m_s[:] = q, speeds
+    leaders.goal_ned[:] = _array("goals", goals, (n, 3))
+    leaders.goal_v_ned[:] = _array("goal_velocity", goal_velocity, (n, 3))
+    reaches = _array("attraction_ranges_m", attraction_ranges_m, (len(others),))
     lead(
-        LeaderRows(
-            q,
-            v,
-            following,
-            _array("goals", goals, (n, 3)),
-            _array("goal_velocity", goal_velocity, (n, 3)),
-            speeds,
-            reach_of_obstacles,
-            np.full(n, math.inf),
-        ),
+        leaders,
         np.arange(n),
-        obstacles=repulsors,
-        moving=Moving(points(at, radii_m), _array("ranges_m", ranges_m, (m,)), exempted),
-        attracting=Attracting(others, _array("attraction_ranges_m", attraction_ranges_m, (len(others),)), draws),
-        field=field,
-        period_s=period_s,
+        q,
+        UNLIMITED,
+        repulsors,
+        Moving(points(at, radii_m), _array("ranges_m", ranges_m, (m,)), exempted),
+        Attracting(np.column_stack((others, reaches)), draws),
+        field,
+        period_s,
         escape=escape,
     )
-    return q, following, v
+    return leaders.q_ned.copy(), following, leaders.v_ned.copy()
 
 
-class LeaderRows(NamedTuple):
-    """Leaders, a row each; frame NED. `lead` moves the first three."""
+_Q, _BEGIN, _V, _GOAL, _GOAL_V = 0, 3, 6, 9, 12  # each of three columns
+_SPEED, _RANGE, _LOWEST, _ROUTE = range(15, 19)
+_WIDTH = 19
 
-    q_ned: FloatArray
-    """(n, 3) m"""
-    v_ned: FloatArray
-    """(n, 3) m/s, the mean of the last period"""
-    memory: FloatArray
-    """(n, MEMORY_SIZE), `fuzzy_escape.new_memory` at first"""
-    goal_ned: FloatArray
-    """(n, 3) m at the start of the period"""
-    goal_v_ned: FloatArray
-    """(n, 3) m/s"""
-    speed_m_s: FloatArray
-    """(n,) limits, at least 0"""
-    obstacle_range_m: FloatArray
-    """(n,) how far obstacles repel each; none does at 0"""
-    lowest_d: FloatArray
-    """(n,) m, the greatest down; infinite where there is none"""
+
+class LeaderRows:
+    """n leaders, a row each; frame NED. They are one table, which kernels take in place of its ten parts; each part
+    is a view of it. `lead` moves q_ned, v_ned and the memory."""
+
+    def __init__(self, n: int, obstacle_range_m: ArrayLike, memory: FloatArray) -> None:
+        """memory: (n, MEMORY_SIZE), `fuzzy_escape.new_memory` at first."""
+        self.table = table = np.zeros((n, _WIDTH))
+        self.memory = memory
+        self.q_ned: FloatArray = table[:, _Q : _Q + 3]
+        """(n, 3) m"""
+        self.begin_ned: FloatArray = table[:, _BEGIN : _BEGIN + 3]
+        """(n, 3) m, `q_ned` at the start of the period"""
+        self.v_ned: FloatArray = table[:, _V : _V + 3]
+        """(n, 3) m/s, the mean of the last period"""
+        self.begin_and_v: FloatArray = table[:, _BEGIN : _V + 3]
+        """(n, 6) both"""
+        self.goal_ned: FloatArray = table[:, _GOAL : _GOAL + 3]
+        """(n, 3) m at the start of the period"""
+        self.goal_v_ned: FloatArray = table[:, _GOAL_V : _GOAL_V + 3]
+        """(n, 3) m/s"""
+        self.speed_m_s: FloatArray = table[:, _SPEED]
+        """(n,) limits, at least 0"""
+        self.obstacle_range_m: FloatArray = table[:, _RANGE]
+        """(n,) how far obstacles repel each; none does at 0"""
+        self.lowest_d: FloatArray = table[:, _LOWEST]
+        """(n,) m, the greatest down; infinite where there is none"""
+        self.route_m: FloatArray = table[:, _ROUTE]
+        """(n,) m, the way that is left on a route; NaN where the way is straight"""
+        self.obstacle_range_m[:], self.lowest_d[:], self.route_m[:] = obstacle_range_m, math.inf, math.nan
+
+
+class LeaderLimits(NamedTuple):
+    """Limits of speeds, as far as sums of squares tell of whom it is sure that they have none."""
+
+    limited: IntArray
+    """(2, n) filled with the rows of all others: first those who are asked for anything, then those who are surely not
+    leashed, but near their goals on a straight way"""
+    leash_m: float
+    """inf: none"""
+    lookahead_s: float
+    """by how much a vehicle is behind its leader anyhow"""
+    brake_m_s2: float
+    """inf: they need not"""
+
+
+UNLIMITED = LeaderLimits(np.zeros((2, 0), np.int64), math.inf, 0.0, math.inf)
 
 
 class Moving(NamedTuple):
@@ -156,10 +189,8 @@ class Moving(NamedTuple):
 class Attracting(NamedTuple):
     """Points that draw k leaders beside their goals (paper eq. 10), m of them; held where they are for the period."""
 
-    p_ned: FloatArray
-    """(m, 3) m"""
-    ranges_m: FloatArray
-    """(m,)"""
+    places: FloatArray
+    """(m, 4) where, and their range, m"""
     drawn: BoolArray
     """(k, m) whom each draws"""
 
@@ -167,26 +198,34 @@ class Attracting(NamedTuple):
 def lead(
     leaders: LeaderRows,
     rows: IntArray,
-    *,
+    here_ned: FloatArray,
+    limits: LeaderLimits,
     obstacles: FloatArray,
     moving: Moving,
     attracting: Attracting,
     field: FieldConstants,
     period_s: float,
+    *,
     escape: bool,
-) -> None:
-    """Move the leaders `rows` (k,) by one period, in place; all is as `advance` says, and nothing is checked."""
-    q, speed = leaders.q_ned, leaders.speed_m_s
-    if len(rows) * len(obstacles) <= FEW:
-        near_obstacles = everyone(len(rows), len(obstacles))
+) -> tuple[int, int]:
+    """Move the leaders `rows` (k,), whose vehicles are at here_ned (n, 3), by one period, in place; all is as `advance`
+    says, and nothing is checked. How many there are in each row of `limits.limited`: unless none, nobody has moved."""
+    count, table, speed = len(rows), leaders.table, leaders.speed_m_s
+    if count * len(obstacles) <= FEW:
+        near_obstacles = everyone(count, len(obstacles))
     else:
-        near_obstacles = within_range(q[rows], speed[rows] * period_s, obstacles, field.repulsion_range_m)
-    if len(rows) * len(moving.table) <= _FEW_MOVING:
-        near_moving = everyone(len(rows), len(moving.table))
+        q = leaders.q_ned[rows]
+        near_obstacles = within_range(q, speed[rows] * period_s, obstacles, field.repulsion_range_m)
+    if count * len(moving.table) <= _FEW_MOVING:
+        near_moving = everyone(count, len(moving.table))
     else:
-        near_moving = within_range(q[rows], speed[rows] * period_s, moving.table, moving.ranges_m)
-    _lead(rows, *leaders, *attracting, obstacles, *near_obstacles, *moving, *near_moving, field.constants(), period_s,
-          escape)  # fmt: skip
+        near_moving = within_range(leaders.q_ned[rows], speed[rows] * period_s, moving.table, moving.ranges_m)
+    asked: tuple[int, int] = _lead(
+        rows, table, leaders.memory, here_ned, *limits, attracting.places, attracting.drawn, obstacles,
+        *near_obstacles, moving.table, moving.ranges_m, moving.exempt, *near_moving,
+        field.constants(), period_s, escape,
+    )  # fmt: skip
+    return asked
 
 
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -206,24 +245,26 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
 
 @kernel()
 def _lead(
-    rows: IntArray, all_q: FloatArray, all_v: FloatArray, all_memory: FloatArray, all_goals: FloatArray,
-    all_goal_velocity: FloatArray, speed: FloatArray, obstacle_range: FloatArray, lowest: FloatArray,
-    attractors: FloatArray, attraction_ranges: FloatArray, draws: BoolArray, obstacles: FloatArray,
-    obstacle_rows: IntArray, obstacle_first: IntArray, obstacle_end: IntArray, moving: FloatArray, ranges: FloatArray,
-    exempt: BoolArray, moving_rows: IntArray, moving_first: IntArray, moving_end: IntArray, constants: FloatArray,
-    period: float, escape: bool,
-) -> None:  # fmt: skip
-    """Kernel: moves leaders in place. Leader rows[i] heeds rows[first[i]:end[i]] of obstacles and of moving."""
+    rows: IntArray, table: FloatArray, all_memory: FloatArray, here: FloatArray, limited: IntArray, leash: float,
+    lookahead: float, brake: float, attractors: FloatArray, draws: BoolArray, obstacles: FloatArray,
+    obstacle_rows: IntArray, obstacle_spans: IntArray, moving: FloatArray, ranges: FloatArray, exempt: BoolArray,
+    moving_rows: IntArray, moving_spans: IntArray, constants: FloatArray, period: float, escape: bool,
+) -> tuple[int, int]:  # fmt: skip
+    """Kernel: moves leaders in place, unless one may be limited: how many `limited` has then, else 0, 0. Leader rows[i]
+    heeds rows[spans[i, 0]:spans[i, 1]] of obstacles and of moving."""
+    asked, stopping = _limited(rows, table, here, limited, leash, lookahead, brake)
+    if asked + stopping > 0:
+        return asked, stopping
     near = np.empty(len(moving), dtype=np.int64)
     for i in range(len(rows)):
-        q, v, memory = all_q[rows[i]], all_v[rows[i]], all_memory[rows[i]]
-        goal, goal_velocity = all_goals[rows[i]], all_goal_velocity[rows[i]]
+        one, memory = table[rows[i]], all_memory[rows[i]]
+        q, v, goal, goal_velocity = one[_Q:_BEGIN], one[_V:_GOAL], one[_GOAL:_GOAL_V], one[_GOAL_V:_SPEED]
         begin_n, begin_e, begin_d = q[0], q[1], q[2]
-        reach = speed[rows[i]] * period
+        reach = one[_SPEED] * period
         steps = math.ceil(reach / constants[STEP] - 1e-9)
         full_step, dt = (reach / steps, period / steps) if steps else (0.0, 0.0)
         count = 0
-        for k in range(moving_first[i], moving_end[i] if steps else moving_first[i]):
+        for k in range(moving_spans[i, 0], moving_spans[i, 1] if steps else moving_spans[i, 0]):
             j = moving_rows[k]
             # What is left out stays out of range, and would add nothing.
             n, e, d = q[0] - moving[j, NORTH], q[1] - moving[j, EAST], q[2] - moving[j, DOWN]
@@ -239,7 +280,7 @@ def _lead(
             for k in range(attractors.shape[0]):
                 if draws[i, k]:
                     hn, he, hd = attractors[k, 0], attractors[k, 1], attractors[k, 2]
-                    reach_m = attraction_ranges[k]
+                    reach_m = attractors[k, 3]
                     fn, fe, fd = attraction_to(hn, he, hd, reach_m, q[0], q[1], q[2], constants)
                     an += fn
                     ae += fe
@@ -247,8 +288,8 @@ def _lead(
             on = 0.0
             oe = 0.0
             od = 0.0
-            heeded = obstacle_range[rows[i]]
-            for k in range(obstacle_first[i], obstacle_end[i] if heeded > 0.0 else obstacle_first[i]):
+            heeded, first = one[_RANGE], obstacle_spans[i, 0]
+            for k in range(first, obstacle_spans[i, 1] if heeded > 0.0 else first):
                 fn, fe, fd = repulsion_of_shape(obstacles, obstacle_rows[k], heeded, q[0], q[1], q[2], constants)
                 on += fn
                 oe += fe
@@ -281,8 +322,62 @@ def _lead(
             q[0] += shorten * sn
             q[1] += shorten * se
             q[2] += shorten * sd
-        q[2] = min(q[2], lowest[rows[i]])
+        q[2] = min(q[2], one[_LOWEST])
         v[0], v[1], v[2] = (q[0] - begin_n) / period, (q[1] - begin_e) / period, (q[2] - begin_d) / period
+    return 0, 0
+
+
+@kernel()
+def _limited(
+    rows: IntArray, table: FloatArray, here: FloatArray, limited: IntArray, leash: float, lookahead: float,
+    brake: float,
+) -> tuple[int, int]:  # fmt: skip
+    """Kernel: fills `limited` as `LeaderLimits` says; how many in each of its rows."""
+    many = near = 0
+    if leash == math.inf and brake == math.inf:
+        return many, near
+    for row in rows:
+        one = table[row]
+        n, e, d = one[_Q] - here[row, 0], one[_Q + 1] - here[row, 1], one[_Q + 2] - here[row, 2]
+        half = 0.5 * (leash + lookahead * one[_SPEED])
+        free = n * n + e * e + d * d <= _SURE * half * half
+        stops = False
+        if free and brake < math.inf:
+            way, straight = one[_ROUTE], math.isnan(one[_ROUTE])
+            if straight:
+                n, e, d = one[_Q] - one[_GOAL], one[_Q + 1] - one[_GOAL + 1], one[_Q + 2] - one[_GOAL + 2]
+                way = math.sqrt(n * n + e * e + d * d)
+            free = way < math.inf and one[_SPEED] * one[_SPEED] <= _SURE * 2.0 * brake * way
+            stops = straight and not free
+        if stops:
+            limited[1, near] = row
+            near += 1
+        elif not free:
+            limited[0, many] = row
+            many += 1
+    return many, near
+
+
+@kernel(**UNCOUNTED)
+def aim(table: FloatArray, course: IntArray, course_ned: FloatArray, cruise: float, square: float) -> bool:
+    """Kernel: goals of all leaders, which do not move: where each is, or the next of its way points. Whether one that
+    goes on is as near to that as this distance's square.
+
+    table: of `LeaderRows`. course (n,): HOLDS, STAYS, GOES_ON or ARRIVED. course_ned (n, 3): the next way point of who
+    has any left. cruise: everyone's speed, but of who has arrived.
+    """
+    near = False
+    for row in range(len(course)):
+        one, to = table[row], course_ned[row]
+        one[_GOAL_V], one[_GOAL_V + 1], one[_GOAL_V + 2] = 0.0, 0.0, 0.0
+        one[_SPEED] = 0.0 if course[row] == ARRIVED else cruise
+        if course[row] == HOLDS or course[row] == ARRIVED:
+            one[_GOAL], one[_GOAL + 1], one[_GOAL + 2] = one[_Q], one[_Q + 1], one[_Q + 2]
+        else:
+            one[_GOAL], one[_GOAL + 1], one[_GOAL + 2] = to[0], to[1], to[2]
+            n, e, d = one[_Q] - to[0], one[_Q + 1] - to[1], one[_Q + 2] - to[2]
+            near |= course[row] == GOES_ON and n * n + e * e + d * d <= square
+    return near
 
 
 @kernel()

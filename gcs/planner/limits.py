@@ -11,16 +11,13 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from gcs.kernels import kernel
-from gcs.planner.leader import LeaderRows
-from gcs.planner.neighbours import IntArray
+from gcs.planner.leader import LeaderLimits, LeaderRows
 from gcs.scenario.geometry import FloatArray
 
 FLOOR_M = 0.3
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
 GROUND_ROUNDING_M = 0.1
 """Difference of a home from height 0 that the wire's rounding alone can cause."""
-_SURE = 1.0 - 1e-9
 
 
 class Floors:
@@ -50,27 +47,24 @@ class SpeedLimits:
         """lookahead_s: by how much a vehicle is behind its leader anyhow. brake_m_s2: with which leaders brake before
         their goals; None where they need not."""
         self._leash_m, self._lookahead_s, self._brake_m_s2 = leash_m, lookahead_s, brake_m_s2
-        self._asked, self._stopping = np.empty(n, dtype=np.int64), np.empty(n, dtype=np.int64)
+        brake = math.inf if brake_m_s2 is None else brake_m_s2
+        self.sure = LeaderLimits(np.empty((2, n), np.int64), leash_m, lookahead_s, brake)
+        """for `lead`"""
 
-    def apply(self, leaders: LeaderRows, rows: IntArray, here_ned: FloatArray, route_m: FloatArray) -> None:
-        """Lower `leaders.speed_m_s` of these rows (k,), whose vehicles are at here_ned (n, 3). route_m (n,): way that
-        is left on a route, NaN where the way is straight."""
-        brake_m_s2 = self._brake_m_s2
-        asked, stopping = _limited(
-            rows, leaders.q_ned, here_ned, leaders.goal_ned, leaders.speed_m_s, route_m, self._leash_m,
-            self._lookahead_s, math.inf if brake_m_s2 is None else brake_m_s2, self._asked, self._stopping,
-        )  # fmt: skip
+    def lower(self, leaders: LeaderRows, here_ned: FloatArray, asked: int, stopping: int) -> None:
+        """Lower `leaders.speed_m_s` of so many whom `lead` has found; vehicles are at here_ned (n, 3)."""
+        brake_m_s2, limited = self._brake_m_s2, self.sure.limited
         q, goal, goal_v, speed = leaders.q_ned, leaders.goal_ned, leaders.goal_v_ned, leaders.speed_m_s
         if stopping and brake_m_s2 is not None:
-            some, twice = self._stopping[:stopping], 2.0 * brake_m_s2
+            some, twice = limited[1, :stopping], 2.0 * brake_m_s2
             columns = (goal_v[some].tolist(), q[some].tolist(), goal[some].tolist(), speed[some].tolist())
             speed[some] = [
                 min(speed_m_s, math.hypot(*v) + math.sqrt(twice * math.dist(from_ned, to_ned)))
                 for v, from_ned, to_ned, speed_m_s in zip(*columns, strict=True)
             ]
         if asked:
-            some = self._asked[:asked]
-            each = (column[some].tolist() for column in (q, here_ned, goal, goal_v, speed, route_m))
+            some = limited[0, :asked]
+            each = (column[some].tolist() for column in (q, here_ned, goal, goal_v, speed, leaders.route_m))
             speed[some] = list(map(self._limit, *each))
 
     def _limit(
@@ -85,32 +79,3 @@ class SpeedLimits:
         if math.isinf(way_m):
             return 0.0
         return min(leashed, math.hypot(*goal_v) + math.sqrt(2.0 * self._brake_m_s2 * way_m))
-
-
-@kernel()
-def _limited(
-    rows: IntArray, q: FloatArray, here: FloatArray, goal: FloatArray, speed: FloatArray, route: FloatArray,
-    leash: float, lookahead: float, brake: float, asked: IntArray, stopping: IntArray,
-) -> tuple[int, int]:  # fmt: skip
-    """Kernel: writes into `stopping` the rows that are surely not leashed, but near their goals on a straight way,
-    into `asked` all others that are not surely without a limit; how many of each."""
-    many = near = 0
-    for row in rows:
-        n, e, d = q[row, 0] - here[row, 0], q[row, 1] - here[row, 1], q[row, 2] - here[row, 2]
-        half = 0.5 * (leash + lookahead * speed[row])
-        free = n * n + e * e + d * d <= _SURE * half * half
-        stops = False
-        if free and brake < math.inf:
-            way, straight = route[row], math.isnan(route[row])
-            if straight:
-                n, e, d = q[row, 0] - goal[row, 0], q[row, 1] - goal[row, 1], q[row, 2] - goal[row, 2]
-                way = math.sqrt(n * n + e * e + d * d)
-            free = way < math.inf and speed[row] * speed[row] <= _SURE * 2.0 * brake * way
-            stops = straight and not free
-        if stops:
-            stopping[near] = row
-            near += 1
-        elif not free:
-            asked[many] = row
-            many += 1
-    return many, near

@@ -21,32 +21,32 @@ _ROOM = 256
 
 
 @functools.lru_cache(maxsize=64)
-def everyone(n: int, m: int) -> tuple[IntArray, IntArray, IntArray]:
-    """The list in which each of n leaders has all m shapes: rows, and where each leader's begin and end; only to be
-    read."""
-    return np.arange(m), np.zeros(n, dtype=np.int64), np.full(n, m, dtype=np.int64)
+def everyone(n: int, m: int) -> tuple[IntArray, IntArray]:
+    """The list in which each of n leaders has all m shapes: rows, and where each leader's begin and end (n, 2); only to
+    be read."""
+    return np.arange(m), np.tile(np.array([0, m]), (n, 1))
 
 
 def within_range(
     q_ned: FloatArray, reach_m: FloatArray, table: FloatArray, ranges_m: FloatArray | float
-) -> tuple[IntArray, IntArray, IntArray]:
+) -> tuple[IntArray, IntArray]:
     """For each leader at q_ned (n, 3), all shapes whose range it can come into when it moves by reach_m (n,) at most.
 
     table: (m, COLUMNS), ranges_m: (m,), or one for all, m from the surface. Returns rows (k,), ascending for each
-    leader, and where each leader's begin and end (n,), in rows.
+    leader, and where each leader's begin and end (n, 2), in rows.
     """
     n, m = len(q_ned), len(table)
     if n * m <= FEW:
         return everyone(n, m)
     around_m = _extent_m(table) + ranges_m + _ROUNDING_M
-    end = np.empty(n, dtype=np.int64)
-    rows = _within(q_ned, reach_m, np.ascontiguousarray(table[:, NORTH : DOWN + 1]), around_m, end)
-    return rows, np.concatenate(([0], end[:-1])), end
+    spans = np.empty((n, 2), dtype=np.int64)
+    rows = _within(q_ned, reach_m, np.ascontiguousarray(table[:, NORTH : DOWN + 1]), around_m, spans)
+    return rows, spans
 
 
 @kernel()
 def _within(
-    q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, end: IntArray
+    q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, spans: IntArray
 ) -> IntArray:
     order = np.argsort(centre_ned[:, 0])
     centre, around = centre_ned[order], around_m[order]
@@ -70,7 +70,7 @@ def _within(
                     at -= 1
                 rows[at] = j
                 count += 1
-        end[i] = count
+        spans[i, 0], spans[i, 1] = begin, count
     return rows[:count].copy()
 
 

@@ -20,7 +20,7 @@ from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner import fuzzy_escape, goals
 from gcs.planner.fence import FenceBorder
 from gcs.planner.guide import STRAIGHT, RouteFollower
-from gcs.planner.leader import Attracting, LeaderRows, Moving, lead
+from gcs.planner.leader import ARRIVED, GOES_ON, HOLDS, STAYS, UNLIMITED, Attracting, LeaderRows, Moving, aim, lead
 from gcs.planner.limits import FLOOR_M, Floors, SpeedLimits
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
@@ -77,11 +77,12 @@ class _Followers(NamedTuple):
     target: int
     sysids: frozenset[int]
     rows: IntArray
+    """of those without way points of their own, to which all others keep"""
 
 
 _NOTHING_MOVES = Moving(np.zeros((0, COLUMNS)), np.zeros(0), np.zeros((0, 0), np.bool_))
-_NOTHING_ATTRACTS = Attracting(np.zeros((0, 3)), np.zeros(0), np.zeros((0, 0), np.bool_))
-_NO_PLACES = np.zeros((0, 3))
+_NOTHING_ATTRACTS = Attracting(np.zeros((0, 4)), np.zeros((0, 0), np.bool_))
+_NO_SET_POINTS = SetPoints((), np.zeros((0, 6)))
 
 
 class Planner(TickPlanner):
@@ -109,22 +110,10 @@ class Planner(TickPlanner):
         n = len(self._row)
         role = {vehicle.sysid: vehicle.role for vehicle in vehicles.all}
         self._role = np.array([role[sysid] for sysid in self._sysids])
-        self._leaders = LeaderRows(
-            q_ned=np.zeros((n, 3)),
-            v_ned=np.zeros((n, 3)),
-            memory=fuzzy_escape.new_memory(n),
-            goal_ned=np.zeros((n, 3)),
-            goal_v_ned=np.zeros((n, 3)),
-            speed_m_s=np.zeros(n),
-            obstacle_range_m=np.full(n, rules.repulsion_range_m),
-            lowest_d=np.full(n, math.inf),
-        )
+        self._leaders = LeaderRows(n, rules.repulsion_range_m, fuzzy_escape.new_memory(n))
         self._led = np.zeros(n, np.bool_)
-        self._begin = np.zeros((n, 3))
-        """leaders at the start of the period"""
         self._here = np.zeros((n, 3))
         """where vehicles are now; NaN where that is unknown"""
-        self._route_m = np.full(n, math.nan)
         self._paths = {
             target.sysid: goals.ConstantSpeedPath(target.path_m, closed=target.closed, laps=target.laps)
             for target in vehicles.targets
@@ -139,8 +128,8 @@ class Planner(TickPlanner):
         courses = {self._row[p.sysid]: p.waypoints_m for p in vehicles.pursuers if p.waypoints_m}
         # Who gives way at the last way point comes back to it.
         self._courses = goals.Courses(n, courses, reached_m, keeps_last=rules.safety)
-        self._going = self._on_course = self._arrived = self._courses.rows
-        """rows of those led that have way points: some left to come to, one for a goal, none left"""
+        self._course, self._going = np.zeros(n, np.int64), self._courses.rows
+        """how each of those led stands to its way points; and the rows of those that may come to one"""
         self._starts = {self._row[p.sysid]: p.start_m for p in vehicles.pursuers if p.waypoints_m and p.airborne}
         self._waits_ned, self._tanker_m_s = np.zeros((n, 3)), np.zeros(n)
         for tanker in vehicles.tankers:
@@ -169,6 +158,9 @@ class Planner(TickPlanner):
         self._followers: tuple[_Team, Mapping[int, int], list[_Followers]] | None = None
         none = np.zeros(0, np.int64)
         self._team = _Team((frozenset(), b"", b""), none, (), [], none, np.zeros((0, COLUMNS)))
+        self._stamps: NDArray[np.int64] | None = None
+        self._steered: frozenset[int] = frozenset()
+        """with which it was last looked at who is led"""
 
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """`SetPoints` for the steered vehicles; each holds at the snapshot's time.
@@ -176,45 +168,44 @@ class Planner(TickPlanner):
         ValueError where the snapshot's vehicles are not the scenario's.
         """
         columns, period_s = request.snapshot.columns, request.period_s
-        if columns.sysids is not self._sysids:
-            if tuple(columns.sysids) != tuple(self._sysids):
-                raise ValueError(f"the snapshot is of vehicles {list(columns.sysids)}, not {list(self._sysids)}")
-            self._sysids = columns.sysids
-        np.copyto(self._here, columns.p_now_ned)
-        key = (request.steered, np.isnan(self._here[:, 0]).tobytes(), columns.flying.tobytes())
-        if key != self._team.key:
-            self._team = self._regrouped(key, columns)
+        here = self._here = columns.p_now_ned
+        if columns.stamps is not self._stamps or request.steered is not self._steered:
+            self._look_who_is_led(request.steered, columns)
         if self._rules.safety:
             self._slow.receive(columns.age_s, period_s)
         team, leaders = self._team, self._leaders
         if not team.sysids:
-            return SetPoints((), _NO_PLACES, _NO_PLACES)
-        self._begin = leaders.q_ned.copy()
-        np.copyto(leaders.lowest_d, self._floors.at(columns.ground_down_m))
+            return _NO_SET_POINTS
+        np.copyto(leaders.begin_ned, leaders.q_ned)
         movers: tuple[FloatArray, FloatArray] | None = None
         for part in team.parts:
             self._aim(part, request)
             if self._guides is not None or len(self._fence.walls):
                 self._guide(part)
-            self._limits.apply(leaders, part.rows, self._here, self._route_m)
             moving = _NOTHING_MOVES
             exempt, everyone = self._exempt(part, request.snapshot, request.rendezvous)
             if not everyone:
                 movers = movers or self._movers(request.snapshot)
                 moving = Moving(*movers, exempt)
-            lead(
-                leaders,
-                part.rows,
-                obstacles=self.obstacles,
-                moving=moving,
-                attracting=self._attractors(request.snapshot, part),
-                field=self._field,
-                period_s=period_s,
-                escape=self._rules.escape,
-            )
-        if len(team.rows) == len(self._led):
-            return SetPoints(team.sysids, self._begin, leaders.v_ned.copy())
-        return SetPoints(team.sysids, self._begin[team.rows], leaders.v_ned[team.rows])
+            around = (self.obstacles, moving, self._attractors(request.snapshot, part), self._field, period_s)
+            asked, stopping = lead(leaders, part.rows, here, self._limits.sure, *around, escape=self._rules.escape)
+            if asked or stopping:
+                self._limits.lower(leaders, here, asked, stopping)
+                lead(leaders, part.rows, here, UNLIMITED, *around, escape=self._rules.escape)
+        values = leaders.begin_and_v
+        return SetPoints(team.sysids, values.copy() if len(team.rows) == len(values) else values[team.rows])
+
+    def _look_who_is_led(self, steered: frozenset[int], columns: FleetColumns) -> None:
+        """And where their grounds are."""
+        if columns.sysids is not self._sysids:
+            if tuple(columns.sysids) != tuple(self._sysids):
+                raise ValueError(f"the snapshot is of vehicles {list(columns.sysids)}, not {list(self._sysids)}")
+            self._sysids = columns.sysids
+        key = (steered, np.isnan(self._here[:, 0]).tobytes(), columns.flying.tobytes())
+        if key != self._team.key:
+            self._team = self._regrouped(key, columns)
+        np.copyto(self._leaders.lowest_d, self._floors.at(columns.ground_down_m))
+        self._stamps, self._steered = columns.stamps, steered
 
     def _regrouped(self, key: tuple[frozenset[int], bytes, bytes], columns: FleetColumns) -> _Team:
         """Those steered whose place is known, and the others. A vehicle that is not steered any more starts from where
@@ -240,10 +231,13 @@ class Planner(TickPlanner):
         return tuple([self._sysids[row] for row in rows.tolist()])
 
     def _choose_courses(self) -> None:
-        led = [row for row in self._courses.rows.tolist() if self._led[row]]
-        self._going = np.array([row for row in led if self._courses.goes_on(row)], np.int64)
-        self._on_course = np.array([row for row in led if not self._courses.ended[row]], np.int64)
-        self._arrived = np.array([row for row in led if self._courses.ended[row]], np.int64)
+        courses = self._courses
+        led = [row for row in courses.rows.tolist() if self._led[row]]
+        self._going = np.array([row for row in led if courses.goes_on(row)], np.int64)
+        self._course.fill(HOLDS)
+        self._course[led] = [
+            ARRIVED if courses.ended[row] else GOES_ON if courses.goes_on(row) else STAYS for row in led
+        ]
 
     def anchor(self, sysids: Sequence[int], p_ned: FloatArray) -> None:
         """Go on from here: where the safety filter takes the leaders of these vehicles to."""
@@ -259,17 +253,17 @@ class Planner(TickPlanner):
     def _aim(self, part: _Part, request: PlanRequest) -> None:
         """Goals of the leaders of a role, the goals' velocities, and the leaders' speeds."""
         leaders, rows = self._leaders, part.rows
-        leaders.goal_v_ned.fill(0.0)
-        leaders.speed_m_s.fill(self._rules.cruise_m_s)  # who holds may still give way
+        if part.role == "pursuer":
+            self._follow_courses()
+            if self._targets:
+                self._keep_formation(request.snapshot.columns, request.pursuing)
+        else:
+            leaders.goal_v_ned.fill(0.0)
+            leaders.speed_m_s.fill(self._rules.cruise_m_s)
         if part.role == "target":
             for sysid, row in zip(part.sysids, rows.tolist(), strict=True):
                 self._follow_path(self._targets[sysid], row, moves=request.targets_move, period_s=request.period_s)
-        elif part.role == "pursuer":
-            np.copyto(leaders.goal_ned, leaders.q_ned)
-            if self._targets:
-                self._keep_formation(request.snapshot.columns, request.pursuing)
-            self._follow_courses()
-        else:
+        elif part.role == "tanker":
             leaders.goal_ned[rows], leaders.speed_m_s[rows] = self._waits_ned[rows], self._tanker_m_s[rows]
             for tanker, receiver in request.rendezvous.items():
                 if tanker in self._row and self._led[row := self._row[tanker]]:
@@ -291,16 +285,14 @@ class Planner(TickPlanner):
             leaders.goal_v_ned[row] = [component * target.speed_m_s for component in direction]
 
     def _follow_courses(self) -> None:
-        """The next of a vehicle's own way points; at the last one it stays."""
-        leaders, courses = self._leaders, self._courses
-        if len(self._going) and courses.go_on(self._going, leaders.q_ned):
+        """The next of a vehicle's own way points, and at the last one it stays; the others hold, and may still give
+        way."""
+        leaders, courses, cruise_m_s = self._leaders, self._courses, self._rules.cruise_m_s
+        if aim(leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.near2) and courses.go_on(
+            self._going, leaders.q_ned
+        ):
             self._choose_courses()
-        if len(self._on_course):
-            leaders.goal_ned[self._on_course] = courses.goal_ned[self._on_course]
-        if len(self._arrived):
-            leaders.goal_ned[self._arrived], leaders.speed_m_s[self._arrived] = leaders.q_ned[self._arrived], 0.0
-        if self._targets:
-            leaders.goal_v_ned[self._courses.rows] = 0.0
+            aim(leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.near2)
 
     def _keep_formation(self, columns: FleetColumns, pursuing: Mapping[int, int] | None) -> None:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.
@@ -327,11 +319,11 @@ class Planner(TickPlanner):
         known = self._followers
         if known is not None and known[0] is self._team and known[1] == follows:
             return known[2]
-        flying, groups = set(self._team.flying.tolist()), []
+        flying, own_way, groups = set(self._team.flying.tolist()), set(self._courses.rows.tolist()), []
         for target in self._targets:
             sysids = sorted(one for one, followed in follows.items() if followed == target and self._row[one] in flying)
             if sysids:
-                rows = np.array([self._row[sysid] for sysid in sysids])
+                rows = np.array([row for row in map(self._row.__getitem__, sysids) if row not in own_way], np.int64)
                 groups.append(_Followers(target, frozenset(sysids), rows))
         self._followers = (self._team, dict(follows), groups)
         return groups
@@ -340,7 +332,7 @@ class Planner(TickPlanner):
         """Place and velocity with which to keep formation: the leader's; else the vehicle's own, looked ahead."""
         v_ned = vec(columns.v_ned[row])
         flown = _ahead(vec(self._here[row]), v_ned)
-        begin = vec(self._begin[row])
+        begin = vec(self._leaders.begin_ned[row])
         if self._led[row] and math.dist(begin, flown) <= OFF_PLAN_M:
             return begin, vec(self._leaders.v_ned[row])
         return flown, v_ned
@@ -361,12 +353,12 @@ class Planner(TickPlanner):
         straight = found.state == STRAIGHT
         if len(self._fence.walls):
             straight |= ~self._fence.allows(here)
-        self._route_m[rows], leaders.obstacle_range_m[rows] = math.nan, self._field.repulsion_range_m
+        leaders.route_m[rows], leaders.obstacle_range_m[rows] = math.nan, self._field.repulsion_range_m
         if straight.all():
             return
         routed = rows[~straight]
         left_m = found.remaining_m[~straight]
-        leaders.goal_ned[routed], self._route_m[routed] = found.aim_ned[~straight], left_m
+        leaders.goal_ned[routed], leaders.route_m[routed] = found.aim_ned[~straight], left_m
         leaders.goal_v_ned[routed[left_m >= NEAR_GOAL_M]] = 0.0
         # A route keeps its own distance from obstacles, in gaps less than their range.
         leaders.obstacle_range_m[routed] = 0.0
@@ -384,7 +376,7 @@ class Planner(TickPlanner):
                 rows.append((*_ahead(aircraft.p_ned, aircraft.v_ned, LOOKAHEAD_S + aircraft.age_s), default_m))
         table = np.array(rows, np.float64).reshape(-1, 4)
         drawn = np.ones((len(part.rows), len(table)), np.bool_)
-        return Attracting(table[:, :3].copy(), table[:, 3].copy(), drawn)
+        return Attracting(table, drawn)
 
     def _movers(self, snapshot: FleetSnapshot) -> tuple[FloatArray, FloatArray]:
         """Everything that moves and repels, vehicles in the air, then traffic: obstacle table and ranges (m,), m.
@@ -425,8 +417,8 @@ class Planner(TickPlanner):
     ) -> tuple[NDArray[np.bool_], bool]:
         """Those that each leader need not keep away from (itself, partners of a transfer, whom it pursues, and what
         attracts it), and whether that is everyone."""
-        callsigns = [aircraft.callsign for aircraft in snapshot.traffic]
-        asked = (self._team, callsigns, tuple(rendezvous.items()))
+        callsigns = [aircraft.callsign for aircraft in snapshot.traffic] if snapshot.traffic else []
+        asked = (self._team, callsigns, tuple(rendezvous.items()) if rendezvous else ())
         known = self._exempted.get(part.role)
         if known is not None and known[0][0] is self._team and known[0][1:] == asked[1:]:
             return known[1], known[2]

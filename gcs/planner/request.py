@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Protocol
+from types import MappingProxyType
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from gcs.mavlink.setpoints import SetPoint
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
+_NONE: Mapping[int, Any] = MappingProxyType({})
 
-@dataclass(frozen=True, slots=True)
-class PlanRequest:
+
+class PlanRequest(NamedTuple):
     """One tick of planning; positions are in the common NED frame, m.
 
     steered: system ids of the vehicles that fly set points. rendezvous: the receiver above which each tanker is to
@@ -27,9 +28,9 @@ class PlanRequest:
     steered: frozenset[int]
     period_s: float
     targets_move: bool = True
-    rendezvous: Mapping[int, int] = field(default_factory=dict)
+    rendezvous: Mapping[int, int] = _NONE
     pursuing: Mapping[int, int] | None = None
-    stations: Mapping[int, Vec3] = field(default_factory=dict)
+    stations: Mapping[int, Vec3] = _NONE
 
 
 class TickPlanner(Protocol):

@@ -146,7 +146,7 @@ class SafePlanner(TickPlanner):
         filtered = self._filter(points, request, columns, others)
         rows = self._rows
         v_ned = self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
-        set_points = SetPoints(points.sysids, self._p_ned[rows], v_ned)
+        set_points = SetPoints(points.sysids, np.hstack((self._p_ned[rows], v_ned)))
         self._p_ned[rows], self._v_ned[rows] = filtered.p_next_ned, filtered.v_next_ned
         self.tracking.lead(rows, snapshot.time_s + period_s, filtered.p_next_ned)
         self._planner.anchor(points.sysids, filtered.p_next_ned)

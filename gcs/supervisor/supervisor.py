@@ -417,10 +417,10 @@ class Supervisor:
                 snapshot,
                 steered,
                 self._periods * self.scenario.clock.period_s,
-                targets_move=self.targets_move,
-                rendezvous=decision.rendezvous,
-                pursuing=pursuing,
-                stations=decision.stations,
+                self.targets_move,
+                decision.rendezvous,
+                pursuing,
+                decision.stations,
             )
         )
 

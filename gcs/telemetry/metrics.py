@@ -63,7 +63,7 @@ class Metrics:
             flags,
             places,
             self._rows,
-            points.p_ned,
+            points.values,
             self._pairs,
             self._last,
             self._lengths_m,
@@ -145,7 +145,7 @@ def _measure(
 ) -> None:
     """Kernel: one tick of n vehicles, who count while they are flying and fresh, of `FleetColumns` flags and places.
 
-    rows (k,), planned (k, 3): who has a set point, and where. pairs (m, 3): rows of pursuer and target, and the column
+    rows (k,), planned (k, 6): who has a set point, and what. pairs (m, 3): rows of pursuer and target, and the column
     of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
     on: last (n, 3), places of the last tick, NaN where they do not count; lengths_m (n,), the ways flown, NaN before
     the second place in a row; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points and how many there were

@@ -220,7 +220,7 @@ def sending() -> Figure:
     keys = [(sysid, AUTOPILOT) for sysid in range(1, VEHICLES + 1)]
     places = [[rng.uniform(-50.0, 50.0) for _ in range(6)] for _ in keys]
     columns = np.array(places)
-    points = SetPoints(tuple(sysid for sysid, _ in keys), columns[:, :3].copy(), columns[:, 3:].copy())
+    points = SetPoints(tuple(sysid for sysid, _ in keys), columns)
     offsets, turns = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys], [0.0] * VEHICLES
     placer, roster = SetPointPlacer(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
     sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])

@@ -15,8 +15,7 @@ POINTS = [
 def columns() -> SetPoints:
     return SetPoints(
         tuple(point.sysid for point in POINTS),
-        np.array([point.p_ned for point in POINTS]),
-        np.array([point.v_ned for point in POINTS]),
+        np.array([(*point.p_ned, *point.v_ned) for point in POINTS]),
     )
 
 

@@ -8,20 +8,24 @@ import numpy as np
 import pytest
 
 from gcs.planner import fuzzy_escape
-from gcs.planner.leader import LeaderRows
+from gcs.planner.leader import Attracting, LeaderRows, Moving, lead
 from gcs.planner.limits import FLOOR_M, Floors, SpeedLimits
+from gcs.planner.potential_field import FieldConstants
+from gcs.scenario.geometry import COLUMNS
 
 LEASH_M, LOOKAHEAD_S, BRAKE_M_S2 = 2.0, 0.37, 1.2
 N = 400
+NO_SHAPES = np.zeros((0, COLUMNS))
+STILL = Moving(NO_SHAPES, np.zeros(0), np.zeros((N, 0), np.bool_))
+UNDRAWN = Attracting(np.zeros((0, 4)), np.zeros((N, 0), np.bool_))
 
 
 def leaders(rng: np.random.Generator) -> LeaderRows:
     goal_v = rng.uniform(-1.0, 1.0, (N, 3)) * (rng.random((N, 1)) < 0.5)
-    return LeaderRows(
-        q_ned=rng.uniform(-9.0, 9.0, (N, 3)), v_ned=np.zeros((N, 3)), memory=fuzzy_escape.new_memory(N),
-        goal_ned=np.zeros((N, 3)), goal_v_ned=goal_v, speed_m_s=rng.choice([0.0, 0.5, 1.0, 2.5], N),
-        obstacle_range_m=np.ones(N), lowest_d=np.full(N, math.inf),
-    )  # fmt: skip
+    made = LeaderRows(N, 1.0, fuzzy_escape.new_memory(N))
+    made.q_ned[:], made.goal_v_ned[:] = rng.uniform(-9.0, 9.0, (N, 3)), goal_v
+    made.speed_m_s[:] = rng.choice([0.0, 0.5, 1.0, 2.5], N)
+    return made
 
 
 def directions(rng: np.random.Generator) -> np.ndarray:
@@ -53,9 +57,14 @@ def test_limits_are_those_of_the_formula_to_the_last_bit(seed: int, brake_m_s2: 
     near = np.array([0.0, 0.5, 1.0 - 1e-15, 1.0, 1.0 + 1e-15, 1.0 + 1e-8, 1.9, 2.5])
     here = some.q_ned + directions(rng) * (rng.choice(near, N) * free_m)[:, None]
     some.goal_ned[:] = some.q_ned + directions(rng) * (rng.choice(near, N) * stop_m)[:, None]
-    route_m = np.where(rng.random(N) < 0.7, math.nan, rng.choice([0.0, 0.3, 50.0, math.inf], N))
-    wanted = [expected(some, row, here, float(route_m[row]), brake_m_s2) for row in rows.tolist()]
-    SpeedLimits(N, LEASH_M, LOOKAHEAD_S, brake_m_s2).apply(some, rows, here, route_m)
+    some.route_m[:] = np.where(rng.random(N) < 0.7, math.nan, rng.choice([0.0, 0.3, 50.0, math.inf], N))
+    wanted = [expected(some, row, here, float(some.route_m[row]), brake_m_s2) for row in rows.tolist()]
+    limits, q = SpeedLimits(N, LEASH_M, LOOKAHEAD_S, brake_m_s2), some.q_ned.copy()
+    asked, stopping = lead(some, rows, here, limits.sure, NO_SHAPES, STILL, UNDRAWN, FieldConstants(), 0.1, escape=True)
+    assert asked > 0
+    assert (stopping > 0) is (brake_m_s2 is not None)
+    assert (some.q_ned == q).all()  # nobody moves before the limits are known
+    limits.lower(some, here, asked, stopping)
     assert some.speed_m_s[rows].tolist() == wanted
     left = np.setdiff1d(np.arange(N), rows)
     assert (some.speed_m_s[left] == speed[left]).all()

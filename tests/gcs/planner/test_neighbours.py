@@ -30,10 +30,10 @@ def test_nothing_in_range_is_left_out_and_rows_ascend() -> None:
     rng = np.random.default_rng(3)
     table, q = shapes(rng, 300), rng.uniform(-40, 40, (200, 3))
     ranges, reach = rng.uniform(0.2, 2.0, 300), rng.uniform(0.0, 1.0, 200)
-    rows, first, end = neighbours.within_range(q, reach, table, ranges)
+    rows, spans = neighbours.within_range(q, reach, table, ranges)
     assert len(rows) < 0.3 * 200 * 300
     for i in range(200):
-        mine = rows[first[i] : end[i]]
+        mine = rows[spans[i, 0] : spans[i, 1]]
         assert (np.diff(mine) > 0).all()
         distance_m, _ = surface(table, q[i])
         assert set(np.flatnonzero(distance_m <= ranges + reach[i])) <= set(mine)
@@ -71,7 +71,5 @@ def test_the_plan_is_the_same_to_the_last_bit(seed: int, monkeypatch: pytest.Mon
 
 
 def test_everything_is_a_neighbour_where_there_are_few() -> None:
-    rows, first, end = neighbours.within_range(
-        np.zeros((2, 3)), np.zeros(2), geometry.points(1e4 * np.eye(3)), np.ones(3)
-    )
-    assert (rows.tolist(), first.tolist(), end.tolist()) == ([0, 1, 2], [0, 0], [3, 3])
+    rows, spans = neighbours.within_range(np.zeros((2, 3)), np.zeros(2), geometry.points(1e4 * np.eye(3)), np.ones(3))
+    assert (rows.tolist(), spans.tolist()) == ([0, 1, 2], [[0, 3], [0, 3]])

@@ -260,7 +260,7 @@ def test_slots_are_assigned_anew_when_one_is_lost() -> None:
     lost = replace(whole, vehicles=tuple(v._replace(alive=v.sysid != 3) for v in whole.vehicles))
     world.planner.plan(PlanRequest(lost, frozenset(world.at), PERIOD_S, targets_move=False))
     wanted = world.planner._leaders.goal_ned
-    assert (wanted[2] == world.planner._begin[2]).all()
+    assert (wanted[2] == world.planner._leaders.begin_ned[2]).all()
     goals = wanted[[0, 1, 3, 4]]
     nearest = min(math.dist(a, b) for a, b in itertools.combinations(goals, 2))
     assert nearest == pytest.approx(2.0 * math.sqrt(2.0), abs=1e-6)  # a square

@@ -20,12 +20,12 @@ from gcs.link import bundles, inbox, intake
 from gcs.mavlink import gaps
 from gcs.telemetry import approach, metrics, readings
 from gcs.scenario.file import find
-from gcs.planner import goals, leader, limits
+from gcs.planner import leader
 from gcs.supervisor.warmup import rehearse
 from gcs.scenario import load
 
 scenario = load(find("paper/example1"))
-kernels = [leader._lead, goals._any_near, limits._limited, geometry.fill_clearances,
+kernels = [leader._lead, leader.aim, geometry.fill_clearances,
            metrics._measure, approach.look, approach.pass_points, bundles._bundle,
            digest._count, tlog_frames._stamp, set_point_lines._lay_out,
            inbox._receive, inbox._cut, intake._begin, gaps._go_on, readings.read]
@@ -45,8 +45,8 @@ def test_a_rehearsal_loads_every_kernel_of_a_tick_for_good() -> None:
     for _ in range(2):  # the first time they may have to be compiled
         done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     before, after, again, imported_later, compiled = json.loads(done.stdout)
-    assert before == [0] * 16
-    assert after == again == [1] * 16
+    assert before == [0] * 15
+    assert after == again == [1] * 15
     assert imported_later == []
     assert compiled == []
 

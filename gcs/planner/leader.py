@@ -162,8 +162,8 @@ class LeaderLimits(NamedTuple):
     """Limits of speeds, as far as sums of squares tell of whom it is sure that they have none."""
 
     limited: IntArray
-    """(2, n) filled with the rows of all others: first those who are asked for anything, then those who are surely not
-    leashed, but near their goals on a straight way"""
+    """(2, n) filled with the rows of all others: in the second row those who are surely not leashed, but near their
+    goals on a straight way"""
     leash_m: float
     """inf: none"""
     lookahead_s: float

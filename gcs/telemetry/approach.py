@@ -28,6 +28,9 @@ CLOSING_M_S = 0.1
 CURVED_M = 0.1
 """A curve is nearer than its chord by at most this much: at 5 m/s² each and 0.1 s it is 0.0125 m."""
 STRAIGHT = np.empty((0, 3))
+WAY = 5
+CLEAR_M, CLEAR_AT = 3, 4
+"""Of a vehicle's way in an interval, behind the place where it began."""
 
 
 @kernel()
@@ -168,31 +171,37 @@ def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> t
     least = np.empty(now.shape[0])
     geometry.fill_clearances(shapes, now, least)
     shares = np.ones(now.shape[0])
-    between, there, clear_m = np.empty(FINE + 1), np.empty((FINE + 1, 3)), np.empty(FINE + 1)
     for i in range(now.shape[0]):
         n, e, d = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
-        if not least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
-            continue
-        low, high = 0.0, 1.0
-        for _ in range(2):  # the second time closer around the nearest place of the first
-            for step in range(FINE + 1):
-                share = high if step == FINE else low + step * ((high - low) / FINE)
-                between[step] = share
-                there[step, 0], there[step, 1] = before[i, 0] + share * n, before[i, 1] + share * e
-                there[step, 2] = before[i, 2] + share * d
-            geometry.fill_clearances(shapes, there, clear_m)
-            k = int(clear_m.argmin())
-            least[i], shares[i] = clear_m[k], between[k]
-            low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
+        if least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
+            least[i], shares[i] = _clearance_between(shapes, before[i], n, e, d)
     return least, shares
+
+
+@kernel()
+def _clearance_between(shapes: Floats, before: Floats, n: float, e: float, d: float) -> tuple[float, float]:
+    """The least clearance on the straight way from a place (3,) on, and the share."""
+    between, there, clear_m = np.empty(FINE + 1), np.empty((FINE + 1, 3)), np.empty(FINE + 1)
+    least, at = math.inf, 1.0
+    low, high = 0.0, 1.0
+    for _ in range(2):  # the second time closer around the nearest place of the first
+        for step in range(FINE + 1):
+            share = high if step == FINE else low + step * ((high - low) / FINE)
+            between[step] = share
+            there[step, 0], there[step, 1] = before[0] + share * n, before[1] + share * e
+            there[step, 2] = before[2] + share * d
+        geometry.fill_clearances(shapes, there, clear_m)
+        k = int(clear_m.argmin())
+        least, at = clear_m[k], between[k]
+        low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
+    return least, at
 
 
 @kernel()
 def look(
     p: Floats,
     v: Floats,
-    p_last: Floats,
-    v_last: Floats,
+    last: Floats,
     period_s: float,
     flying: Flags,
     ours: Flags,
@@ -202,22 +211,22 @@ def look(
     worth_m: float,
     clear_limit_m: float,
     clear_worth_m: float,
-    before: Floats,
-    clear_m: Floats,
-    clear_at: Floats,
+    ways: Floats,
     found: Floats,
 ) -> tuple[int, float, int, int, float, int, int]:
     """One interval of a fleet of n: (vehicles that count, least separation, row, row, share, pairs too near, row of the
     least clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place
     is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
-    p, v: (n, 3) now, NaN where unknown, v also (0, 3). p_last, v_last (n, 3): at the last tick, NaN where unknown; at
-    the end they are those of now. exempt (k, 2): rows of pairs that are left out. before (n, 3): filled with where each
-    way began. clear_m, clear_at (n,): filled with the least clearance of those who are `ours`, inf for others, and its
-    share; only what may be less than the two limits is worth a closer look.
+    p, v: (n, 3) now, NaN where unknown, v also (0, 3). last (2, n, 3): both at the last tick, NaN where unknown; at the
+    end they are those of now. exempt (k, 2): rows of pairs that are left out. ways (n, WAY): filled with where each way
+    began, and the least clearance of those who are `ours`, inf for others, and its share; only what may be less than
+    the two limits is worth a closer look.
     """
     n = p.shape[0]
-    rows, place = np.empty(n, dtype=np.int64), np.full(n, -1, dtype=np.int64)
+    numbers = np.empty((2, n), dtype=np.int64)
+    rows, place, p_last, v_last = numbers[0], numbers[1], last[0], last[1]
+    place[:] = -1
     count = 0
     known = True
     for i in range(n):
@@ -226,15 +235,18 @@ def look(
             count += 1
             known &= not (math.isnan(p_last[i, 0]) or math.isnan(p_last[i, 1]) or math.isnan(p_last[i, 2]))
     curved = count if known and v.shape[0] > 0 else 0
-    now, was, own = np.empty((count, 3)), np.empty((count, 3)), np.empty(count, dtype=np.bool_)
-    v_now, v_was = np.empty((curved, 3)), np.empty((curved, 3))
+    block, own = np.empty((2 * (count + curved), 3)), np.empty(count, dtype=np.bool_)
+    now, was = block[:count], block[count : 2 * count]
+    v_now, v_was = block[2 * count : 2 * count + curved], block[2 * count + curved :]
+    own_count = 0
     for k in range(count):
         i = rows[k]
         own[k] = ours[i]
+        own_count += ours[i]
         for axis in range(3):
             now[k, axis] = p[i, axis]
             was[k, axis] = p[i, axis] if math.isnan(p_last[i, axis]) else p_last[i, axis]
-            before[i, axis] = was[k, axis]
+            ways[i, axis] = was[k, axis]
             if curved > 0:
                 v_now[k, axis], v_was[k, axis] = v[i, axis], v_last[i, axis]
     pairs = np.empty_like(exempt)
@@ -251,14 +263,17 @@ def look(
     for k in range(min(near, found.shape[0])):
         found[k, 0], found[k, 1] = rows[int(found[k, 0])], rows[int(found[k, 1])]
     for i in range(n):
-        clear_m[i], clear_at[i] = math.inf, 1.0
+        ways[i, CLEAR_M], ways[i, CLEAR_AT] = math.inf, 1.0
     clearest = -1
     if shapes.shape[0] > 0:
         clear_of_m = max(clear_limit_m, min(clear_worth_m, 1e9))
-        of_each, at_share = clearances(shapes, was[own], now[own], clear_of_m)
+        if own_count < count:
+            rows, was, now = rows[:count][own], was[own], now[own]
+        of_each, at_share = clearances(shapes, was, now, clear_of_m)
         least_m = max(clear_limit_m, clear_worth_m)
-        for k, i in enumerate(rows[:count][own]):
-            clear_m[i], clear_at[i] = of_each[k], at_share[k]
+        for k in range(own_count):
+            i = rows[k]
+            ways[i, CLEAR_M], ways[i, CLEAR_AT] = of_each[k], at_share[k]
             if of_each[k] < least_m:
                 clearest, least_m = i, of_each[k]
     for i in range(n):

@@ -74,8 +74,10 @@ class Proximity:
         self._reported: set[tuple[object, ...]] = set()
         count = len(self._sysids)
         self._found = np.empty((approach.MOST_FOUND, 4))
-        self._p_ned, self._v_ned = np.full((count, 3), np.nan), np.zeros((count, 3))
-        self._before, self._clear_m, self._clear_at = np.empty((count, 3)), np.empty(count), np.empty(count)
+        self._of_last = np.zeros((2, count, 3))
+        self._of_last[0] = np.nan
+        ways = self._ways = np.empty((count, approach.WAY))
+        self._before, self._clear_m, self._clear_at = ways[:, :3], ways[:, approach.CLEAR_M], ways[:, approach.CLEAR_AT]
         self._last: tuple[float, Mapping[str, Vec3]] | None = None
         """time, and places of the traffic"""
 
@@ -89,8 +91,7 @@ class Proximity:
         count, least_m, one, other, share, near, clearest = approach.look(
             places.p_ned,
             places.v_ned,
-            self._p_ned,
-            self._v_ned,
+            self._of_last,
             period_s,
             airspace.flying,
             airspace.ours,
@@ -100,9 +101,7 @@ class Proximity:
             self.separation.m,
             limit_m,
             self.clearance.m,
-            self._before,
-            self._clear_m,
-            self._clear_at,
+            self._ways,
             self._found,
         )
         breaches: list[Breach] = []

@@ -127,8 +127,10 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
     rng, n, period_s = np.random.default_rng(7), 9, 0.1
     shapes = of_scenario([Obstacle(sphere_m=(0.0, 0.0, 0.0), radius_m=0.4), Obstacle(point_m=(1.0, 1.0, 0.0))])
     exempt, ours = np.array([[0, 1], [2, 8]]), np.arange(n) != 4
-    p_last, v_last = np.full((n, 3), np.nan), np.zeros((n, 3))
-    before, clear_m, clear_at = np.empty((n, 3)), np.empty(n), np.empty(n)
+    last, ways_of_all = np.zeros((2, n, 3)), np.empty((n, approach.WAY))
+    p_last, v_last, before = last[0], last[1], ways_of_all[:, :3]
+    clear_m, clear_at = ways_of_all[:, approach.CLEAR_M], ways_of_all[:, approach.CLEAR_AT]
+    p_last[:] = np.nan
     found, expected_found = np.empty((64, 4)), np.empty((64, 4))
     near_in_all = too_near_in_all = 0
     for tick in range(60):
@@ -147,9 +149,8 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         expected_m, expected_at = clearances(shapes, was[own], p[rows][own], 0.5)
         known = np.where(np.isin(np.arange(n), rows)[:, None], p, np.nan)
         count, *told, clearest = approach.look(
-            p, v, p_last, v_last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5, 0.3,
-            before, clear_m, clear_at, found,
-        )  # fmt: skip
+            p, v, last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5, 0.3, ways_of_all, found
+        )
         clear = expected_m < 0.5
         assert clearest == (rows[own][expected_m.argmin()] if clear.any() else -1)
         too_near_in_all += int(clear.any())

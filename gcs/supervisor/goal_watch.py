@@ -99,7 +99,9 @@ class GoalWatch:
             height_m = columns.ground_down_m - p_ned[:, 2]
             for sysid in sorted(looked_at):
                 self._look_at(snapshot.vehicle(sysid), height_m, now_s)
-        airspace = self._airspace_of(self._exempt(partners, now_s))
+        airspace = self._airspace
+        if airspace is None or partners or self._partners:
+            airspace = self._airspace_of(self._exempt(partners, now_s))
         if not self._all_count:
             p_ned = p_ned.copy()
             p_ned[self._uncounted] = np.nan
@@ -107,9 +109,9 @@ class GoalWatch:
         if snapshot.traffic:
             traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
             callsigns, there = tuple(traffic), np.array([*traffic.values()])
-        if self._keeps_log:
             if self._log and self._log[-1][2] == callsigns:
                 callsigns = self._log[-1][2]
+        if self._keeps_log:
             self._log.append((now_s, airspace, callsigns, there))
             if self._has_external:
                 self._external_p_ned.append(p_ned[~self._ours].astype(np.float32))
@@ -168,8 +170,6 @@ class GoalWatch:
 
     def _exempt(self, partners: Collection[tuple[int, int]], now_s: float) -> list[tuple[int, int]]:
         """Rows of those who may come near each other: partners, also over the interval in which they cease to be."""
-        if not partners and not self._partners:
-            return []
         kept = {pair: until_s for pair, until_s in self._partners.items() if until_s >= now_s - 1e-9}
         period_s = self._scenario.clock.period_s
         for a, b in partners:

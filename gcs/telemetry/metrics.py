@@ -15,6 +15,8 @@ from gcs.telemetry.columns import FLAGS, IS_FLYING, IS_FRESH, P_NOW_NED, PLACES,
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
+_FLOWN = 5
+_LENGTH, _ERROR = 3, 4
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
 
@@ -30,9 +32,8 @@ class Metrics:
         self._pursuit = PursuitHeld(targets if self._of_targets else self.target_of, within_m)
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
         count = len(self._row)
-        self._last, self._lengths_m = np.full((count, 3), np.nan), np.full(count, np.nan)
+        self._flown = np.full((count, _FLOWN), np.nan)
         self._plans, self._planned = np.zeros((count, PLAN_MEMORY, 3)), np.zeros(count, np.int64)
-        self._errors_m = np.full(count, np.nan)
         self._sysids: tuple[int, ...] = ()
         self._rows = np.empty(0, np.int64)
         """of the vehicles that had the last set points"""
@@ -53,7 +54,10 @@ class Metrics:
         if pursuing is not None and pursuing != self.target_of:
             self.target_of = dict(pursuing)
             self._pairs = self._pairs_of(self.target_of)
-        flags, places = self._in_order(snapshot.columns)
+        columns = snapshot.columns
+        flags, places = columns.flags, columns.places
+        if len(columns.sysids) < len(self._row):
+            flags, places = self._in_order(columns)
         points = SetPoints.of(set_points)
         if points.sysids is not self._sysids:
             if points.sysids != self._sysids:
@@ -65,11 +69,9 @@ class Metrics:
             self._rows,
             points.values,
             self._pairs,
-            self._last,
-            self._lengths_m,
+            self._flown,
             self._plans,
             self._planned,
-            self._errors_m,
             self._distances_m,
         )
         if self._pursuit.keys:
@@ -79,7 +81,7 @@ class Metrics:
     @property
     def path_length_m(self) -> dict[int, float]:
         """By system id, of those who were in the air for two ticks in a row."""
-        return _known(self._row, self._lengths_m)
+        return _known(self._row, self._flown[:, _LENGTH])
 
     @property
     def pursuit_held_s(self) -> float:
@@ -89,13 +91,11 @@ class Metrics:
     @property
     def max_tracking_error_m(self) -> dict[int, float]:
         """By system id, of those whose way was held against a plan."""
-        return _known(self._row, self._errors_m)
+        return _known(self._row, self._flown[:, _ERROR])
 
     def _in_order(self, columns: FleetColumns) -> tuple[Flags, Floats]:
-        """Flags and places of all the scenario's vehicles, as in `FleetColumns`."""
+        """Flags and places of all the scenario's vehicles, where the fleet has fewer by now."""
         count = len(self._row)
-        if len(columns.sysids) == count:
-            return columns.flags, columns.places
         rows = [self._row[sysid] for sysid in columns.sysids]
         flags, places = np.zeros((FLAGS, count), np.bool_), np.zeros((PLACES, count, 3))
         flags[:, rows], places[:, rows] = columns.flags, columns.places
@@ -136,22 +136,20 @@ def _measure(
     rows: Ints,
     planned: Floats,
     pairs: Ints,
-    last: Floats,
-    lengths_m: Floats,
+    flown: Floats,
     plans: Floats,
     counts: Ints,
-    errors_m: Floats,
     distances_m: Floats,
 ) -> None:
     """Kernel: one tick of n vehicles, who count while they are flying and fresh, of `FleetColumns` flags and places.
 
     rows (k,), planned (k, 6): who has a set point, and what. pairs (m, 3): rows of pursuer and target, and the column
     of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
-    on: last (n, 3), places of the last tick, NaN where they do not count; lengths_m (n,), the ways flown, NaN before
-    the second place in a row; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points and how many there were
-    without a break; errors_m (n,), the greatest distance from the plan, NaN before the first.
+    on: flown (n, _FLOWN), the place of the last tick, NaN where it does not count, the length of the way, NaN before
+    the second place in a row, and the greatest distance from the plan, NaN before the first; plans (n, PLAN_MEMORY, 3)
+    and counts (n,), the latest set points and how many there were without a break.
     """
-    p_ned = places[P_NOW_NED]
+    p_ned, last, lengths_m, errors_m = places[P_NOW_NED], flown[:, :_LENGTH], flown[:, _LENGTH], flown[:, _ERROR]
     for i in range(len(last)):
         if not (flags[IS_FLYING, i] and flags[IS_FRESH, i]):
             last[i, 0] = math.nan

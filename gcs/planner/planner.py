@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,6 +78,16 @@ class _Followers(NamedTuple):
     sysids: frozenset[int]
     rows: IntArray
     """of those without way points of their own, to which all others keep"""
+
+
+class _Exempted(NamedTuple):
+    """Others from whom the leaders of one role need not keep away: the same for many ticks."""
+
+    team: _Team
+    callsigns: list[str]
+    pairs: tuple[tuple[int, int], ...]
+    of_each: NDArray[np.bool_]
+    everyone: bool
 
 
 _NOTHING_MOVES = Moving(np.zeros((0, COLUMNS)), np.zeros(0), np.zeros((0, 0), np.bool_))
@@ -151,8 +161,8 @@ class Planner(TickPlanner):
             router = Router(solid, clearance_m, floor_m=FLOOR_M if len(self._floors.rows) else None)
             router.prepare()
             self._guides = {role: RouteFollower(router) for role in ROLES}
-        self._exempted: dict[str, tuple[tuple[Any, ...], NDArray[np.bool_], bool]] = {}
-        """by role: of whom, the answer, which seldom changes, and whether nobody repels anybody"""
+        self._exempted: dict[str, _Exempted] = {}
+        """by role"""
         self._slots = np.zeros((n, 3))
         self._slots_of: dict[int, frozenset[int]] = {}
         self._followers: tuple[_Team, Mapping[int, int], list[_Followers]] | None = None
@@ -418,10 +428,10 @@ class Planner(TickPlanner):
         """Those that each leader need not keep away from (itself, partners of a transfer, whom it pursues, and what
         attracts it), and whether that is everyone."""
         callsigns = [aircraft.callsign for aircraft in snapshot.traffic] if snapshot.traffic else []
-        asked = (self._team, callsigns, tuple(rendezvous.items()) if rendezvous else ())
+        pairs = tuple(rendezvous.items()) if rendezvous else ()
         known = self._exempted.get(part.role)
-        if known is not None and known[0][0] is self._team and known[0][1:] == asked[1:]:
-            return known[1], known[2]
+        if known is not None and known.team is self._team and (known.callsigns, known.pairs) == (callsigns, pairs):
+            return known.of_each, known.everyone
         others = self._team.flying
         exempt = np.zeros((len(part.rows), len(others) + len(callsigns)), np.bool_)
         flying, of_other = exempt[:, : len(others)], self._role[others]
@@ -435,12 +445,12 @@ class Planner(TickPlanner):
                 flying |= of_other == "target"
         rows = {sysid: i for i, sysid in enumerate(part.sysids)}
         columns = {sysid: j for j, sysid in enumerate(self._named(others))}
-        for pair in rendezvous.items():
+        for pair in pairs:
             for one, other in (pair, pair[::-1]):
                 if one in rows and other in columns:
                     exempt[rows[one], columns[other]] = True
-        self._exempted[part.role] = (asked, exempt, bool(exempt.all()))
-        return exempt, bool(exempt.all())
+        known = self._exempted[part.role] = _Exempted(self._team, callsigns, pairs, exempt, bool(exempt.all()))
+        return known.of_each, known.everyone
 
 
 def _ahead(p_ned: Vec3, v_ned: Vec3, time_s: float = LOOKAHEAD_S) -> Vec3:

@@ -364,8 +364,11 @@ class Supervisor:
         self.events += self.preflight.pop_events()
 
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
+        due = self._fleet_arming.due(snapshot.columns)
+        if not due:
+            return
         late_s = (self._periods - 1) * self.scenario.clock.period_s
-        for sysid in self._fleet_arming.due(snapshot.columns):
+        for sysid in due:
             if self.time_ms < self._join_ms[sysid]:
                 continue
             view, arming = snapshot.vehicle(sysid), self.arming[sysid]
@@ -462,8 +465,10 @@ class Supervisor:
             return [key for key in keys if key != TRAFFIC]
         copied = self.quality.copied
         there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied)
+        if not any(there):
+            return []
         some = set().union(*there)
-        return [key for key in keys if key[0] in some and key != TRAFFIC] if some else []
+        return [key for key in keys if key[0] in some and key != TRAFFIC]
 
     def _content(
         self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, greeted: bool

@@ -252,7 +252,7 @@ def _lead(
 ) -> tuple[int, int]:  # fmt: skip
     """Kernel: moves leaders in place, unless one may be limited: how many `limited` has then, else 0, 0. Leader rows[i]
     heeds rows[spans[i, 0]:spans[i, 1]] of obstacles and of moving."""
-    asked, stopping = _limited(rows, table, here, limited, leash, lookahead, brake)
+    asked, stopping = find_limited(rows, table, here, limited, leash, lookahead, brake)
     if asked + stopping > 0:
         return asked, stopping
     near = np.empty(len(moving), dtype=np.int64)
@@ -328,7 +328,7 @@ def _lead(
 
 
 @kernel()
-def _limited(
+def find_limited(
     rows: IntArray, table: FloatArray, here: FloatArray, limited: IntArray, leash: float, lookahead: float,
     brake: float,
 ) -> tuple[int, int]:  # fmt: skip

@@ -20,7 +20,19 @@ from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner import fuzzy_escape, goals
 from gcs.planner.fence import FenceBorder
 from gcs.planner.guide import STRAIGHT, RouteFollower
-from gcs.planner.leader import ARRIVED, GOES_ON, HOLDS, STAYS, UNLIMITED, Attracting, LeaderRows, Moving, aim, lead
+from gcs.planner.leader import (
+    ARRIVED,
+    GOES_ON,
+    HOLDS,
+    STAYS,
+    UNLIMITED,
+    Attracting,
+    LeaderRows,
+    Moving,
+    aim,
+    find_limited,
+    lead,
+)
 from gcs.planner.limits import FLOOR_M, Floors, SpeedLimits
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
@@ -198,7 +210,11 @@ class Planner(TickPlanner):
                 movers = movers or self._movers(request.snapshot)
                 moving = Moving(*movers, exempt)
             around = (self.obstacles, moving, self._attractors(request.snapshot, part), self._field, period_s)
-            asked, stopping = lead(leaders, part.rows, here, self._limits.sure, *around, escape=self._rules.escape)
+            limits = self._limits.sure
+            if self._rules.safety:  # who brakes is then often limited: found apart, leaders are moved by one call
+                self._limits.lower(leaders, here, *find_limited(part.rows, leaders.table, here, *limits))
+                limits = UNLIMITED
+            asked, stopping = lead(leaders, part.rows, here, limits, *around, escape=self._rules.escape)
             if asked or stopping:
                 self._limits.lower(leaders, here, asked, stopping)
                 lead(leaders, part.rows, here, UNLIMITED, *around, escape=self._rules.escape)

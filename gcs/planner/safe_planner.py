@@ -145,8 +145,9 @@ class SafePlanner(TickPlanner):
         others = self._others(request, columns)
         filtered = self._filter(points, request, columns, others)
         rows = self._rows
-        v_ned = self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
-        set_points = SetPoints(points.sysids, np.hstack((self._p_ned[rows], v_ned)))
+        values = np.empty((len(rows), 6))
+        values[:, :3], values[:, 3:] = self._p_ned[rows], self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
+        set_points = SetPoints(points.sysids, values)
         self._p_ned[rows], self._v_ned[rows] = filtered.p_next_ned, filtered.v_next_ned
         self.tracking.lead(rows, snapshot.time_s + period_s, filtered.p_next_ned)
         self._planner.anchor(points.sysids, filtered.p_next_ned)

@@ -104,6 +104,8 @@ class Wind(Part):
     """wind by place, from a table; the same everywhere by default"""
 
 
+CALM = Wind.model_construct()
+
 ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]
 
 

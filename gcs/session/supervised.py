@@ -25,6 +25,7 @@ from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.scenario.unplugged import unplugged
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 
@@ -135,7 +136,7 @@ class SupervisorFork:
             with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
                 hatch = Hatch()
         on_one_core()
-        with uncollected():
+        with uncollected(), unplugged():
             from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)

@@ -13,9 +13,9 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
-from gcs.scenario.fence import FenceRules, fence_conflicts
+from gcs.scenario.fence import NO_FENCE, FenceRules, fence_conflicts
 from gcs.scenario.parts.bases import Base, base_conflicts
-from gcs.scenario.parts.radio import Blackout, Radio
+from gcs.scenario.parts.radio import PERFECT, Blackout, Radio
 from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Record, known_axes
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
@@ -122,7 +122,7 @@ class Scenario(Part):
     """wind and gusts on vehicles with `plant: rotors`; none by default"""
     air_density_kg_m3: Annotated[float, Field(strict=True, gt=0, le=2)] = 1.225
     """density of the air that rotors work in, kg/m³; by default that at sea level"""
-    radio: Radio = Radio.model_construct()
+    radio: Radio = PERFECT
     """loss, delay and blackouts of frames; none by default"""
     faults: tuple[Fault, ...] = ()
     """what goes wrong, at a time or by chance; nothing by default"""
@@ -132,7 +132,7 @@ class Scenario(Part):
     """our own ids for external vehicles; 255/190 by default"""
     forward: Forward = Forward.model_construct()
     """other ground stations that hear the vehicles too; none by default"""
-    fence: FenceRules = FenceRules.model_construct()
+    fence: FenceRules = NO_FENCE
     """geofence that is uploaded to every vehicle before it is armed, and read back; none by default"""
     rally_m: tuple[Plane, ...] = ()
     """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
@@ -171,7 +171,8 @@ class Scenario(Part):
             clock = {"mode": "real", "speed": speed}
         if (refusal := external.clock_refusal(self.vehicles.all, clock.get("mode", self.clock.mode))) is not None:
             raise ValueError(refusal)
-        changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
+        changed = self.model_dump(by_alias=True)
+        changed["clock"] |= clock
         changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
         if forward or forward_control:
             to = (*self.forward.to, *(text for text in forward if text not in self.forward.to))

@@ -19,14 +19,13 @@ from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
 from gcs.link.forwarder import Forwarder
 from gcs.link.link import Link
-from gcs.link.lockstep import REPEAT_S, LockstepLink
+from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
 from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Ended, Hatch
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
-from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal
@@ -36,6 +35,7 @@ from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, a
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
+from gcs.session.ordered import Ordered, make_link, order
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor.summarise import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -58,8 +58,18 @@ class _Stopped(Exception):
 class SessionProcess:
     """One session, from the first process to the summary."""
 
-    def __init__(self, folder: Path, scenario: Scenario, *, drop: float = 0.0, hatch: Hatch | None = None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        scenario: Scenario,
+        *,
+        drop: float = 0.0,
+        hatch: Hatch | None = None,
+        ordered: Ordered | None = None,
+    ) -> None:
+        """ordered: what that hatch has been told to start already, which is all of the session's own."""
         self._kept_hatch = hatch
+        self._ordered = ordered
         self._rehearsed = hatch is not None and hatch.kept and scenario.clock.mode == "lockstep"
         """in the process that this one was forked from, or well enough: what is left to load delays nobody here"""
         self._folder = folder
@@ -69,7 +79,7 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._lockstep_link = make_link(scenario, drop) if ordered is None else ordered.link
         self._link: Link = self._lockstep_link
         if external:
             self._external_link = ExternalLink(external, lambda: self._pace.running_s, scenario.station.ids)
@@ -184,19 +194,14 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
         vehicles = self._scenario.vehicles.launched
-        per_process = self._scenario.vehicles_per_process
-        orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
+        ordered = self._ordered or order(self._scenario, self._folder, self._lockstep_link, self._hatch)
         keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
         if self._scenario.traffic:
-            orders.append(traffic_order(self._scenario, self._folder, connection))
             keys.append(TRAFFIC)
-        self._blocks = {order.sysid: order.sysids for order in orders}
+        self._blocks = {spec.sysid: spec.sysids for spec in ordered.orders}
         self._lockstep_link.expect(keys)
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
-        if self._hatch is not None:
-            self._hatch.start(orders, self._lockstep_link.secret)
         if not self._rehearsed:
             rehearse(self._scenario)  # while the vehicles come up
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):

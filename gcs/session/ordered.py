@@ -13,7 +13,7 @@ from gcs.scenario.model import Scenario
 
 
 class Ordered(NamedTuple):
-    """What a hatch has been told to start, and the link on which that is to answer."""
+    """Orders that a hatch has been given, and the link on which their processes are to answer."""
 
     link: LockstepLink
     orders: list[ProcessSpec]

@@ -26,6 +26,7 @@ from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Ended, Hatch
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
+from gcs.recording import truth
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal
@@ -37,7 +38,7 @@ from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
 from gcs.session.ordered import Ordered, make_link, order
 from gcs.session.server import Publisher, Reader
-from gcs.supervisor.summarise import summarise
+from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
 from gcs.telemetry.events import Event, Kind, Level
@@ -150,7 +151,7 @@ class SessionProcess:
 
     def _summarise(self, outcome: str, text: str) -> None:
         self._reserve.release()
-        summarise(
+        summarise.summarise(
             self._supervisor,
             self._link,
             outcome=outcome,
@@ -174,6 +175,10 @@ class SessionProcess:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
                 if self._begun and self._scenario.vehicles.external:
                     self._hand_back()
+                if self._begun and self._hatch is not None:
+                    self._hatch.dismiss()
+                    truth.load()  # while the vehicles end
+                    summarise.load()
         return False
 
     def _hand_back(self) -> None:

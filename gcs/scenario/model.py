@@ -28,7 +28,7 @@ from gcs.scenario.rules import (
     RefuellingRules,
 )
 from gcs.scenario.station import Forward, Station, station_conflicts
-from gcs.scenario.types import Count, Flag, Part, Plane
+from gcs.scenario.types import Count, Exact, Flag, Part, Plane
 from gcs.scenario.weather import CALM, Wind
 
 __all__ = [
@@ -120,13 +120,13 @@ class Scenario(Part):
     """rendezvous and transfer of energy"""
     wind: Wind = CALM
     """wind and gusts on vehicles with `plant: rotors`; none by default"""
-    air_density_kg_m3: Annotated[float, Field(strict=True, gt=0, le=2)] = 1.225
+    air_density_kg_m3: Annotated[float, Exact(gt=0, le=2)] = 1.225
     """density of the air that rotors work in, kg/m³; by default that at sea level"""
     radio: Radio = PERFECT
     """loss, delay and blackouts of frames; none by default"""
     faults: tuple[Fault, ...] = ()
     """what goes wrong, at a time or by chance; nothing by default"""
-    vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
+    vehicles_per_process: Annotated[int, Exact(ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
     station: Station = Station.model_construct()
     """our own ids for external vehicles; 255/190 by default"""

@@ -6,7 +6,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
+from gcs.link.link import Key
 from gcs.link.lockstep import LockstepLink
+from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Hatch, ProcessSpec
 from gcs.processes.vehicles import traffic_order, vehicle_orders
 from gcs.scenario.model import Scenario
@@ -17,6 +19,12 @@ class Ordered(NamedTuple):
 
     link: LockstepLink
     orders: list[ProcessSpec]
+
+
+def own_keys(scenario: Scenario) -> list[Key]:
+    """The vehicles, and the traffic, that a session starts itself."""
+    keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.launched]
+    return [*keys, TRAFFIC] if scenario.traffic else keys
 
 
 def make_link(scenario: Scenario, drop: float) -> LockstepLink:

@@ -12,12 +12,9 @@ import time
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gcs.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
-from gcs.link.external import ExternalLink
-from gcs.link.fleet import FleetLink
-from gcs.link.forwarder import Forwarder
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
@@ -36,12 +33,16 @@ from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, a
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
-from gcs.session.ordered import Ordered, make_link, order
+from gcs.session.ordered import Ordered, make_link, order, own_keys
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
 from gcs.telemetry.events import Event, Kind, Level
+
+if TYPE_CHECKING:
+    from gcs.link.external import ExternalLink
+    from gcs.link.forwarder import Forwarder
 
 PUBLISH_EVERY_S = 0.1
 SAY_WAITING_EVERY_S = 5.0
@@ -83,9 +84,16 @@ class SessionProcess:
         self._lockstep_link = make_link(scenario, drop) if ordered is None else ordered.link
         self._link: Link = self._lockstep_link
         if external:
+            from gcs.link.external import ExternalLink  # noqa: PLC0415 - most sessions have none
+            from gcs.link.fleet import FleetLink  # noqa: PLC0415
+
             self._external_link = ExternalLink(external, lambda: self._pace.running_s, scenario.station.ids)
             self._link = FleetLink(self._lockstep_link, self._external_link)
-        self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
+        self._forwarder: Forwarder | None = None
+        if scenario.forward.to:
+            from gcs.link.forwarder import Forwarder  # noqa: PLC0415 - the same
+
+            self._forwarder = Forwarder(scenario.forward.to)
         self._notices = LinkNotices(self._link, self._external_link, self._forwarder)
         self._sleep = time.sleep if self._external_link is None else self._external_link.rest
         record = scenario.record
@@ -201,11 +209,8 @@ class SessionProcess:
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
         vehicles = self._scenario.vehicles.launched
         ordered = self._ordered or order(self._scenario, self._folder, self._lockstep_link, self._hatch)
-        keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
-        if self._scenario.traffic:
-            keys.append(TRAFFIC)
         self._blocks = {spec.sysid: spec.sysids for spec in ordered.orders}
-        self._lockstep_link.expect(keys)
+        self._lockstep_link.expect(own_keys(self._scenario))
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
         if not self._rehearsed:
             rehearse(self._scenario)  # while the vehicles come up

@@ -66,10 +66,13 @@ def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: boo
     from gcs.scenario.file import find, load
     from gcs.scenario.keys import read_settings
     from gcs.scenario.model import ScenarioError
+    from gcs.scenario.unplugged import unplugged
 
     try:
         file = find(scenario)
-        loaded = load(file, set=read_settings(settings))
+        given = read_settings(settings)
+        with unplugged():
+            loaded = load(file, set=given)
         if runs_code and any(plugins.named(loaded)):
             plugins.look_in([file.parent, Path.cwd()])
             plugins.check(loaded, file)

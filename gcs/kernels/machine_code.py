@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import builtins
 import ctypes
+import functools
 import mmap
 import pickle
 import struct
@@ -198,9 +199,7 @@ def load(image: Image, function: Callable[..., Any], extensions: Extensions) -> 
             environment.consts[:] = pickle.loads(constants)
         struct.pack_into("<Q", memory, at, id(environment))
         environments.append(environment)
-    if ctypes.CDLL(None, use_errno=True).mprotect(
-        ctypes.c_void_p(start), ctypes.c_size_t(image.data_at), _READ | _EXECUTE
-    ):
+    if _PROCESS.mprotect(ctypes.c_void_p(start), ctypes.c_size_t(image.data_at), _READ | _EXECUTE):
         raise OSError(ctypes.get_errno(), "mprotect")
     module, text, entry = sys.modules[function.__module__], function.__doc__ or "", start + image.entry
     loaded = extensions.dynfunc.make_function(module, function.__name__, text, entry, environments[0], ())
@@ -223,6 +222,11 @@ def _unpickle(at: int, size: int, _: int) -> Any:
 _UNPICKLED: dict[int, Any] = {}
 
 
+_PROCESS = ctypes.CDLL(None, use_errno=True)
+"""All that the interpreter is linked with."""
+
+
+@functools.cache  # kernels call much the same
 def _address(name: str, extensions: Extensions) -> int:
     """Of a function or an object, by the name that numba gives it."""
     if name == "numba_unpickle":  # numba's own would load numba
@@ -239,4 +243,4 @@ def _address(name: str, extensions: Extensions) -> int:
     ):
         if name.startswith(prefix) and name.removeprefix(prefix) in helpers:
             return int(helpers[name.removeprefix(prefix)])
-    return ctypes.cast(ctypes.CDLL(None)[name], ctypes.c_void_p).value or 0
+    return ctypes.cast(_PROCESS[name], ctypes.c_void_p).value or 0

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.scenario import geometry
-from gcs.scenario.fence import CIRCLE, Area, FenceRules
+from gcs.scenario.fence import CIRCLE, NO_FENCE, Area
 from gcs.scenario.geometry import FloatArray
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import Vec3
@@ -34,7 +34,7 @@ class FenceBorder:
     def __init__(self, scenario: Scenario, clearance_m: float) -> None:
         """clearance_m: how far inside a place is brought that lies beyond."""
         self._clearance_m = clearance_m
-        rules = scenario.fence if scenario.planner.safety else FenceRules()
+        rules = scenario.fence if scenario.planner.safety else NO_FENCE
         inside, outside = rules.inside, rules.outside
         self._inside = [_corners(area, inscribed=True) for area in inside]
         self._outside = [_corners(area, inscribed=False) for area in outside]

@@ -175,6 +175,12 @@ class Hatch:
         """Leave it to a fork of this process: with the fork's end of the pipe it ends."""
         self._in.close()
 
+    def dismiss(self) -> None:
+        """Let it begin to end, unless it is kept: its context's end waits for that."""
+        if not self.kept:
+            with contextlib.suppress(BrokenPipeError):
+                self._in.close()
+
     def discard(self) -> None:
         """End it at once, if that has not been done, also by a fork that has it."""
         if self._process.returncode is not None:

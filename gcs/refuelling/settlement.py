@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.service import Phase, Service, ServiceRequests, TransferRole, token
 from gcs.scenario.faults import RADIO
-from gcs.scenario.model import Radio, RefuellingRules, Scenario
+from gcs.scenario.model import RefuellingRules, Scenario
+from gcs.scenario.parts.radio import PERFECT
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 WAIT_S = 10.0
@@ -152,7 +153,7 @@ def transfers_until_s(scenario: Scenario) -> float:
     """Session time at which transfers are stopped, so that they are settled before the end; inf where a transfer cannot
     end with joules on the way, because nothing passes a radio, real or simulated."""
     radio, faults = scenario.radio, [one for one in scenario.faults if one.fault in RADIO]
-    if not (scenario.vehicles.external or faults or radio != Radio()):
+    if not (scenario.vehicles.external or faults or radio != PERFECT):
         return math.inf
     loss = max([radio.loss, *(one.share or 0.0 for one in faults if one.fault == "loss")])
     late_s = max([radio.delay_s + radio.jitter_s, *(one.delay_s or 0.0 for one in faults)])

@@ -15,7 +15,7 @@ from pydantic import AfterValidator, Field, WithJsonSchema
 
 from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.endpoint import EXAMPLE, address
-from gcs.scenario.types import Joules, Part, SysId
+from gcs.scenario.types import Exact, Joules, Part, SysId
 
 RealKind = Literal["ardupilot", "px4"]
 REAL_KINDS: tuple[RealKind, ...] = ("ardupilot", "px4")
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 else:
     _LIST = {"type": "array", "items": {"type": "string"}, "minItems": 1, "maxItems": MOST_LINKS}
     Connect = Annotated[Any, AfterValidator(_checked), WithJsonSchema({"anyOf": [{"type": "string"}, _LIST]})]
-Wait = Annotated[float, Field(strict=True, gt=0, le=3600)]
+Wait = Annotated[float, Exact(gt=0, le=3600)]
 
 
 class SigningKey(Part):

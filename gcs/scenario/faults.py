@@ -13,11 +13,9 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Annotated, Literal, NamedTuple
 
-from pydantic import Field
-
 from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.parts.vehicles import VehicleBase
-from gcs.scenario.types import Coordinate, Fraction, Part, Seconds, SysId
+from gcs.scenario.types import Coordinate, Exact, Fraction, Part, Seconds, SysId
 
 FaultKind = Literal[
     "kill", "hang", "blackout", "loss", "delay", "gcs_silent", "battery", "tanker_out", "motor", "gps_off", "gps_jump"
@@ -56,11 +54,11 @@ class Fault(Part):
     """the begin is drawn evenly from this time to that, s of session time, by the scenario's seed"""
     chance: Fraction = 1.0
     """how likely it happens at all, 0 to 1, drawn by the scenario's seed"""
-    for_s: Annotated[float, Field(strict=True, gt=0, le=604_800)] | None = None
+    for_s: Annotated[float, Exact(gt=0, le=604_800)] | None = None
     """how long it lasts, s of session time; `tanker_out`, `gps_off` and `gps_jump` stay without it"""
     share: Fraction | None = None
     """`loss`: share of frames lost; `battery`: share of the capacity that is gone"""
-    delay_s: Annotated[float, Field(strict=True, gt=0, le=60)] | None = None
+    delay_s: Annotated[float, Exact(gt=0, le=60)] | None = None
     """`delay`: how much later every frame comes, s"""
     jump_m: tuple[Coordinate, Coordinate] | None = None
     """`gps_jump`: how far off the vehicle takes its place to be, to the north and to the east, m"""

@@ -67,6 +67,9 @@ class FenceRules(Part):
         return kept_in and not any(area.covers(north_m, east_m) for area in self.outside)
 
 
+NO_FENCE = FenceRules.model_construct()
+
+
 def fence_conflicts(fence: FenceRules, rally_m: tuple[Any, ...]) -> Iterator[Conflict]:
     """Areas that are none, and more than autopilots hold."""
     items = 0

@@ -13,9 +13,9 @@ from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_v
 from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
-from gcs.scenario.fence import FenceRules, fence_conflicts
+from gcs.scenario.fence import NO_FENCE, FenceRules, fence_conflicts
 from gcs.scenario.parts.bases import Base, base_conflicts
-from gcs.scenario.parts.radio import Blackout, Radio
+from gcs.scenario.parts.radio import PERFECT, Blackout, Radio
 from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Record, known_axes
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
@@ -28,8 +28,8 @@ from gcs.scenario.rules import (
     RefuellingRules,
 )
 from gcs.scenario.station import Forward, Station, station_conflicts
-from gcs.scenario.types import Count, Flag, Part, Plane
-from gcs.scenario.weather import Wind
+from gcs.scenario.types import Count, Exact, Flag, Part, Plane
+from gcs.scenario.weather import CALM, Wind
 
 __all__ = [
     "Attractor",
@@ -80,6 +80,8 @@ class Scenario(Part):
 
     model_config = ConfigDict(populate_by_name=True)
 
+    # Parts left out are constructed, not validated: for that each would have a validator of its own built here.
+
     schema_version: Annotated[int, Field(strict=True, ge=1, le=1, alias="schema")]
     """version of the file format; 1"""
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
@@ -92,7 +94,7 @@ class Scenario(Part):
     """of everything random (radio, faults, gusts, sensors); the same scenario and seed give the same session"""
     origin: Origin
     """where on the globe the common frame's zero lies"""
-    clock: Clock = Clock()
+    clock: Clock = Clock.model_construct()
     """pace and planner period"""
     goal: Goal
     """when the session counts as met, and how long it is"""
@@ -106,31 +108,31 @@ class Scenario(Part):
     """other aircraft, reported by ADSB_VEHICLE; none by default"""
     bases: tuple[Base, ...] = ()
     """places on the ground where vehicles are charged; none by default"""
-    planner: PlannerRules = PlannerRules()
+    planner: PlannerRules = PlannerRules.model_construct()
     """potential field and fuzzy escape, or a planner of your own"""
-    pursuit: PursuitRules = PursuitRules()
+    pursuit: PursuitRules = PursuitRules.model_construct()
     """which pursuers follow their target"""
-    formation: FormationRules = FormationRules()
+    formation: FormationRules = FormationRules.model_construct()
     """the pursuers' places around their target"""
-    competition: CompetitionRules = CompetitionRules()
+    competition: CompetitionRules = CompetitionRules.model_construct()
     """who is refuelled next"""
-    refuelling: RefuellingRules = RefuellingRules()
+    refuelling: RefuellingRules = RefuellingRules.model_construct()
     """rendezvous and transfer of energy"""
-    wind: Wind = Wind()
+    wind: Wind = CALM
     """wind and gusts on vehicles with `plant: rotors`; none by default"""
-    air_density_kg_m3: Annotated[float, Field(strict=True, gt=0, le=2)] = 1.225
+    air_density_kg_m3: Annotated[float, Exact(gt=0, le=2)] = 1.225
     """density of the air that rotors work in, kg/m³; by default that at sea level"""
-    radio: Radio = Radio()
+    radio: Radio = PERFECT
     """loss, delay and blackouts of frames; none by default"""
     faults: tuple[Fault, ...] = ()
     """what goes wrong, at a time or by chance; nothing by default"""
-    vehicles_per_process: Annotated[int, Field(strict=True, ge=1, le=254)] = 1
+    vehicles_per_process: Annotated[int, Exact(ge=1, le=254)] = 1
     """how many fly in one process; nothing else depends on it"""
-    station: Station = Station()
+    station: Station = Station.model_construct()
     """our own ids for external vehicles; 255/190 by default"""
-    forward: Forward = Forward()
+    forward: Forward = Forward.model_construct()
     """other ground stations that hear the vehicles too; none by default"""
-    fence: FenceRules = FenceRules()
+    fence: FenceRules = NO_FENCE
     """geofence that is uploaded to every vehicle before it is armed, and read back; none by default"""
     rally_m: tuple[Plane, ...] = ()
     """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
@@ -138,7 +140,7 @@ class Scenario(Part):
     """a vehicle that fails its check list (fence, rally points, clock) is not armed, or is only warned of"""
     logs: Flag = False
     """after the flight the newest log of each external vehicle is downloaded into the session's folder"""
-    record: Record = Record()
+    record: Record = Record.model_construct()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
     """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
@@ -169,7 +171,8 @@ class Scenario(Part):
             clock = {"mode": "real", "speed": speed}
         if (refusal := external.clock_refusal(self.vehicles.all, clock.get("mode", self.clock.mode))) is not None:
             raise ValueError(refusal)
-        changed = self.model_dump(by_alias=True) | {"clock": {**self.clock.model_dump(), **clock}}
+        changed = self.model_dump(by_alias=True)
+        changed["clock"] |= clock
         changed |= ({} if seed is None else {"seed": seed}) | ({"logs": True} if logs else {})
         if forward or forward_control:
             to = (*self.forward.to, *(text for text in forward if text not in self.forward.to))
@@ -286,7 +289,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
 
 def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
     """Conditions of weather: (broken, where, sentence)."""
-    blows = s.wind != Wind()
+    blows = s.wind != CALM
     rotors = any(vehicle.on_rotors for vehicle in s.vehicles.launched)
     return [
         (blows and not rotors, ("wind",), "wind moves vehicles with 'plant: rotors', and there is none"),

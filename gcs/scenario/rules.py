@@ -6,10 +6,22 @@ Frozen, strict, and NED (gcs/scenario/types.py).
 import re
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import AfterValidator, Field, WithJsonSchema, model_validator
+from pydantic import AfterValidator, WithJsonSchema, model_validator
 
 from gcs.scenario.document import did_you_mean
-from gcs.scenario.types import Coordinate, Flag, Fraction, Joules, Metres, NotNegative, Part, Positive, Seconds, Speed
+from gcs.scenario.types import (
+    Coordinate,
+    Exact,
+    Flag,
+    Fraction,
+    Joules,
+    Metres,
+    NotNegative,
+    Part,
+    Positive,
+    Seconds,
+    Speed,
+)
 
 
 def _one_of(*known: str) -> Any:
@@ -67,18 +79,18 @@ class PlannerRules(Part):
     """gain of the repulsion, without unit"""
     a: NotNegative = 0.5
     """gain of the repulsion's inner term, without unit; 0 switches it off"""
-    b: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.5
+    b: Annotated[float, Exact(gt=0, lt=1)] = 0.5
     """share of the repulsion range within which the inner term acts, above 0 and below 1"""
     attraction_range_m: Metres = 1.0
     """range of `attractors` and of traffic that attracts, m; a pursuer's own goal attracts at any distance"""
     repulsion_range_m: Metres = 1.0
     """how far from its surface an obstacle, vehicle or aircraft repels, m"""
-    step_m: Annotated[float, Field(strict=True, ge=1e-3, le=1e5)] = 0.1
+    step_m: Annotated[float, Exact(ge=1e-3, le=1e5)] = 0.1
     """longest step of the planned point, and the distance at which a way point is reached, m"""
     full_steps: Flag = False
     """no step of the planned point shrinks near a goal but the last one, onto it: the paper's eq. 4 to the letter; it
     passes way points at full speed. Needs `safety: false`"""
-    separation_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.6
+    separation_m: Annotated[float, Exact(ge=0, le=1e5)] = 0.6
     """the least distance between any two vehicles that are not partners of a transfer"""
     vehicles_repel: Flag = True
     """false: each vehicle is planned as if it were alone, and may start where another does"""
@@ -88,9 +100,9 @@ class PlannerRules(Part):
     """the safety filter behind the planner, which keeps everyone apart; false: planned points as they are"""
     guide: Flag = True
     """routes around obstacles that lie in the straight line, under the safety filter"""
-    acceleration_m_s2: Annotated[float, Field(strict=True, ge=0.01, le=1e5)] = 4.0
+    acceleration_m_s2: Annotated[float, Exact(ge=0.01, le=1e5)] = 4.0
     """greatest acceleration of planned points under the safety filter, m/s²; launched vehicles can do 5"""
-    clearance_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.2
+    clearance_m: Annotated[float, Exact(ge=0, le=1e5)] = 0.2
     """distance that the safety filter keeps to obstacles' surfaces beside each vehicle's margin, m"""
 
 
@@ -111,11 +123,11 @@ class PursuitRules(Part):
     bids: Literal["predicted", "measured"] = "predicted"
     """`predicted`: the effort that it would take to meet the target, and the least pursues from the first tick on;
     `measured`: the effort that each has reported so far, the paper's, and nobody pursues before one has won"""
-    p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    p: Annotated[float, Exact(ge=1, le=100)] = 2.0
     """exponent of the competition, at least 1"""
     rate: Positive = 5.0
     """rate c of the competition, 1/s"""
-    share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
+    share: Annotated[float, Exact(gt=0, lt=1)] = 0.9
     """of all states to the power p, less the floor's own, that a challenger must hold to take over"""
     hysteresis: NotNegative = 0.1
     """how much of its effort the present pursuer is forgiven"""
@@ -134,7 +146,7 @@ class CompetitionRules(Part):
     transfers over the radio among themselves, and the supervisor watches"""
     policy: Policy = "winner_take_all"
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
-    p: Annotated[float, Field(strict=True, ge=1, le=100)] = 2.0
+    p: Annotated[float, Exact(ge=1, le=100)] = 2.0
     """exponent of the law, at least 1"""
     bids: Literal["time", "need", "effort"] = "time"
     """`time`: as many winners at once as tankers are free, by the time that each has left; `need`: one winner after
@@ -152,7 +164,7 @@ class CompetitionRules(Part):
     """greatest bid, without unit"""
     need_from: Fraction = 0.5
     """share of the battery that must be gone before a vehicle competes, 0 to 1"""
-    share: Annotated[float, Field(strict=True, gt=0, lt=1)] = 0.9
+    share: Annotated[float, Exact(gt=0, lt=1)] = 0.9
     """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need or effort, of the
     sum less the floor's own"""
     dwell_s: Seconds = 1.0
@@ -168,15 +180,15 @@ class RefuellingRules(Part):
     """false: no service at all"""
     height_m: Metres = 1.2
     """how far above its receiver the tanker flies, m; below `capture_m`"""
-    capture_m: Annotated[float, Field(strict=True, ge=0.1, le=100)] = 1.5
+    capture_m: Annotated[float, Exact(ge=0.1, le=100)] = 1.5
     """greatest distance of tanker and receiver for a transfer, m"""
-    relative_speed_m_s: Annotated[float, Field(strict=True, ge=0.05, le=10)] = 0.5
+    relative_speed_m_s: Annotated[float, Exact(ge=0.05, le=10)] = 0.5
     """greatest relative speed for a transfer, m/s"""
     hold_s: Seconds = 1.0
     """how long both must hold before a transfer starts, s"""
     rate_w: Positive = 2000.0
     """power of a transfer in flight, W"""
-    until: Annotated[float, Field(strict=True, gt=0, le=1)] = 0.9
+    until: Annotated[float, Exact(gt=0, le=1)] = 0.9
     """of the receiver's capacity"""
     reserve_s: Seconds = 20.0
     """who cannot last until the rendezvous and this long after it takes part before `need_from`; served first with

@@ -7,7 +7,7 @@ from pydantic import AfterValidator, Field
 
 from gcs.scenario.document import Conflict
 from gcs.scenario.endpoint import EXAMPLE, FORM, address
-from gcs.scenario.types import Flag, Part
+from gcs.scenario.types import Exact, Flag, Part
 
 TRAFFIC = (255, 156)
 MOST_FORWARDED = 8
@@ -16,10 +16,10 @@ MOST_FORWARDED = 8
 class Station(Part):
     """Our system and component id, on every link to an external vehicle; launched ones always hear 255/190."""
 
-    sysid: Annotated[int, Field(strict=True, ge=1, le=255)] = 255
+    sysid: Annotated[int, Exact(ge=1, le=255)] = 255
     """system id; ArduPilot obeys by its SYSID_MYGCS (MAV_GCS_SYSID) alone the sticks of whom it names; QGroundControl
     and MAVProxy are 255 too"""
-    compid: Annotated[int, Field(strict=True, ge=2, le=255)] = 190
+    compid: Annotated[int, Exact(ge=2, le=255)] = 190
     """component id; 1 is an autopilot's"""
 
     @property

@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import AfterValidator, Field, model_validator
 
 from gcs.scenario.external import REAL_KINDS, RealKind, Wait
-from gcs.scenario.types import Coordinate, NotNegative, Part, Positive, Seconds
+from gcs.scenario.types import Coordinate, Exact, NotNegative, Part, Positive, Seconds
 
 
 def _ascending(axis: tuple[float, ...]) -> tuple[float, ...]:
@@ -42,9 +42,9 @@ class Sensors(Part):
     """correlation time of the accelerometers' error, s"""
 
 
-Compass = Annotated[float, Field(strict=True, ge=0, le=360)]
-WindSpeed = Annotated[float, Field(strict=True, ge=0, le=60)]
-AirSpeed = Annotated[float, Field(strict=True, ge=-60, le=60)]
+Compass = Annotated[float, Exact(ge=0, le=360)]
+WindSpeed = Annotated[float, Exact(ge=0, le=60)]
+AirSpeed = Annotated[float, Exact(ge=-60, le=60)]
 Axis = Annotated[tuple[Coordinate, ...], Field(min_length=1, max_length=2000), AfterValidator(_ascending)]
 
 
@@ -61,7 +61,7 @@ class Gust(Part):
     """level speed, added to the wind, m/s"""
     from_deg: Compass = 0.0
     """where it comes from, degrees clockwise from north"""
-    up_m_s: Annotated[float, Field(strict=True, ge=-60, le=60)] = 0.0
+    up_m_s: Annotated[float, Exact(ge=-60, le=60)] = 0.0
     """speed upwards, m/s"""
 
 
@@ -103,6 +103,8 @@ class Wind(Part):
     field: WindTable | None = None
     """wind by place, from a table; the same everywhere by default"""
 
+
+CALM = Wind.model_construct()
 
 ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
-from gcs.link.external import ExternalLink
 from gcs.link.link import Link
 from gcs.link.lockstep import LockstepLink
 from gcs.processes.startup import Arrivals
 from gcs.scenario.model import Scenario
+
+if TYPE_CHECKING:  # most sessions have no external vehicle
+    from gcs.link.external import ExternalLink
 
 WATCH_EVERY_S = 0.05
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
-from gcs.link.external import ExternalLink
-from gcs.link.forwarder import Forwarder
 from gcs.link.keys import RefusalNotices
 from gcs.link.link import Key, Link
 from gcs.telemetry.events import Level
+
+if TYPE_CHECKING:  # most sessions have neither
+    from gcs.link.external import ExternalLink
+    from gcs.link.forwarder import Forwarder
 
 Notice = tuple[int, Level, str]
 """System id that it concerns, or 0; how much it matters; a sentence."""

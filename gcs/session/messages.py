@@ -15,7 +15,7 @@ from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
-from gcs.scenario.weather import Wind
+from gcs.scenario.weather import CALM
 from gcs.session.message_types import (
     BaseRow,
     BrokenRow,
@@ -241,7 +241,7 @@ def session_message(
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=goal_of(scenario),
             origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
-            wind=None if scenario.wind == Wind() else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
+            wind=None if scenario.wind == CALM else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
 

@@ -25,6 +25,7 @@ from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.arrival import BadVehicleError, SessionFailed
+from gcs.session.ordered import Ordered
 from gcs.session.server import Reader
 from gcs.session.session_process import SessionProcess, say
 
@@ -57,11 +58,13 @@ def fly(
     every_ms: int | None = None,
     scenario: Scenario | None = None,
     hatch: Hatch | None = None,
+    ordered: Ordered | None = None,
 ) -> int:
     """Fly the session in `folder` in this process and say its last word; the exit status.
 
     scenario: instead of what the folder's scenario.yaml says.
     hatch: one that is running already and goes on afterwards, instead of one of the session's own.
+    ordered: what that hatch has been told to start already.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
@@ -71,7 +74,7 @@ def fly(
         if any(plugins.named(scenario)):
             plugins.look_in(modules)
         with plugins.output_kept(scenario, folder):
-            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch)
+            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch, ordered=ordered)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))

@@ -12,21 +12,18 @@ import time
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gcs.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
-from gcs.link.external import ExternalLink
-from gcs.link.fleet import FleetLink
-from gcs.link.forwarder import Forwarder
 from gcs.link.link import Link
-from gcs.link.lockstep import REPEAT_S, LockstepLink
+from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
 from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Ended, Hatch
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
-from gcs.processes.vehicles import traffic_order, vehicle_orders
+from gcs.recording import truth
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal
@@ -36,11 +33,16 @@ from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, a
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
+from gcs.session.ordered import Ordered, make_link, order, own_keys
 from gcs.session.server import Publisher, Reader
-from gcs.supervisor.summarise import summarise
+from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
 from gcs.telemetry.events import Event, Kind, Level
+
+if TYPE_CHECKING:
+    from gcs.link.external import ExternalLink
+    from gcs.link.forwarder import Forwarder
 
 PUBLISH_EVERY_S = 0.1
 SAY_WAITING_EVERY_S = 5.0
@@ -58,8 +60,18 @@ class _Stopped(Exception):
 class SessionProcess:
     """One session, from the first process to the summary."""
 
-    def __init__(self, folder: Path, scenario: Scenario, *, drop: float = 0.0, hatch: Hatch | None = None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        scenario: Scenario,
+        *,
+        drop: float = 0.0,
+        hatch: Hatch | None = None,
+        ordered: Ordered | None = None,
+    ) -> None:
+        """ordered: what that hatch has been told to start already, which is all of the session's own."""
         self._kept_hatch = hatch
+        self._ordered = ordered
         self._rehearsed = hatch is not None and hatch.kept and scenario.clock.mode == "lockstep"
         """in the process that this one was forked from, or well enough: what is left to load delays nobody here"""
         self._folder = folder
@@ -69,12 +81,19 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._lockstep_link = LockstepLink(drop=drop, seed=scenario.seed)
+        self._lockstep_link = make_link(scenario, drop) if ordered is None else ordered.link
         self._link: Link = self._lockstep_link
         if external:
+            from gcs.link.external import ExternalLink  # noqa: PLC0415 - most sessions have none
+            from gcs.link.fleet import FleetLink  # noqa: PLC0415
+
             self._external_link = ExternalLink(external, lambda: self._pace.running_s, scenario.station.ids)
             self._link = FleetLink(self._lockstep_link, self._external_link)
-        self._forwarder = Forwarder(scenario.forward.to) if scenario.forward.to else None
+        self._forwarder: Forwarder | None = None
+        if scenario.forward.to:
+            from gcs.link.forwarder import Forwarder  # noqa: PLC0415 - the same
+
+            self._forwarder = Forwarder(scenario.forward.to)
         self._notices = LinkNotices(self._link, self._external_link, self._forwarder)
         self._sleep = time.sleep if self._external_link is None else self._external_link.rest
         record = scenario.record
@@ -140,7 +159,7 @@ class SessionProcess:
 
     def _summarise(self, outcome: str, text: str) -> None:
         self._reserve.release()
-        summarise(
+        summarise.summarise(
             self._supervisor,
             self._link,
             outcome=outcome,
@@ -164,6 +183,10 @@ class SessionProcess:
                 self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
                 if self._begun and self._scenario.vehicles.external:
                     self._hand_back()
+                if self._begun and self._hatch is not None:
+                    self._hatch.dismiss()
+                    truth.load()  # while the vehicles end
+                    summarise.load()
         return False
 
     def _hand_back(self) -> None:
@@ -184,19 +207,11 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
-        connection = ("--supervised", f"udpout:{self._lockstep_link.host}:{self._lockstep_link.port}")
         vehicles = self._scenario.vehicles.launched
-        per_process = self._scenario.vehicles_per_process
-        orders = vehicle_orders(self._scenario, self._folder, connection, per_process=per_process)
-        keys = [(vehicle.sysid, AUTOPILOT) for vehicle in vehicles]
-        if self._scenario.traffic:
-            orders.append(traffic_order(self._scenario, self._folder, connection))
-            keys.append(TRAFFIC)
-        self._blocks = {order.sysid: order.sysids for order in orders}
-        self._lockstep_link.expect(keys)
+        ordered = self._ordered or order(self._scenario, self._folder, self._lockstep_link, self._hatch)
+        self._blocks = {spec.sysid: spec.sysids for spec in ordered.orders}
+        self._lockstep_link.expect(own_keys(self._scenario))
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
-        if self._hatch is not None:
-            self._hatch.start(orders, self._lockstep_link.secret)
         if not self._rehearsed:
             rehearse(self._scenario)  # while the vehicles come up
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):

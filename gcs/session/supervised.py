@@ -25,6 +25,7 @@ from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.scenario.unplugged import unplugged
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 
@@ -135,10 +136,18 @@ class SupervisorFork:
             with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
                 hatch = Hatch()
         on_one_core()
-        with uncollected():
-            from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
+        with uncollected(), unplugged():
+            from gcs.session import ordered as vehicles  # noqa: PLC0415 - only a supervisor needs it
 
-            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch)
+            ordered = None
+            if hatch is not None:
+                with contextlib.suppress(OSError):  # as above
+                    ordered = vehicles.order(
+                        self.scenario, self.folder, vehicles.make_link(self.scenario, self.drop), hatch
+                    )
+            from gcs.session import process  # noqa: PLC0415 - the same; vehicles come up meanwhile
+
+            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch, ordered=ordered)
 
 
 class Supervised:

@@ -38,7 +38,7 @@ def make_fleet(scenario: Scenario) -> Fleet:
         )
         for v in scenario.vehicles.all
     ]
-    return Fleet(members, GlobalOrigin(**scenario.origin.model_dump()))
+    return Fleet(members, GlobalOrigin(**dict(scenario.origin)))
 
 
 def make_arming_sequences(scenario: Scenario) -> dict[int, ArmingSequence]:
@@ -56,7 +56,9 @@ def make_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> Impa
     radio = scenario.radio
     blackouts, bursts = radio_faults(injections, scenario)
     dead = [Burst(None, silence.from_s, silence.to_s, loss=1.0) for silence in radio.ground_blackouts]
-    return Impairment(**radio.model_dump(include=_SHARES), bursts=[*blackouts, *dead, *bursts], seed=scenario.seed)
+    return Impairment(
+        **{name: getattr(radio, name) for name in _SHARES}, bursts=[*blackouts, *dead, *bursts], seed=scenario.seed
+    )
 
 
 def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> PeerRadio | None:
@@ -66,7 +68,7 @@ def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) ->
     radio = scenario.radio
     return PeerRadio(
         [vehicle.sysid for vehicle in scenario.vehicles.all],
-        Impairment(**radio.model_dump(include=_SHARES), seed=scenario.seed),
+        Impairment(**{name: getattr(radio, name) for name in _SHARES}, seed=scenario.seed),
         blackouts=radio_faults(injections, scenario)[0],
         splits=radio.splits,
     )

@@ -11,11 +11,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.link.forwarder import FromStation
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
@@ -24,6 +23,9 @@ from gcs.supervisor.arming import ArmingSequence
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
+
+if TYPE_CHECKING:  # most sessions have none
+    from gcs.link.forwarder import FromStation
 
 _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
 _STOPPED = frozenset({mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM, mav.MAVLINK_MSG_ID_SETUP_SIGNING})

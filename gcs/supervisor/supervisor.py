@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from gcs.link.forwarder import Forwarder
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickGrants, TickLink
 from gcs.mavlink.autopilots import End
@@ -53,6 +52,9 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.metrics import Metrics
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+
+if TYPE_CHECKING:  # most sessions have none
+    from gcs.link.forwarder import Forwarder
 
 WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20

@@ -96,3 +96,10 @@ def test_help_loads_neither_models_nor_what_flies(tmp_path: Path) -> None:
 def test_validate_loads_nothing_that_flies(tmp_path: Path) -> None:
     (command,) = loaded(tmp_path / "validate", "gcs", "validate", "--quiet", "demo")
     assert not command & LATER
+
+
+def test_vehicles_are_ordered_before_what_steers_them_is_loaded() -> None:
+    code = "import sys, gcs.session.ordered; print(*sys.modules)"
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert "gcs.link.lockstep" in found
+    assert not {"gcs.planner.planner", "gcs.recording.recorder", "gcs.supervisor.supervisor"} & set(found)

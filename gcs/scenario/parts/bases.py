@@ -3,12 +3,10 @@
 from collections.abc import Iterator, Sequence
 from typing import Annotated
 
-from pydantic import Field
-
 from gcs.scenario.document import Conflict
 from gcs.scenario.parts.surroundings import Obstacle
 from gcs.scenario.parts.vehicles import Pursuer
-from gcs.scenario.types import Label, Metres, Part, Positive, Vec3
+from gcs.scenario.types import Exact, Label, Metres, Part, Positive, Vec3
 
 LEAST_BASE_CLEARANCE_M = 0.3
 
@@ -22,7 +20,7 @@ class Base(Part):
     """where vehicles land"""
     rate_w: Positive = 2000.0
     """charging power, W"""
-    stock_j: Annotated[float, Field(strict=True, gt=0, lt=1 << 31)]
+    stock_j: Annotated[float, Exact(gt=0, lt=1 << 31)]
     """whole joules of it are given"""
     radius_m: Metres = 1.0
     """how far from its place a vehicle may stand and still be charged"""

@@ -65,3 +65,6 @@ class Radio(Part):
     def random(self) -> bool:
         """Whether the seed decides what happens to frames."""
         return any((self.loss, self.jitter_s, self.duplicate, self.reorder))
+
+
+PERFECT = Radio.model_construct()

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import AwareDatetime, Field, ValidationInfo
 
-from gcs.scenario.types import Count, Degrees, Flag, Limit, Metres, Part, Seconds
+from gcs.scenario.types import Count, Degrees, Exact, Flag, Limit, Metres, Part, Seconds
 
 STEP_S = 0.004  # the vehicles' own step: a grant is a whole number of them
 
@@ -22,11 +22,11 @@ EARLIEST, LATEST = datetime(1970, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo
 class Origin(Part):
     """Place of the local frame's zero; the height is above mean sea level."""
 
-    lat_deg: Annotated[float, Field(strict=True, ge=-89, le=89)]
+    lat_deg: Annotated[float, Exact(ge=-89, le=89)]
     """latitude, degrees north, WGS 84"""
     lon_deg: Degrees
     """longitude, degrees east, WGS 84"""
-    alt_m: Annotated[float, Field(strict=True, ge=-1000, le=20_000)]
+    alt_m: Annotated[float, Exact(ge=-1000, le=20_000)]
     """height above mean sea level, m"""
 
 
@@ -35,10 +35,10 @@ class Clock(Part):
 
     mode: Literal["lockstep", "real"] = "real"
     """`lockstep`: as fast as the machine can; `real`: paced at `speed`"""
-    speed: Annotated[float, Field(strict=True, gt=0, le=1000)] = 1.0
+    speed: Annotated[float, Exact(gt=0, le=1000)] = 1.0
     """session seconds per wall second, with mode `real`; external vehicles must keep it by themselves, else they are
     not armed"""
-    period_s: Annotated[float, Field(strict=True, ge=STEP_S, le=1)] = 0.1
+    period_s: Annotated[float, Exact(ge=STEP_S, le=1)] = 0.1
     """period of planning, set points and grants, s; a multiple of 0.004, at most 0.2 with refuelling"""
     epoch: Annotated[AwareDatetime, Field(ge=EARLIEST, lt=LATEST)] = datetime(2026, 1, 1, tzinfo=UTC)
     """date and time of session time zero, with time zone; the times in session.tlog count from it"""
@@ -62,7 +62,7 @@ class Goal(Part):
     """pursuit that is demanded; none by default"""
     refuelled_at_least: Count = 0
     """number of services that must have delivered energy; 0 demands none"""
-    duration_s: Annotated[float, Field(strict=True, gt=0, le=604_800)]
+    duration_s: Annotated[float, Exact(gt=0, le=604_800)]
     """length of the session, s of session time"""
     separation_m: Limit = None
     """least distance of two vehicles in flight, m, partners of a transfer aside; by default planner.separation_m where
@@ -87,11 +87,11 @@ class Goal(Part):
 class Record(Part):
     """Files that a session leaves on disk, and how large they become (docs/protocol.md#rotation)."""
 
-    rotate_mb: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] | None = None
+    rotate_mb: Annotated[int, Exact(ge=1, le=1_000_000)] | None = None
     """once session.tlog and decisions.jsonl are larger together, they go on in new files; MB; never without it"""
-    keep: Annotated[int, Field(strict=True, ge=1, le=9999)] | None = None
+    keep: Annotated[int, Exact(ge=1, le=9999)] | None = None
     """so many of the files that were full are kept, the oldest go; all without it"""
     decisions: Literal["all", "changes"] = "all"
     """`changes`: a set point that the one before it foretells to 5 cm and 5 cm/s is not written, for 1 s at most"""
-    truth_hz: Annotated[float, Field(strict=True, gt=0, le=250)] | None = None
+    truth_hz: Annotated[float, Exact(gt=0, le=250)] | None = None
     """vehicles record their truth so often, without the thrust of each step; every grant without it"""

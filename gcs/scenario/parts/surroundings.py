@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from gcs.scenario.types import Flag, Height, Label, Metres, Part, Plane, Route, Seconds, Speed, Vec3
+from gcs.scenario.types import Exact, Flag, Height, Label, Metres, Part, Plane, Route, Seconds, Speed, Vec3
 
 Kind = Literal["point", "sphere", "box", "cylinder"]
 _KEYS: dict[Kind, set[str]] = {
@@ -33,7 +33,7 @@ class Obstacle(Part):
     """a box: two opposite corners, m, in the file's axes"""
     cylinder_m: Plane | None = None
     """an upright cylinder: its axis as the first two coordinates, m; with `radius_m`, `bottom_m` and `top_m`"""
-    radius_m: Annotated[float, Field(strict=True, ge=0, le=1e5)] = 0.0
+    radius_m: Annotated[float, Exact(ge=0, le=1e5)] = 0.0
     """radius of a sphere or cylinder, m"""
     bottom_m: Height | None = None
     """lower end of a cylinder, m, third coordinate in the file's axes"""

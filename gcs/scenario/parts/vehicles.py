@@ -2,11 +2,12 @@
 
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, model_validator
 
 from gcs.scenario.external import External, filled
 from gcs.scenario.types import (
     Angles,
+    Exact,
     Flag,
     Label,
     Metres,
@@ -29,13 +30,13 @@ Airframe = Literal["iris", "hummingbird", "crazyflie"]
 class Battery(Part):
     """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model.md#battery) [choice]."""
 
-    capacity_j: Annotated[float, Field(strict=True, ge=1, le=1 << 24)]
+    capacity_j: Annotated[float, Exact(ge=1, le=1 << 24)]
     """energy of the full battery, J"""
     initial_percent: Percent = 100.0
     """charge at the start, % of the capacity"""
-    hover_w: Annotated[float, Field(strict=True, gt=0, le=1e5)] = 200.0
+    hover_w: Annotated[float, Exact(gt=0, le=1e5)] = 200.0
     """power of the motors in hover, W"""
-    avionics_w: Annotated[float, Field(strict=True, ge=0, le=1e4)] = 10.0
+    avionics_w: Annotated[float, Exact(ge=0, le=1e4)] = 10.0
     """power of everything else, W; drawn with motors off too"""
     resistance_ohm: NotNegative | None = None
     """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""
@@ -136,7 +137,7 @@ class Target(VehicleBase):
     """corners of its path, m, in the file's axes; flown once all vehicles are in the air"""
     speed_m_s: Speed
     """speed along the path, m/s"""
-    laps: Annotated[int, Field(strict=True, ge=1, le=1_000_000)] = 1
+    laps: Annotated[int, Exact(ge=1, le=1_000_000)] = 1
     """how often a closed path is flown"""
     closed: Flag = False
     """the path leads from its last point back to its first"""

@@ -18,6 +18,7 @@ from scenarios import PAPER_OBSTACLES, SMALL, changed, loaded, refusal
 from gcs.scenario import file
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Obstacle, Scenario, ScenarioError
+from gcs.scenario.types import Part
 
 DEMO = file.find("demo").read_text(encoding="utf-8")
 
@@ -362,3 +363,10 @@ def test_no_damage_to_the_demo_ends_in_anything_but_a_scenario_error(
     except ScenarioError as error:
         said = str(error)
         assert said.startswith(str(path)), said
+
+
+def test_parts_that_a_scenario_leaves_out_are_what_their_validators_make_of_nothing() -> None:
+    defaults = {name: field.default for name, field in Scenario.model_fields.items() if isinstance(field.default, Part)}
+    assert len(defaults) >= 10
+    for name, default in defaults.items():
+        assert default == type(default)(), name

@@ -36,6 +36,8 @@ class FrameSpans(Sequence[bytes]):
     @classmethod
     def joined(cls, parts: Sequence[Sequence[bytes]]) -> FrameSpans:
         """The frames of all parts, one part after the other."""
+        if len(parts) == 1 and isinstance(parts[0], cls):
+            return parts[0]
         several: list[FrameSpans] = []
         for alike, run in groupby(filter(len, parts), lambda part: isinstance(part, cls)):
             some = list(run)

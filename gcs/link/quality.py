@@ -7,8 +7,10 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from gcs.link.link import Key
-from gcs.mavlink.datagram import AnswerRuns
+from gcs.mavlink.datagram import FIRST, LAST, AnswerRuns
 from gcs.mavlink.gaps import GapCounter
 
 WINDOW_S = 10.0
@@ -49,7 +51,8 @@ class _Together:
     def pop(self) -> Iterator[tuple[int, int]]:
         """Each system id and its number of frames; nothing if there are none."""
         if self.runs:
-            frames: list[int] = sum([runs.counts for runs in self.runs]).tolist()  # type: ignore[union-attr]
+            rows = np.array([runs.rows for runs in self.runs])
+            frames: list[int] = (rows[:, :, LAST] - rows[:, :, FIRST]).sum(axis=0).tolist()
             self.runs.clear()
             for (sysid, _), received in zip(self.keys, frames, strict=True):
                 yield sysid, received

@@ -158,11 +158,6 @@ class AnswerRuns(Sequence[FrameRun]):
         self.frames = frames
         self.rows = rows
 
-    @property
-    def counts(self) -> NDArray[np.int64]:
-        """(n,) frames of each."""
-        return self.rows[:, LAST] - self.rows[:, FIRST]
-
     def by_system(self) -> Mapping[int, FrameRun]:
         """Each by its system id, of which there is one run."""
         return _BySystem(self)

@@ -28,7 +28,7 @@ _HEAD, _SYSID, _TIME, _VELOCITY, _TAIL = (
 _WORDS = sum(len(text) for text in (_HEAD, _SYSID, _TIME, _VELOCITY, _TAIL))
 _LONGEST = 25
 """Of a number, `-2.2250738585072014e-308` with a comma or a bracket."""
-_COMMA, _MINUS, _POINT, _ZERO, _NINE, _OPEN, _CLOSE, _E, _PLUS = b",-.09[]e+"
+_COMMA, _MINUS, _POINT, _ZERO, _NINE, _E, _PLUS = b",-.09e+"
 
 
 def set_point_lines(t_s: float, points: SetPoints) -> FrameSpans | None:
@@ -37,7 +37,7 @@ def set_point_lines(t_s: float, points: SetPoints) -> FrameSpans | None:
     if type(t_s) is not float or t_s - t_s != 0.0:
         return None
     time, sysids, count = repr(t_s).encode(), _written(points.sysids), len(points)
-    numbers = _encode((points.p_ned.tolist(), points.v_ned.tolist()))
+    numbers = _encode(points.values.tolist())
     out = np.empty(count * (_WORDS + len(time) + 3 + 6 * _LONGEST), np.uint8)
     spans = np.empty((count, 2), np.int64)
     size = _lay_out(numbers, sysids, time, out, spans)
@@ -120,25 +120,14 @@ def _put_three(text: Any, begin: int, out: Bytes, at: int) -> tuple[int, int]:
 @kernel(**UNCOUNTED)
 def _lay_out(numbers: bytes, sysids: bytes, time: bytes, out: Bytes, spans: Ints) -> int:
     """Kernel: write the lines of n set points, and where each begins and ends into spans (n, 2); how much it is, -1
-    where something is no number. `numbers`: positions and velocities, as [[[n,e,d],...],[[n,e,d],...]]."""
-    count = len(spans)
-    place = 3
-    velocity = place
-    for _ in range(count):  # behind as many lists of positions
-        while numbers[velocity] != _CLOSE:
-            if numbers[velocity] == _OPEN:
-                return -1
-            velocity += 1
-        velocity += 3
-    velocity += 2
-    at = sysid = 0
-    for k in range(count):
+    where something is no number. `numbers`: position and velocity of each, as [[n,e,d,n,e,d],...]."""
+    place, at, sysid = 2, 0, 0
+    for k in range(len(spans)):
         spans[k, 0] = at
         at = _put(_HEAD, out, at)
         place, at = _put_three(numbers, place, out, at)
         if place < 0:
             return -1
-        place += 3
         at = _put(_SYSID, out, at)
         while sysids[sysid] != _COMMA:
             out[at] = sysids[sysid]
@@ -147,10 +136,10 @@ def _lay_out(numbers: bytes, sysids: bytes, time: bytes, out: Bytes, spans: Ints
         at = _put(_TIME, out, at)
         at = _put(time, out, at)
         at = _put(_VELOCITY, out, at)
-        velocity, at = _put_three(numbers, velocity, out, at)
-        if velocity < 0:
+        place, at = _put_three(numbers, place + 1, out, at)
+        if place < 0:
             return -1
-        velocity += 3
+        place += 3
         at = _put(_TAIL, out, at)
         spans[k, 1] = at
     return at

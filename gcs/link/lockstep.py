@@ -92,8 +92,9 @@ class _Origin:
 class LockstepLink(TickLink):
     """All supervised links of a session: every vehicle is waited for, and has one link."""
 
-    def __init__(self, *, host: str = "127.0.0.1", drop: float = 0.0, seed: int = 0) -> None:
-        """Bind a port of the system's choice. `drop` loses that share of datagrams, both ways, below the protocol."""
+    def __init__(self, *, host: str = "127.0.0.1", drop: float = 0.0, seed: int = 0, unpaced: bool = False) -> None:
+        """Bind a port of the system's choice. `drop` loses that share of datagrams, both ways, below the protocol.
+        `unpaced`: the next tick begins as soon as all have answered, so that a short sleep counts."""
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
         widen(self._socket)
@@ -111,6 +112,7 @@ class LockstepLink(TickLink):
         """by number"""
         self._intake = Intake(MOST_AT_ONCE, RECEIVE_BYTES, HELLO_BYTES)
         self._enrolled = False
+        self._unpaced = unpaced
         self._yields = 0
         self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
@@ -323,7 +325,8 @@ class LockstepLink(TickLink):
                 received = origin.shared or origin.first is peer
                 vehicles.append((key, peer.collector, origin.number if received else NOWHERE))
             self._intake.enrol(vehicles)
-            self._yields = 0 if any(origin.shared for origin in self._origins.values()) else YIELDS
+            shared = any(origin.shared for origin in self._origins.values())
+            self._yields = YIELDS if self._unpaced and not shared else 0
             self._enrolled = True
 
     def begin(self) -> None:

@@ -29,7 +29,8 @@ def own_keys(scenario: Scenario) -> list[Key]:
 
 def make_link(scenario: Scenario, drop: float) -> LockstepLink:
     """The link of a session's own vehicles; drop: the share of datagrams to lose, for tests. Raises OSError."""
-    return LockstepLink(drop=drop, seed=scenario.seed)
+    lockstep = scenario.clock.mode == "lockstep"
+    return LockstepLink(drop=drop, seed=scenario.seed, unpaced=lockstep)
 
 
 def order(scenario: Scenario, folder: Path, link: LockstepLink, hatch: Hatch | None) -> Ordered:
@@ -41,3 +42,16 @@ def order(scenario: Scenario, folder: Path, link: LockstepLink, hatch: Hatch | N
     if hatch is not None:
         hatch.start(orders, link.secret)
     return Ordered(link, orders)
+
+
+def order_early(scenario: Scenario, folder: Path, drop: float, hatch: Hatch) -> Ordered | None:
+    """The same with a link of its own; None where that cannot be: the session tries again, and says why."""
+    try:
+        link = make_link(scenario, drop)
+    except OSError:
+        return None
+    try:
+        return order(scenario, folder, link, hatch)
+    except OSError:
+        link.close()
+        return None

@@ -14,9 +14,9 @@ from gcs.link.lockstep import DATAGRAM_BYTES, LockstepLink
 from gcs.mavlink import codec
 
 
-@pytest.fixture
-def link() -> Iterator[LockstepLink]:
-    made = LockstepLink()
+@pytest.fixture(params=[False, True])
+def link(request: pytest.FixtureRequest) -> Iterator[LockstepLink]:
+    made = LockstepLink(unpaced=request.param)
     made.expect([(1, 1), (2, 1)])
     yield made
     made.close()

@@ -133,7 +133,9 @@ def _file_of_all(name: str, content: Callable[[Scenario], dict[str, Any]], scena
     """Path of a file that all vehicles of a scenario read, written once."""
     path = folder / "vehicles" / name
     if not path.exists():
-        path.write_text(yaml.safe_dump(content(scenario), sort_keys=True), encoding="utf-8")
+        new = path.with_name(f"{name}.new")  # a full disk leaves no part of it under its name
+        new.write_text(yaml.safe_dump(content(scenario), sort_keys=True), encoding="utf-8")
+        new.replace(path)
     return str(path)
 
 

@@ -139,12 +139,7 @@ class SupervisorFork:
         with uncollected(), unplugged():
             from gcs.session import ordered as vehicles  # noqa: PLC0415 - only a supervisor needs it
 
-            ordered = None
-            if hatch is not None:
-                with contextlib.suppress(OSError):  # as above
-                    ordered = vehicles.order(
-                        self.scenario, self.folder, vehicles.make_link(self.scenario, self.drop), hatch
-                    )
+            ordered = None if hatch is None else vehicles.order_early(self.scenario, self.folder, self.drop, hatch)
             from gcs.session import process  # noqa: PLC0415 - the same; vehicles come up meanwhile
 
             return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch, ordered=ordered)

@@ -108,12 +108,12 @@ def operate(client: Attached) -> tuple[dict[str, Any], dict[str, float], dict[st
     order("rejoin 201", "rejoin", sysid=GIVER)
     order("skip 3 again", "skip", sysid=3)
     seen["back"] = client.until(lambda s: row(s, 1)["stage"] == "fly" and row(s, 1)["mode"] == "offboard", "1 flew")
+    order("return 1", "return", sysid=1)
+    seen["going home"] = client.until(lambda s: row(s, 1)["mode"] == "return", "1 went home")
     seen["served"] = client.until(
         lambda s: any(h["receiver"] == 3 and h["energy_j"] > 0 for h in s["history"]), "3 was refuelled"
     )
-    order("return 1", "return", sysid=1)
-    seen["going home"] = client.until(lambda s: row(s, 1)["mode"] == "return", "1 went home")
-    order("stop", "stop")
+    order("stop", "stop")  # before the next transfer, which would be cut in two
     return replies, times_s, seen
 
 

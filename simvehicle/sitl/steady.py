@@ -132,11 +132,13 @@ class SteadyFlight:
         self._truth = np.zeros((n, FIXED_NUMBERS + MOST_STEPS))
         self._flown, self._left = np.zeros(n, np.int64), np.zeros((MOST_LEFT, 2), np.int64)
         self._buffer = np.zeros(SUPERVISED_BYTES, np.uint8)
+        self.waits = np.zeros(steady_loop.WAITS, np.int64)
+        """what the loop keeps of its waits for datagrams"""
         self._arguments = (
             *(self._buffer, n > 1, self._row_of, self._rows, self._states, self._parameters),
             (np.zeros(0),) if self._rotors is None else self._rotors.arrays,
             *(frame_table(), self._truth, self._flown, self._left),
-            np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8),
+            *(np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8), self.waits),
         )
         self._stand = (0,) * 6
         """of the datagram that is read, between two calls of the loop"""

@@ -11,8 +11,9 @@ import resource
 import select
 import socket
 import threading
+import time
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +26,12 @@ from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.law.plants import Plant, RotorPlant
 from simvehicle.mavlink.codec import split
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.lockstep import Grants
 from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STREAMS, WRITTEN, frame_table
-from simvehicle.sitl import loop
+from simvehicle.sitl import loop, steady_loop
 from simvehicle.sitl.block import Block, Wanted
-from simvehicle.sitl.link import SupervisedLink
+from simvehicle.sitl.link import Address, SupervisedLink
 from simvehicle.sitl.steady import SteadyFlight
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, WorldVehicle
@@ -38,6 +41,7 @@ EPOCH_US = 1_700_000_000_000_000
 FRAME = LocalFrame(47.397742, 8.545594, 488.0)
 AIRBORNE = Start((3.0, -2.0, -10.0), (0.5, 0.0, 0.1), (0.05, -0.1, 2.0), airborne=True)
 BOTH = 0b1101_1100_0000
+PATIENCE_S = 0.05
 
 
 class Supervisor:
@@ -409,3 +413,49 @@ def test_what_it_takes_to_write_an_answer_fits() -> None:
     sizes = [int(frame_table()[STREAMS.index(key), 2]) for key in WRITTEN]
     assert max(sizes) <= PAYLOAD_BYTES
     assert sum(size + 12 for size in sizes) + 24 <= FRAMES_BYTES
+
+
+class Waiting:
+    """The loop's waits for datagrams that are no bundles."""
+
+    def __init__(self, link: SupervisedLink, say: Callable[[bytes], object]) -> None:
+        self._link, self._say = link, say
+        self._steady = SteadyFlight([(None, Connection(1), Grants(Connection(1)))])
+        self.waits = self._steady.waits
+
+    def wait(self, datagram: bytes = b"") -> list[bytes]:
+        if datagram:
+            self._say(datagram)
+            select.select([self._link.socket], [], [])
+        return self._steady.serve(self._link)
+
+
+@pytest.fixture
+def waiting() -> Iterator[Waiting]:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:
+        ground.bind(("127.0.0.1", 0))
+        with SupervisedLink(Address("udpout", *ground.getsockname())) as link:
+            link.wait_in_receive(PATIENCE_S)
+            address = link.socket.getsockname()
+            yield Waiting(link, lambda datagram: ground.sendto(datagram, address))
+
+
+def test_after_a_long_wait_it_sleeps_and_after_a_short_one_it_looks_for_a_moment(waiting: Waiting) -> None:
+    assert waiting.wait() == []
+    long_ns = waiting.waits[steady_loop.LAST_NS]
+    assert long_ns > steady_loop.LOOK_NS
+    assert waiting.wait(b"no bundle") == [b"no bundle"]
+    assert waiting.waits[steady_loop.LAST_NS] < long_ns
+    used_s = time.thread_time()
+    for _ in range(4):
+        waiting.waits[steady_loop.LAST_NS] = 0
+        assert waiting.wait() == []
+        assert waiting.waits[steady_loop.LAST_NS] > 1e9 * PATIENCE_S / 2
+    assert time.thread_time() - used_s < 4 * PATIENCE_S / 2, "it looked for as long as it waited"
+
+
+def test_where_others_keep_the_processor_it_sleeps_through_so_many_waits(waiting: Waiting) -> None:
+    waiting.waits[steady_loop.SLEEPS_LEFT] = 2
+    for left in (1, 0, 0):
+        assert waiting.wait(b"no bundle") == [b"no bundle"]
+        assert waiting.waits[steady_loop.SLEEPS_LEFT] == left

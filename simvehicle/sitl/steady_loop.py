@@ -24,13 +24,16 @@ DATAGRAMS = 64
 LOOK_NS = 500_000
 """For so long the next datagram is looked for, where the last came as soon, and the processor left to others in
 between: to be woken from sleep costs a vehicle and its supervisor more than most of a tick."""
-CROWDED_NS, SLEEPS = 1_300_000, 3000
-"""Once others have kept the processor for so long, so many waits are slept through: who is woken goes before them, who
-left it to them does not."""
-_SECONDS, _NANOSECONDS, LAST_NS, SLEEPS_LEFT = range(4)
-WAITS = 4
-"""Numbers that the loop keeps of its waits: room for a time, how long the last one was, how many are to be slept
-through."""
+CROWDED_NS = 1_300_000
+"""Who left the processor to others and had to do without it for so long goes on with sleep: who is woken goes before
+them, who left it to them does not."""
+SLEEPS, MOST_SLEEPS, UNDISTURBED = 50, 3200, 200
+"""So many waits are slept through then; twice as many as the last time, up to a most, where fewer waits than those of
+the last number were looked through in between."""
+_SECONDS, _NANOSECONDS, LAST_NS, SLEEPS_LEFT, _SLEPT, _LOOKED = range(6)
+WAITS = 6
+"""Numbers that the loop keeps of its waits: room for a time; how long the last one was; how many are to be slept
+through; how many were to be, and were looked through since."""
 
 _recv = external("recv", "intp", "int32", "uintp", "uintp", "int32")
 _send = external("send", "intp", "int32", "uintp", "uintp", "int32")
@@ -48,6 +51,13 @@ def _now_ns(waits: NDArray[np.int64]) -> int:
 
 
 @inner(**UNCOUNTED)
+def _go_on_with_sleep(waits: NDArray[np.int64]) -> None:
+    again = waits[_SLEPT] > 0 and waits[_LOOKED] < UNDISTURBED
+    waits[_SLEPT] = min(2 * waits[_SLEPT], MOST_SLEEPS) if again else SLEEPS
+    waits[SLEEPS_LEFT], waits[_LOOKED] = waits[_SLEPT], 0
+
+
+@inner(**UNCOUNTED)
 def _received(fd: int, buffer: NDArray[np.uint8], waits: NDArray[np.int64]) -> int:
     """Wait for a datagram: its bytes, or none above 0."""
     begun_ns = now_ns = _now_ns(waits)
@@ -55,13 +65,14 @@ def _received(fd: int, buffer: NDArray[np.uint8], waits: NDArray[np.int64]) -> i
     if waits[SLEEPS_LEFT] > 0:
         waits[SLEEPS_LEFT] -= 1
     elif waits[LAST_NS] < LOOK_NS:
+        waits[_LOOKED] += 1
         while have < 0 and now_ns - begun_ns < LOOK_NS:
             have = _recv(fd, buffer.ctypes.data, buffer.size, _DONTWAIT)
             if have < 0:
                 _sched_yield()
                 left_ns, now_ns = now_ns, _now_ns(waits)
                 if now_ns - left_ns >= CROWDED_NS:
-                    waits[SLEEPS_LEFT] = SLEEPS
+                    _go_on_with_sleep(waits)
     if have < 0:
         have = _recv(fd, buffer.ctypes.data, buffer.size, 0)
         now_ns = _now_ns(waits)

@@ -25,8 +25,7 @@ LOOK_NS = 500_000
 """For so long the next datagram is looked for, where the last came as soon, and the processor left to others in
 between: to be woken from sleep costs a vehicle and its supervisor more than most of a tick."""
 CROWDED_NS = 1_300_000
-"""Who left the processor to others and had to do without it for so long goes on with sleep: who is woken goes before
-them, who left it to them does not."""
+"""After so long without the processor that was left to others, sleep is better: to be woken gives it back at once."""
 SLEEPS, MOST_SLEEPS, UNDISTURBED = 50, 3200, 200
 """So many waits are slept through then; twice as many as the last time, up to a most, where fewer waits than those of
 the last number were looked through in between."""

@@ -32,8 +32,8 @@ from simvehicle.sitl import steady_loop
 from simvehicle.sitl.link import SUPERVISED_BYTES, SupervisedLink
 from simvehicle.sitl.truth import FIXED_NUMBERS, TruthWriter
 
-STEPS_AHEAD = 1000
-"""For so many steps noise is drawn in advance: four seconds."""
+STEPS_AHEAD = steady_loop.DATAGRAMS * MOST_STEPS
+"""For so many steps noise is drawn in advance: those of one call of the loop."""
 MOST_LEFT = 64
 """Stretches of a datagram that are left at once."""
 _USUAL = frozenset({mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED, mav.MAVLINK_MSG_ID_HEARTBEAT})
@@ -150,6 +150,8 @@ class SteadyFlight:
     def serve(self, link: SupervisedLink) -> list[bytes]:
         """Receive and fly while that is usual, for a while at most; what was received and is not usual, in stretches.
         Raises OSError where truth cannot be written."""
+        if self._rotors is not None:
+            self._draw_ahead(self._rotors)
         have, at, others, flown, first, unsent = steady_loop.serve(link.fileno(), *self._stand, *self._arguments)
         while flown:
             self._finish(int(self._flown[first]))
@@ -157,6 +159,15 @@ class SteadyFlight:
             have, at, others, flown, first, unsent = steady_loop.serve(link.fileno(), *stand, *self._arguments)
         self._stand = have, at, 0, 0, 0, 0
         return [self._buffer[start:stop].tobytes() for start, stop in self._left[:others].tolist()]
+
+    def _draw_ahead(self, rotors: RotorRows) -> None:
+        """Let no vehicle run out of noise while the loop flies it."""
+        for row in np.flatnonzero(self._rows["steady"] & (self._rows["noise_step"] > 0)).tolist():
+            member, one = self._members[row], self._rows[row]
+            assert member is not None
+            if isinstance(member.vehicle.plant, RotorPlant):
+                member.vehicle.plant.leave_behind(int(one["noise_step"]))
+                one["noise_step"], one["noise_end"] = 0, rotors.put(row, member.vehicle.plant)
 
     def _finish(self, row: int) -> None:
         """Write what the disk has not taken of a vehicle's record of truth: why, the system says once more."""

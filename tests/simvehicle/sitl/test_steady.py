@@ -242,6 +242,17 @@ def test_on_rotors_too(tmp_path: Path, sysids: tuple[int, ...], air: str) -> Non
     assert flown.steadily > 100 * (1 if both_kinds else len(sysids))
 
 
+@pytest.mark.parametrize("sysids", [(2,), (1, 2)])
+def test_gusts_and_sensors_never_run_out_of_chance(tmp_path: Path, sysids: tuple[int, ...]) -> None:
+    supervisor = Supervisor(sysids)
+    datagrams = []
+    for t in range(0, 20_001, 100):
+        bundles = [supervisor.bundle(sysid, t, [heartbeat(), circle(sysid, t)]) for sysid in sysids]
+        datagrams.append(b"".join(bundles))
+    flown = compare(tmp_path, vehicles(*sysids, plant=IN_WEATHER["gusts, with sensors"]), datagrams)
+    assert flown.steadily >= len(sysids) * (len(datagrams) - 3)
+
+
 def test_on_rotors_from_the_ground_and_to_it(tmp_path: Path) -> None:
     """Standing, it knows that it stands: the errors of its velocity do not count then."""
     supervisor = Supervisor((1,))

@@ -24,9 +24,21 @@ INPUT_SIZE = 4
 @kernel(**UNCOUNTED)
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
     """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
+    return _thrust_towards(roll, pitch, math.sin(yaw), math.cos(yaw))
+
+
+@kernel(**UNCOUNTED)
+def _sine_and_cosine(angle: float, known: float, sine: float, cosine: float) -> tuple[float, float]:
+    """Of an angle; those of a known one are not computed again, and most vehicles seldom turn."""
+    if angle == known:
+        return sine, cosine
+    return math.sin(angle), math.cos(angle)
+
+
+@kernel(**UNCOUNTED)
+def _thrust_towards(roll: float, pitch: float, sin_yaw: float, cos_yaw: float) -> tuple[float, float, float]:
     sin_roll, cos_roll = math.sin(roll), math.cos(roll)
     sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
-    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
     return (
         cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw,
         cos_roll * sin_pitch * sin_yaw - sin_roll * cos_yaw,
@@ -71,10 +83,14 @@ def plant_step(
     roll2, roll3, roll4, roll, s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
     pitch2, pitch3, pitch4, pitch, s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
     yaw2, yaw3, yaw4, yaw, s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
-    x1, y1, z1 = thrust_direction(s[6], s[7], s[8])
-    x2, y2, z2 = thrust_direction(roll2, pitch2, yaw2)
-    x3, y3, z3 = thrust_direction(roll3, pitch3, yaw3)
-    x4, y4, z4 = thrust_direction(roll4, pitch4, yaw4)
+    sine, cosine = math.sin(s[8]), math.cos(s[8])
+    sine2, cosine2 = _sine_and_cosine(yaw2, s[8], sine, cosine)
+    sine3, cosine3 = _sine_and_cosine(yaw3, s[8], sine, cosine)
+    sine4, cosine4 = _sine_and_cosine(yaw4, s[8], sine, cosine)
+    x1, y1, z1 = _thrust_towards(s[6], s[7], sine, cosine)
+    x2, y2, z2 = _thrust_towards(roll2, pitch2, sine2, cosine2)
+    x3, y3, z3 = _thrust_towards(roll3, pitch3, sine3, cosine3)
+    x4, y4, z4 = _thrust_towards(roll4, pitch4, sine4, cosine4)
     g = gravity
     _, _, _, s[0], s[3] = rk4_axis(s[0], s[3], u1 * x1, u1 * x2, u1 * x3, u1 * x4, drag, dt)
     _, _, _, s[1], s[4] = rk4_axis(s[1], s[4], u1 * y1, u1 * y2, u1 * y3, u1 * y4, drag, dt)

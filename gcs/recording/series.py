@@ -183,13 +183,11 @@ def attitudes(recorded: Recorded) -> dict[int, tuple[Series, Series, Series]]:
     return found
 
 
-def with_gaps(series: Series, gap_s: float = GAP_S) -> Series:
-    """The series with a NaN in the middle of each silence longer than `gap_s`."""
-    after = np.flatnonzero(np.diff(series.t_s) > gap_s)
-    if not len(after):
-        return series
-    middle_s = 0.5 * (series.t_s[after] + series.t_s[after + 1])
-    return Series(np.insert(series.t_s, after + 1, middle_s), np.insert(series.values, after + 1, np.nan))
+def with_gaps(series: Series, gap_s: float = GAP_S, end_s: float | None = None) -> Series:
+    """The series with a NaN `gap_s` after each value that no other follows by then, up to `end_s` behind the last."""
+    follow_s = series.t_s[1:] if end_s is None else np.append(series.t_s[1:], end_s)
+    last = np.flatnonzero(follow_s - series.t_s[: len(follow_s)] > gap_s)
+    return Series(np.insert(series.t_s, last + 1, series.t_s[last] + gap_s), np.insert(series.values, last + 1, np.nan))
 
 
 @dataclass(frozen=True)
@@ -333,9 +331,9 @@ def competition(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSe
     gap_s = 2.5 * (recorded.scenario.clock.period_s if recorded.scenario else 0.1)
     v_of = {}
     for sysid, rows in rows_of(sysids).items():
-        v_of[sysid] = with_gaps(Series(times_s[rows], values[rows]), gap_s)
+        v_of[sysid] = with_gaps(Series(times_s[rows], values[rows]), gap_s, recorded.end_s)
     share = Series(t_s, np.array([line["share"] for line in lines], dtype=np.float64))
-    return CompetitionSeries(v_of, with_gaps(share, gap_s))
+    return CompetitionSeries(v_of, with_gaps(share, gap_s, recorded.end_s))
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,11 @@ FLIGHT = """(() => {
   const box = document.querySelector('.picture').getBoundingClientRect();
   return {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height};
 })()"""
+STATES = """(async () => {
+  const {flight} = await skytender;
+  const known = (column) => Array.from(column, (value) => Number.isNaN(value) ? null : value);
+  return {t_s: Array.from(flight.t_s), v: Object.fromEntries([...flight.columns].map(([id, one]) => [id, known(one.v)]))};
+})()"""
 FIGURE_NAMES = {
     "target",
     "error",
@@ -142,6 +147,30 @@ def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: B
     assert not told
     asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
     assert asked == [(flown.folder / "report.html").resolve().as_uri()]
+
+
+@needs_chromium
+def test_a_state_of_the_competition_is_shown_where_its_vehicle_competed_and_nowhere_else(
+    flown: Outcome, browser: Browser
+) -> None:
+    """Held against the lines of the competition: 0.25 s, two and a half ticks, after one its state is shown no more."""
+    browser.open(flown.folder / "report.html")
+    browser.drawn()
+    shown = browser.evaluate(STATES)
+    lines = [d for d in flown.decisions if d["kind"] == "competition" and d.get("giver") != "base"]
+    competed = {name: [line["t_s"] for line in lines if name in line["v"]] for line in lines for name in line["v"]}
+    rounding_s = 1e-3  # times are told in 65,534ths of the flight
+    count = 0
+    for name, moments in shown["v"].items():
+        told = np.array([-np.inf, *competed.get(name, [])])
+        for t_s, v in zip(shown["t_s"], moments, strict=True):
+            since_s = t_s - told[told < t_s - rounding_s].max()
+            begins = since_s > 0.25 and np.abs(told - t_s).min() <= rounding_s
+            if not begins and abs(since_s - 0.25) > rounding_s:
+                assert (v is not None) == (since_s < 0.25), (name, t_s, v)
+                count += v is not None
+    assert count > 50
+    assert len(competed) >= 3
 
 
 @needs_chromium

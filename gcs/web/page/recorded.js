@@ -315,12 +315,9 @@ function fillFlight(flight, model, told, column) {
   flight.version += 1;
 }
 
-/** A competitor's state: nothing between two competitions. @param {{x: Float64Array, y: Float64Array}} line @param {Float64Array} t_s */
+/** A line's values at given times, each until the next point. @param {{x: Float64Array, y: Float64Array}} line @param {Float64Array} t_s */
 function held({ x, y }, t_s) {
-  return Float32Array.from(t_s, (at) => {
-    const k = last(x, at);
-    return k < 0 || (k === x.length - 1 && at > x[k] + 0.5) ? NaN : y[k];
-  });
+  return Float32Array.from(t_s, (at) => y[last(x, at)] ?? NaN);
 }
 
 /** Let a reader sort the tables that say so. */

@@ -145,14 +145,23 @@ class Findings:
         """Figures from the recording alone."""
         near, summary = self.nearness, self.summary
         held = near.held_s if self.scenario is not None and self.scenario.pursuit.by != "competition" else {}
-        dead = [d for d in self.recorded.decisions if d["kind"] == "death"]
         return Measured(
             time_s=self.end_s,
             separation=self._closest(near.separation, near.pair) if self.tracks else None,
-            lost=[goal.Loss(int(d["sysid"]), d["t_s"], "its process died") for d in dead] if dead else None,
+            lost=self._losses() or None,
             pursuit_held_s=min(held.values()) if held and self.tracks else None,
             refuelled=len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services),
         )
+
+    def _losses(self) -> list[goal.Loss]:
+        """Vehicles that the session counted as lost while it flew."""
+        found = {}
+        for d in self.recorded.decisions:
+            if d["kind"] == "death":
+                found[int(d["sysid"])] = goal.Loss(int(d["sysid"]), d["t_s"], "its process died")
+            elif d["kind"] == "violation" and d["part"] == "lost" and d["sysids"]:
+                found[d["sysids"][0]] = goal.Loss(d["sysids"][0], d["at_s"], d["text"].partition(" is lost: ")[2])
+        return list(found.values())
 
     def _closest(self, line: Series, pair: Any) -> Nearest:
         """Nearest approach by the recording."""

@@ -140,8 +140,8 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
     known = summary or {}
     lines = [outcome_line(outcome or known.get("outcome"), known.get("outcome_text"))]
     if summary is not None:
-        if lost := [f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead"]:
-            lines.append(f"lost: {clean(', '.join(lost))}")
+        if lost := _losses(summary):
+            lines.append(f"lost: {clean(lost)}")
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
         order = [f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done]
         lines += _listed("refuelled: ", order or ["nobody"])
@@ -154,6 +154,14 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
             lines.append(f"digest: {summary['digest']}")
     lines.append(f"session: {folder}")
     return lines
+
+
+def _losses(summary: Mapping[str, Any]) -> str:
+    """Vehicles lost that the outcome does not name: as many as the goal allows; the dead where it was not judged."""
+    judged = next((part for part in summary.get("goal") or () if part["part"] == "lost"), {"met": None})
+    if judged["met"] is None:
+        return ", ".join(f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead")
+    return judged["reached"] if judged["met"] and judged["value"] else ""
 
 
 def outcome_line(outcome: str | None, text: str | None) -> str:

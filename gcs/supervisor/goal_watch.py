@@ -83,6 +83,8 @@ class GoalWatch:
         self._ours = np.array([vehicle.external is None for vehicle in self._vehicles], dtype=np.bool_)
         self._has_external = not self._ours.all()
         self._lost: dict[int, Loss] = {}
+        self._leaves_hold: set[int] = set()
+        """those that an operator ordered to hold and that their failsafe takes down"""
         self._fell: dict[int, Loss] = {}
         """who touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
@@ -179,14 +181,29 @@ class GoalWatch:
 
     def _see_loss(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> None:
         loss = self._lost.get(view.sysid)
-        if loss is None and view.alive and arming.stage is Stage.DOWN:
-            if self._vehicles[self._rows[view.sysid]].foreign is None or view.failsafe or arming.left_out:
-                self.lose(view.sysid, now_s, "left out" if arming.left_out else "landed by itself")
-        elif loss is None and view.battery_reported and view.energy_source != "none" and view.remaining_j <= 0.0:
-            if arming.ordered is None:
-                self.lose(view.sysid, now_s, "its battery is empty")
-        elif loss is not None and view.alive and arming.stage is Stage.FLY and view.remaining_j > 0.0:
+        if loss is None:
+            if why := self._why_lost(view, arming):
+                self.lose(view.sysid, now_s, why)
+        elif view.alive and arming.stage is Stage.FLY and view.remaining_j > 0.0:
             del self._lost[view.sysid]
+
+    def _why_lost(self, view: VehicleView, arming: ArmingSequence) -> str:
+        """Why a vehicle counts as lost from now on; empty where it does not.
+
+        An order to land or return explains a landing, an order to hold does not. No order explains a battery that is
+        empty in flight.
+        """
+        by_itself = self._vehicles[self._rows[view.sysid]].foreign is None or view.failsafe
+        if arming.ordered != "hold" or (view.flying and view.mode not in GOING_DOWN):
+            self._leaves_hold.discard(view.sysid)
+        elif view.flying and by_itself:
+            self._leaves_hold.add(view.sysid)
+        if view.alive and arming.stage is Stage.DOWN and (by_itself or arming.left_out):
+            return "left out" if arming.left_out else "landed by itself"
+        if view.alive and view.landed and view.sysid in self._leaves_hold:
+            return "landed by itself"
+        empty = view.battery_reported and view.energy_source != "none" and view.remaining_j <= 0.0
+        return "its battery is empty" if empty and (arming.ordered is None or view.flying) else ""
 
     def lose(self, sysid: int, t_s: float, why: str) -> None:
         """Count a vehicle as lost, or the traffic, 255."""
@@ -204,19 +221,27 @@ class GoalWatch:
         down."""
         lost = dict(self._lost)
         for row, view in enumerate(snapshot.vehicles):
-            vehicle, arming = self._vehicles[row], self._arming[view.sysid]
-            if view.sysid in lost or arming.ordered is not None or not view.alive:
-                continue
-            failsafe = vehicle.foreign is None or view.failsafe
-            if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
-                lost[view.sysid] = Loss(view.sysid, end_s, "never in the air")
-            elif view.doubt:
-                lost[view.sysid] = Loss(view.sysid, end_s, f"it is not believed: {view.doubt}")
-            elif arming.rejoining and not view.flying:
-                lost[view.sysid] = Loss(view.sysid, end_s, "landed by itself")
-            elif failsafe and view.flying and view.mode in GOING_DOWN and arming.stage in (*_STEERED, Stage.YIELDED):
-                lost[view.sysid] = Loss(view.sysid, end_s, f"its failsafe flies it ({view.mode})")
+            if view.sysid not in lost and (why := self._why_lost_at_end(row, view, end_s)):
+                lost[view.sysid] = Loss(view.sysid, end_s, why)
         return _in_order(lost.values())
+
+    def _why_lost_at_end(self, row: int, view: VehicleView, end_s: float) -> str:
+        """Why a vehicle that is not lost yet counts as lost if the session ends now; empty where it does not."""
+        vehicle, arming = self._vehicles[row], self._arming[view.sysid]
+        held = arming.ordered == "hold"
+        if not view.alive or (arming.ordered is not None and not held):
+            return ""
+        if not held:
+            if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
+                return "never in the air"
+            if view.doubt:
+                return f"it is not believed: {view.doubt}"
+            if arming.rejoining and not view.flying:
+                return "landed by itself"
+        by_itself = vehicle.foreign is None or view.failsafe
+        ours = held or arming.stage in (*_STEERED, Stage.YIELDED)
+        taken_down = ours and by_itself and view.flying and view.mode in GOING_DOWN
+        return f"its failsafe flies it ({view.mode})" if taken_down else ""
 
     def harmed(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, and those that touched the ground in flight; each once."""

@@ -39,7 +39,8 @@ FLIGHT = """(() => {
 STATES = """(async () => {
   const {flight} = await skytender;
   const known = (column) => Array.from(column, (value) => Number.isNaN(value) ? null : value);
-  return {t_s: Array.from(flight.t_s), v: Object.fromEntries([...flight.columns].map(([id, one]) => [id, known(one.v)]))};
+  const v = Object.fromEntries([...flight.columns].map(([id, one]) => [id, known(one.v)]));
+  return {t_s: Array.from(flight.t_s), v};
 })()"""
 FIGURE_NAMES = {
     "target",

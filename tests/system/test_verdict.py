@@ -8,7 +8,8 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from sessions import Outcome, fly, merged, small
+from attached import Attached
+from sessions import Outcome, Running, fly, merged, small
 
 from gcs.campaign import measures
 from gcs.scenario.file import load
@@ -163,6 +164,24 @@ def test_half_the_fleet_landing_empty_is_a_loss(tmp_path: Path) -> None:
     assert unmet(outcome)["lost"]["sysids"] == [1, 2]
     assert {d["sysids"][0] for d in violations(outcome, "lost")} == {1, 2}
     assert measures.measure("lost", measures.Flown(outcome.folder, load(outcome.folder / "scenario.yaml"))) == 2.0
+
+
+def test_an_order_to_hold_does_not_excuse_a_battery_that_runs_low(tmp_path: Path) -> None:
+    content = scenario(goal={"duration_s": 60.0}, clock={"mode": "real", "speed": 20.0})
+    for i, pursuer in enumerate(content["vehicles"]["pursuers"]):
+        pursuer["battery"] = {"capacity_j": 6000 if i < 2 else 24000, "initial_percent": 100}
+    running = Running(content, tmp_path, "--json")
+    try:
+        running.wait_for(lambda _: True)
+        client = Attached(running.folder)
+        client.until(lambda s: all(v["stage"] == "fly" for v in s["vehicles"]), "all flew")
+        assert client.order("hold", sysid=1)["ok"]
+        outcome = running.finish()
+        client.close()
+    finally:
+        running.stop()
+    lost = {part["part"]: part for part in outcome.summary["unmet"]}["lost"]
+    assert sorted(lost["sysids"]) == [1, 2]
 
 
 def test_a_pursuer_that_sinks_into_its_target_breaks_the_separation(tmp_path: Path) -> None:

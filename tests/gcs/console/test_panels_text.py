@@ -233,6 +233,16 @@ def test_the_farewell_names_who_was_lost_also_where_the_supervisor_could_not_say
     assert lines[:2] == ["not met: lost 2", "lost: pursuer 3, tanker 201"]
 
 
+@pytest.mark.parametrize(
+    ("met", "lines"), [(True, ["outcome: met", "lost: 1 (3 at 4.0 s: dead)"]), (False, ["outcome: met"])]
+)
+def test_the_farewell_names_losses_that_the_outcome_does_not(met: bool, lines: list[str]) -> None:
+    part = {"part": "lost", "met": met, "value": 1.0, "reached": "1 (3 at 4.0 s: dead)", "limit": 1.0}
+    said = farewell({**SUMMARY, "goal": [part]}, "met", Path("x"))
+    assert said[: len(lines)] == lines
+    assert sum(line.startswith("lost") for line in said) == len(lines) - 1
+
+
 def test_lines_arrive_whole_however_they_are_cut() -> None:
     content = b'{"a": 1}\nnot json\n[1]\n{"b": "\xc3\xa9"}\n{"unfinished'
     for size in range(1, len(content) + 1):

@@ -5,15 +5,18 @@ from typing import Any
 import numpy as np
 import pytest
 from changing import ChangingFleet
+from views import snapshot, view
 
+from gcs.mavlink.autopilots import End, FlightMode
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import ArmingSequence
+from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.factory import make_arming_sequences
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.goal_watch import GoalWatch
 
 SYSIDS = (1, 2, 3, 101, 201)
+ORDERS: tuple[End, ...] = ("hold", "return", "land")
 OBSTACLES = [{"sphere_m": (3.0, 0.0, -2.0), "radius_m": 1.0}]
 
 
@@ -62,7 +65,7 @@ def test_what_is_measured_is_the_same_when_everybody_is_looked_at_in_every_tick(
                 some.find(sysid)
                 everybody.find(sysid)
             case 2 | 3:
-                sequences[sysid].order("land")
+                sequences[sysid].order(ORDERS[tick % 3])
             case 4 | 5 | 6 | 7 | 8:
                 sequences[sysid].rejoin()
             case 9:
@@ -84,3 +87,32 @@ def test_what_is_measured_is_the_same_when_everybody_is_looked_at_in_every_tick(
     assert some._lost
     assert sum(some._waypoints.missed.values()) < 5
     assert len(looked_at) < 0.9 * ticks * len(SYSIDS)
+
+
+def test_only_an_order_that_explains_a_landing_keeps_it_from_counting_as_a_loss() -> None:
+    """A vehicle flies, is ordered to hold, return or land, and comes down in LAND with some charge, or none, left."""
+
+    def lost(ordered: End | None, *, left_j: float) -> tuple[list[str], list[str]]:
+        content = scenario(ground=False)
+        sequences = make_arming_sequences(content)
+        watch = GoalWatch(content, geometry.of_scenario(content.obstacles), FleetArming(sequences))
+        sequence, why = sequences[1], []
+        sequence.stage = Stage.FLY
+        for tick, (mode, landed) in enumerate(
+            [(FlightMode.OFFBOARD, False), (FlightMode.HOLD, False), (FlightMode.LAND, False), (FlightMode.LAND, True)]
+        ):
+            one = view(1, mode=mode, landed=landed, armed=not landed, drawn_j=10_000.0 - left_j if tick >= 2 else 0.0)
+            if tick == 1 and ordered is not None:
+                sequence.order(ordered)
+            if tick != 1 or ordered is not None:
+                sequence.decide(one, float(tick))
+                now = snapshot(one, *(view(sysid) for sysid in SYSIDS[1:]), time_s=float(tick))
+                watch.update(now, ())
+                why.append([loss.why for loss in watch.losses(now, float(tick)) if loss.sysid == 1])
+        return why[-2], why[-1]
+
+    falls, landed, empty = ["its failsafe flies it (land)"], ["landed by itself"], ["its battery is empty"]
+    assert lost(None, left_j=40.0)[1] == landed
+    assert lost("hold", left_j=40.0) == (falls, landed)
+    assert lost("return", left_j=40.0) == lost("land", left_j=40.0) == ([], [])
+    assert lost("hold", left_j=0.0) == lost("return", left_j=0.0) == lost("land", left_j=0.0) == (empty, empty)

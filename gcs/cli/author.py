@@ -56,6 +56,24 @@ SET = click.option(
 )
 
 
+STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which anything is warned.")
+
+
+def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False, quiet: bool = False) -> None:
+    """Print to stderr what can be flown and is likely to go wrong. Raises ScenarioRefused if that is anything, with
+    `strict`, which prints it also if `quiet`."""
+    from gcs.scenario.warnings import warnings
+
+    level = "error" if strict else "warning"
+    lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in warnings(checked)]
+    if not lines:
+        return
+    if strict or not quiet:
+        click.echo("\n".join(lines), err=True)
+    if strict:
+        raise ScenarioRefused("\n".join(lines))
+
+
 def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: bool = True) -> Scenario:
     """The scenario of that name or file, with `KEY=VALUE` settings.
 
@@ -73,8 +91,11 @@ def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: boo
         given = read_settings(settings)
         with unplugged():
             loaded = load(file, set=given)
-        if runs_code and any(plugins.named(loaded)):
-            plugins.look_in([file.parent, Path.cwd()])
+        folders = [file.parent, Path.cwd()]
+        if not runs_code:
+            plugins.check_sources(loaded, file, folders)
+        elif any(plugins.named(loaded)):
+            plugins.look_in(folders)
             plugins.check(loaded, file)
         return loaded
     except ScenarioError as error:
@@ -99,15 +120,18 @@ def module_arguments(scenario: str) -> list[str]:
     help="Draw the plan to this file instead of the terminal: .png, .svg or .pdf.",
 )
 @SET
+@STRICT
 @click.option("--trust", is_flag=True, help="Import the code that the scenario names, to see that it can be used.")
 @click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
-def validate(scenario: str, image: Path | None, settings: tuple[str, ...], trust: bool, quiet: bool) -> int:
+def validate(
+    scenario: str, image: Path | None, settings: tuple[str, ...], strict: bool, trust: bool, quiet: bool
+) -> int:
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
     Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
-    on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring. A
-    planner or policy that the scenario names is somebody's code: it is told, and only with --trust imported and looked
-    at.
+    on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring, and
+    figures that look like slips; --strict makes them errors. The source of a planner or policy that the scenario names
+    is looked for and read; only with --trust is it imported, which runs it.
 
     \b
     Examples:
@@ -118,9 +142,9 @@ def validate(scenario: str, image: Path | None, settings: tuple[str, ...], trust
     Exit status:
       0    the scenario can be flown, also with warnings
       1    the image could not be written
-      2    it cannot be flown; each reason is a line on stderr
+      2    it cannot be flown, or with --strict is warned of; each reason is a line on stderr
     """
-    from gcs.scenario import plot, plugins, warnings
+    from gcs.scenario import plot, plugins
 
     checked = load_scenario(scenario, settings, runs_code=trust)
     code = ", ".join(plugins.listed(checked))
@@ -133,8 +157,7 @@ def validate(scenario: str, image: Path | None, settings: tuple[str, ...], trust
             why = error.strerror if isinstance(error, OSError) else str(error)
             click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
             return NOT_DONE
-    for warning in warnings.warnings(checked):
-        click.echo(f"{scenario}: warning: {warning.about}: {warning.text}", err=True)
+    show_warnings(scenario, checked, strict=strict)
     if quiet:
         return 0
     if image is None:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli import author, page, report
-from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments
+from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments, show_warnings
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     help="Of everything random, instead of the scenario's.",
 )
 @author.SET
+@author.STRICT
 @out_option("The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]")
 @key_file_option(
     "MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new)."
@@ -95,6 +96,7 @@ def run(
     speed: float | None,
     seed: int | None,
     settings: tuple[str, ...],
+    strict: bool,
     out: Path | None,
     key_file: Path | None,
     forwards: tuple[str, ...],
@@ -174,6 +176,7 @@ def run(
             forward_control=forward_control,
             logs=logs,
         )
+        show_warnings(scenario, resolved, strict=strict, quiet=quiet)
     except ScenarioRefused as refusal:
         if junit is not None:
             from gcs.report.junit import refused

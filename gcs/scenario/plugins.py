@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import importlib
 import sys
-import traceback
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from pathlib import Path
 from typing import Any, Literal
 
 from gcs.renamed import RenamedWarning
+from gcs.scenario import plugin_source
 from gcs.scenario.document import Problem, ScenarioError, did_you_mean, read
 from gcs.scenario.model import Scenario
 
@@ -55,11 +55,23 @@ def check(scenario: Scenario, file: Path | None) -> None:
 
     Old names of ours that it imports are warned of. Raises ScenarioError, at the lines that name them.
     """
+    with _old_names("default"):
+        _check(scenario, file, find)
+
+
+def check_sources(scenario: Scenario, file: Path, folders: Sequence[Path]) -> None:
+    """See by their source files, of which nothing runs, that the implementations that a scenario names are there.
+
+    `folders` are looked into after the places where Python looks. Raises ScenarioError, at the lines that name them.
+    """
+    _check(scenario, file, lambda name, _: plugin_source.check(name, folders))
+
+
+def _check(scenario: Scenario, file: Path | None, look: Callable[[str, str], Any]) -> None:
     problems = []
     for key, name, method in named(scenario):
         try:
-            with _old_names("default"):
-                find(name, method)
+            look(name, method)
         except ValueError as error:
             text, path = f"{key}: {error}", tuple(key.split("."))
             nowhere = Problem(scenario.name, None, None, text)
@@ -90,7 +102,7 @@ def find(name: str, method: str) -> Any:
             f"{module_name} needs the package {error.name!r}, which is not installed: install it"
         ) from None
     except (Exception, SystemExit) as error:
-        raise ValueError(f"{module_name} cannot be imported: {_where(error)}") from None
+        raise ValueError(f"{module_name} cannot be imported: {plugin_source.where(error)}") from None
     made = getattr(module, attribute, None)
     if made is None:
         near = did_you_mean(attribute, (word for word in dir(module) if not word.startswith("_")))
@@ -111,18 +123,9 @@ def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
         except ValueError:
             raise
         except (Exception, SystemExit) as error:
-            raise ValueError(f"{name} cannot be made: {_where(error)}") from None
+            raise ValueError(f"{name} cannot be made: {plugin_source.where(error)}") from None
         if not callable(getattr(made, method, None)):
             raise ValueError(f"{name} makes something without the method {method!r}")
     except ValueError as error:
         raise ScenarioError([Problem(scenario.name, None, None, f"{key}: {error}")]) from None
     return made
-
-
-def _where(error: BaseException) -> str:
-    if isinstance(error, SyntaxError):  # in a file that has not run, so that it is in no traceback
-        file, line, text = error.filename or "?", error.lineno, error.msg
-    else:
-        place = traceback.extract_tb(error.__traceback__)[-1]
-        file, line, text = place.filename, place.lineno, str(error)
-    return f"{type(error).__name__} at {Path(file).name}:{line}: {' '.join(text.split())}"

@@ -161,7 +161,7 @@ def _losses(summary: Mapping[str, Any]) -> str:
     judged = next((part for part in summary.get("goal") or () if part["part"] == "lost"), {"met": None})
     if judged["met"] is None:
         return ", ".join(f"{v['role']} {v['sysid']}" for v in summary["vehicles"] if v["final_mode"] == "dead")
-    return judged["reached"] if judged["met"] and judged["value"] else ""
+    return str(judged["reached"]) if judged["met"] and judged["value"] else ""
 
 
 def outcome_line(outcome: str | None, text: str | None) -> str:

@@ -77,8 +77,8 @@ class Goal(Part):
     """whether touching the ground, other than to take off and land, fails the goal; not of vehicles that start
     `airborne`, which have no ground"""
     lost_at_most: Count = 0
-    """how many vehicles may be lost: dead, run dry, landed by a failsafe without an order to land or return, or never in
-    the air"""
+    """how many vehicles may be lost: dead, run dry, landed by a failsafe without an order to come down, or never in the
+    air"""
     waypoints: Literal["all", "none"] = "all"
     """`all`: every pursuer with waypoints_m passes all of them in order; `none`: none need"""
     waypoint_within_m: Metres = 1.0

@@ -46,6 +46,22 @@ def test_validate_names_code_and_runs_it_with_trust_alone(named: Path) -> None:
     assert named.with_name("ran").exists()
 
 
+@pytest.mark.parametrize(("method", "why"), [
+    ("my_planer:Ring", "there is no module 'my_planer'; put it beside the scenario or install its package"),
+    ("{module}.sub:Ring", "there is no module '{module}.sub'; put it beside the scenario or install its package"),
+    ("{module}:Mien", "has no 'Mien'; did you mean 'Mine'?"),
+])  # fmt: skip
+def test_validate_finds_by_its_source_code_that_is_not_there(named: Path, method: str, why: str) -> None:
+    content = yaml.safe_load(named.read_text())
+    content["planner"] = method.format(module=named.stem)
+    named.write_text(yaml.safe_dump(content))
+    told = gcs("validate", str(named), "--quiet")
+    assert told.returncode == 2
+    assert why.format(module=named.stem) in told.stderr
+    assert f"{named}:" in told.stderr
+    assert not named.with_name("ran").exists()
+
+
 def test_run_says_that_it_runs_code_and_decide_runs_it_with_trust_alone(
     named: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,8 +10,10 @@ import yaml
 from sessions import merged, small
 
 from gcs.cli.main import run_argv
+from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
-from gcs.scenario.warnings import latency_s, stopping_m, warnings
+from gcs.scenario.warnings import warnings
+from gcs.scenario.warnings.distances import latency_s, stopping_m
 
 
 def scenario(**changes: Any) -> Scenario:
@@ -72,8 +74,9 @@ def test_a_service_that_ends_where_the_next_is_wanted_is_warned_of(until: float,
 @pytest.mark.parametrize(("speed_m_s", "warned"), [(1.5, []), (2.0, []), (2.5, ["separation"]), (5.0, ["separation"])])
 def test_a_speed_at_which_two_cannot_stop_in_time_is_warned_of(speed_m_s: float, warned: list[str]) -> None:
     """Head on with 0.6 m of separation and 1 m of range each: 2 (0.47 v + v²/10) is 2.6 m at 2.0 m/s, 3.6 at 2.5."""
-    found = about(scenario(planner={"cruise_m_s": speed_m_s, "repulsion_range_m": 1.1}))
-    assert found == warned
+    rules = {"cruise_m_s": speed_m_s, "repulsion_range_m": 1.1}
+    assert about(scenario(planner={**rules, "safety": False})) == warned
+    assert about(scenario(planner=rules)) == [], "the safety filter keeps them apart"
 
 
 def test_a_pursuer_whose_place_is_its_targets_is_warned_of() -> None:
@@ -92,9 +95,13 @@ def test_a_ring_without_room_is_warned_of() -> None:
 
 def test_an_obstacle_on_the_ring_is_warned_of_by_name() -> None:
     buoy = {"sphere_m": (0.0, 2.2, -2.5), "radius_m": 0.4, "name": "buoy"}
-    found = warnings(scenario(obstacles=[buoy]))
+    unfiltered = {"planner": {"safety": False}}
+    found = warnings(scenario(obstacles=[buoy], **unfiltered))
     assert ["buoy" in warning.text for warning in found] == [True]
-    assert about(scenario(obstacles=[{**buoy, "sphere_m": (0.0, 5.0, -2.5)}])) == []
+    assert about(scenario(obstacles=[buoy])) == [], "the safety filter leads around it"
+    wall = {"box_m": [(-3.0, -9.0, -9.0), (9.0, 9.0, -1.0)], "name": "wall"}
+    assert about(scenario(obstacles=[wall])) == ["clearance"], "most of the ring is inside"
+    assert about(scenario(obstacles=[{**buoy, "sphere_m": (0.0, 5.0, -2.5)}], **unfiltered)) == []
 
 
 def test_places_below_the_ground_are_warned_of_by_name() -> None:
@@ -118,3 +125,84 @@ def test_validate_prints_warnings_and_ends_with_0(tmp_path: Path, capsys: pytest
     told = capsys.readouterr()
     assert f"{path}: warning: separation: the place of pursuer 1 is the target's own (101)" in told.err
     assert "valid" in told.out
+
+
+def test_strict_makes_warnings_errors(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "sunk.yaml"
+    content = small()
+    del content["formation"]
+    path.write_text(yaml.safe_dump(content))
+    assert run_argv(["validate", str(path), "--strict"]) == 2
+    told = capsys.readouterr()
+    assert f"{path}: error: separation: the place of pursuer 1 is the target's own (101)" in told.err
+    assert "valid" not in told.out
+    assert run_argv(["run", str(path), "--strict", "--out", str(tmp_path / "flown")]) == 2
+    assert f"{path}: error: separation:" in capsys.readouterr().err
+    assert not (tmp_path / "flown").exists()
+
+
+@pytest.mark.parametrize("name", ["demo", "fleet", "pursuit"])
+def test_the_scenarios_that_come_along_are_not_warned_of(name: str) -> None:
+    assert warnings(load(find(name))) == []
+
+
+def _target(**changes: Any) -> dict[str, Any]:
+    return {"vehicles": {"targets": [{**small()["vehicles"]["targets"][0], **changes}]}}
+
+
+@pytest.mark.parametrize(("percent", "warned"), [(0.45, ["battery"]), (1.0, ["battery"]), (1.5, []), (45.0, [])])
+def test_a_share_for_per_cent_is_warned_of(percent: float, warned: list[str]) -> None:
+    battery = {"capacity_j": 40_000.0, "initial_percent": percent}
+    assert about(scenario(**_target(battery=battery))) == warned
+
+
+@pytest.mark.parametrize(("speed_m_s", "params", "warned"), [
+    (1.5, {}, []), (1.6, {}, ["speed"]), (5.0, {}, ["speed"]), (30.0, {}, ["speed", "speed"]),
+    (12.0, {"MPC_XY_VEL_MAX": 12.0}, ["speed"]), (12.1, {"MPC_XY_VEL_MAX": 12.0}, ["speed", "speed"]),
+])  # fmt: skip
+def test_speeds_that_are_not_flown_or_not_followed_are_warned_of(
+    speed_m_s: float, params: dict[str, float], warned: list[str]
+) -> None:
+    """Pursuers are planned to at 1.5 m/s at most; a launched vehicle flies 5 m/s at most, or what it is set to."""
+    path = [[0.0, 0.0, -2.5], [3.0, 0.0, -2.5]]
+    assert about(scenario(**_target(speed_m_s=speed_m_s, params=params, path_m=path))) == warned
+
+
+@pytest.mark.parametrize(("corner_m", "warned"), [(60.0, []), (80.0, []), (81.0, ["path"]), (8000.0, ["path"])])
+def test_a_path_of_which_less_than_half_is_flown_is_warned_of(corner_m: float, warned: list[str]) -> None:
+    """40 s at 1 m/s."""
+    path = [[0.0, 0.0, -2.5], [corner_m, 0.0, -2.5]]
+    changes = _target(path_m=path, speed_m_s=1.0) | {"goal": {"duration_s": 40.0}}
+    assert about(scenario(**changes)) == warned
+
+
+@pytest.mark.parametrize(("laps", "length_m", "warned"), [
+    ({}, 9.0, ["path"]), ({}, 10.0, []), ({"laps": 1}, 9.0, []), ({"laps": 3}, 9.0, []),
+])  # fmt: skip
+def test_a_closed_path_that_is_flown_once_and_soon_over_is_warned_of(
+    laps: dict[str, int], length_m: float, warned: list[str]
+) -> None:
+    """To and fro over 9 m at 1 m/s is 18 s of 40."""
+    path = [[0.0, 0.0, -2.5], [length_m, 0.0, -2.5]]
+    changes = _target(path_m=path, speed_m_s=1.0, closed=True, **laps) | {"goal": {"duration_s": 40.0}}
+    found = warnings(scenario(**changes))
+    assert [warning.about for warning in found] == warned
+    assert all("hovers until the end at 40 s" in warning.text and "3 to fill" in warning.text for warning in found)
+
+
+@pytest.mark.parametrize(("far_m", "warned"), [(59.9, []), (60.1, ["waypoints"])])
+def test_way_points_out_of_reach_are_warned_of(far_m: float, warned: list[str]) -> None:
+    """1.5 m/s for 40 s is 60 m."""
+    way = {"start_m": (0.0, 8.0, 0.0), "waypoints_m": ((far_m, 8.0, -1.0),)}
+    pursuers = [{**small()["vehicles"]["pursuers"][0], **way}]
+    changes = {"vehicles": {"pursuers": pursuers}, "goal": {"duration_s": 40.0}}
+    assert about(scenario(**changes)) == warned
+
+
+def test_degrees_for_metres_are_warned_of() -> None:
+    origin = small()["origin"]
+    there = (round(origin["lat_deg"], 3), round(origin["lon_deg"], 3))
+    bases = [{"name": "north", "position_m": (*there, 0.0), "stock_j": 20_000.0}]
+    (found,) = (warning for warning in warnings(scenario(bases=bases)) if warning.about == "place")
+    assert found.text.startswith(f"base north is [{there[0]:g}, {there[1]:g}] m from the origin")
+    assert "place" not in about(scenario(bases=[{**bases[0], "position_m": (there[0], there[1] + 2.0, 0.0)}]))

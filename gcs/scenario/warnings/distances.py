@@ -1,21 +1,18 @@
-"""Warnings of a scenario that can be flown and is likely to go wrong: where speed, latency, ranges and separations do
-not fit.
-
-Rules of thumb, said before anything flies; nothing here keeps a scenario from being flown.
-"""
+"""Warnings of speed, latency, ranges and separations that do not fit."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
 from gcs.scenario import geometry, goal
 from gcs.scenario.model import Scenario
 from gcs.scenario.types import Vec3
+from gcs.scenario.warnings.slips import sent_to
+from gcs.scenario.warnings.warning import ScenarioWarning
 
 LAG_S = 0.37
 """Distance that a vehicle flies behind its planned point (docs/model.md#guidance)."""
@@ -23,16 +20,13 @@ LAUNCHED_M_S2 = 5.0
 """The greatest horizontal acceleration of a launched vehicle."""
 EXTERNAL_ERROR_M = 1.0
 """Distance of real autopilots from their set points in sharp turns (docs/how-to/external-autopilots.md)."""
+FILTERED_M_S = 5.0
+"""Speed up to which the safety filter keeps vehicles apart (docs/model.md#safety-layer)."""
+CROSSED_SHARE = 0.5
+"""With the safety filter a ring is warned of where it loses more than this share of its places at once."""
 RING_LOOKS, PATH_STEP_M = 36, 0.25
 MOST_LOOKS = 200_000
 """Places of rings at which obstacles are looked for, in all; long paths are looked at more coarsely."""
-
-
-class ScenarioWarning(NamedTuple):
-    """One thing that is likely to go wrong: what it is about, in a word, and a sentence."""
-
-    about: str
-    text: str
 
 
 def latency_s(scenario: Scenario) -> float:
@@ -46,16 +40,19 @@ def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
     return speed_m_s * latency_s(scenario) + speed_m_s**2 / (2.0 * LAUNCHED_M_S2)
 
 
-def warnings(scenario: Scenario) -> list[ScenarioWarning]:
-    """All of them; those about distances first."""
-    found = (_of_speed, _of_places, _of_the_ring, _of_the_pursuit, _of_the_fence, _of_the_ground, _of_the_charge)
-    return [warning for of in found for warning in of(scenario)]
+def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Those about distances first."""
+    for of in (_of_speed, _of_places, _of_the_ring, _of_the_pursuit, _of_the_fence, _of_the_ground, _of_the_charge):
+        yield from of(scenario)
 
 
 def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
     rules, vehicles = scenario.planner, scenario.vehicles
     separation_m = goal.separation_m(scenario)
     speed_m_s = rules.cruise_m_s
+    if rules.safety and speed_m_s <= FILTERED_M_S:
+        yield from _of_filtered(scenario)
+        return
     need_m = stopping_m(scenario, speed_m_s)
     how = (
         f"at {speed_m_s:g} m/s a vehicle needs {need_m:.1f} m to stand ({latency_s(scenario):.2f} s of latency: "
@@ -81,7 +78,24 @@ def _of_speed(scenario: Scenario) -> Iterator[ScenarioWarning]:
             f"the {traffic_m:g} m that the goal wants this is more than planner.repulsion_range_m, "
             f"{rules.repulsion_range_m:g} m",
         )
-    if vehicles.external and separation_m and separation_m < 2.0 * EXTERNAL_ERROR_M:
+    yield from _of_external(scenario)
+
+
+def _of_filtered(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Approaches that the safety filter cannot prevent: of traffic that is faster, and of real autopilots in turns."""
+    fastest = max((mover.speed_m_s for mover in scenario.traffic if not mover.attracts), default=0.0)
+    if scenario.vehicles.pursuers and goal.traffic_m(scenario) and fastest > scenario.planner.cruise_m_s:
+        yield ScenarioWarning(
+            "traffic",
+            f"traffic at {fastest:g} m/s is faster than planner.cruise_m_s, {scenario.planner.cruise_m_s:g} m/s: a "
+            "vehicle in its way may not get out of it",
+        )
+    yield from _of_external(scenario)
+
+
+def _of_external(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    separation_m = goal.separation_m(scenario)
+    if scenario.vehicles.external and separation_m and separation_m < 2.0 * EXTERNAL_ERROR_M:
         yield ScenarioWarning(
             "separation",
             f"external autopilots fly up to about {EXTERNAL_ERROR_M:g} m beside their set points in sharp turns: a "
@@ -134,10 +148,14 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
         places = _along(target.path_m, closed=target.closed)
         places = places[:: max(1, len(places) * RING_LOOKS * len(shapes) // (100 * MOST_LOOKS))]
         everywhere = (places[:, None] + ring[None]).reshape(-1, 3)
-        crossed = []
+        crossed, taken = [], np.zeros(len(everywhere), dtype=np.bool_)
         for k, shape in enumerate(scenario.obstacles):
-            if float(geometry.clearance(shapes[k : k + 1], everywhere).min()) < max(clearance_m, PATH_STEP_M / 2.0):
+            inside = geometry.clearance(shapes[k : k + 1], everywhere) < max(clearance_m, PATH_STEP_M / 2.0)
+            if inside.any():
                 crossed.append(shape.name or f"{shape.kind} {k + 1}")
+                taken |= inside
+        if scenario.planner.safety and taken.reshape(-1, RING_LOOKS).mean(axis=1).max(initial=0.0) <= CROSSED_SHARE:
+            continue
         if crossed:
             more = f" and {len(crossed) - 1} more" if len(crossed) > 1 else ""
             yield ScenarioWarning(
@@ -169,7 +187,7 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
     ]
     for vehicle in scenario.vehicles.launched:
         places.append((f"the start of {vehicle.label}", vehicle.start_m))
-    places += _sent_to(scenario)
+    places += sent_to(scenario)
     beyond = [name for name, place in places if not scenario.fence.allows(place[0], place[1])]
     if beyond:
         kept = (
@@ -186,7 +204,7 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 def _of_the_ground(scenario: Scenario) -> Iterator[ScenarioWarning]:
     """Places below the zero of heights that a vehicle is sent to: nearly always a wrong sign."""
-    below = [(name, place[2]) for name, place in _sent_to(scenario) if place[2] > 0.0]
+    below = [(name, place[2]) for name, place in sent_to(scenario) if place[2] > 0.0]
     if below:
         (name, down_m), others = below[0], len(below) - 1
         which = f"{name} and {others} more lie below the ground, the first" if others else f"{name} lies"
@@ -214,18 +232,6 @@ def _of_the_charge(scenario: Scenario) -> Iterator[ScenarioWarning]:
             f"refuelling.until fills a battery to {100.0 * rules.until:g} %, and from {100.0 * competes_at:g} % down a "
             "vehicle competes: it wants the next service at once; raise until or competition.need_from",
         )
-
-
-def _sent_to(scenario: Scenario) -> list[tuple[str, Vec3]]:
-    """Places that vehicles are sent to, by name."""
-    places: list[tuple[str, Vec3]] = []
-    for vehicle in scenario.vehicles.all:
-        for name, key in (("way point", "waypoints_m"), ("corner", "path_m")):
-            route = getattr(vehicle, key, ())
-            places += [(f"{name} {k} of {vehicle.label}", place) for k, place in enumerate(route, 1)]
-        if home_m := getattr(vehicle, "home_m", None):
-            places.append((f"the home of {vehicle.label}", home_m))
-    return places
 
 
 def _along(path: tuple[Vec3, ...], *, closed: bool) -> geometry.FloatArray:

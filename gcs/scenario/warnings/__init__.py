@@ -1,0 +1,17 @@
+"""Warnings of a scenario that can be flown and is likely to go wrong.
+
+Rules of thumb, said before anything flies; nothing here keeps a scenario from being flown.
+"""
+
+from __future__ import annotations
+
+from gcs.scenario.model import Scenario
+from gcs.scenario.warnings import distances, slips
+from gcs.scenario.warnings.warning import ScenarioWarning
+
+__all__ = ["ScenarioWarning", "warnings"]
+
+
+def warnings(scenario: Scenario) -> list[ScenarioWarning]:
+    """All warnings of a scenario; those about single figures first."""
+    return [*slips.warnings(scenario), *distances.warnings(scenario)]

@@ -59,17 +59,15 @@ SET = click.option(
 STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which anything is warned.")
 
 
-def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False, quiet: bool = False) -> None:
-    """Print to stderr what can be flown and is likely to go wrong. Raises ScenarioRefused if that is anything, with
-    `strict`, which prints it also if `quiet`."""
+def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> None:
+    """Print a scenario's warnings to stderr. With `strict` they are errors: raises ScenarioRefused if there are any."""
     from gcs.scenario.warnings import warnings
 
     level = "error" if strict else "warning"
     lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in warnings(checked)]
     if not lines:
         return
-    if strict or not quiet:
-        click.echo("\n".join(lines), err=True)
+    click.echo("\n".join(lines), err=True)
     if strict:
         raise ScenarioRefused("\n".join(lines))
 

@@ -176,7 +176,8 @@ def run(
             forward_control=forward_control,
             logs=logs,
         )
-        show_warnings(scenario, resolved, strict=strict, quiet=quiet)
+        if strict:
+            show_warnings(scenario, resolved, strict=True)
     except ScenarioRefused as refusal:
         if junit is not None:
             from gcs.report.junit import refused
@@ -215,6 +216,8 @@ def run(
         fork = SupervisorFork(folder, resolved, drop_datagrams, hatch if own else None)
     else:
         write_scenario(folder, resolved)
+    if not (strict or quiet):
+        show_warnings(scenario, resolved)  # while the supervisor starts
 
     error: str | None = None
     hurry = threading.Event()

@@ -25,6 +25,7 @@ PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)
 COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
+CODE_BYTES = 64 << 20
 COLUMNS, LINES = 80, 24
 _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]([^'\"]+)['\"])?")
 
@@ -222,7 +223,12 @@ def _cache() -> Iterator[MachineFinding]:
     while not folder.exists():
         folder = folder.parent
     if os.access(folder, os.W_OK):
-        yield MachineFinding("ok", "compiled code", f"kept in {folder}")
+        free = shutil.disk_usage(folder).free
+        if free < CODE_BYTES:
+            advice = "each start compiles for up to a minute: make room, or set NUMBA_CACHE_DIR to a folder with some"
+            yield MachineFinding("note", "compiled code", f"{folder}: {free >> 20} MiB free", advice)
+        else:
+            yield MachineFinding("ok", "compiled code", f"kept in {folder}")
     else:
         advice = "each start compiles for up to a minute: set NUMBA_CACHE_DIR to a folder that you may write in"
         yield MachineFinding("note", "compiled code", f"{folder} cannot be written", advice)

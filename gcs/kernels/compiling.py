@@ -8,9 +8,10 @@ the compiler only where numba has kept nothing either.
 from __future__ import annotations
 
 import contextlib
+import os
 import pickle
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -30,9 +31,15 @@ from gcs.kernels.argument_types import Key
 def compiled(function: Any, options: dict[str, Any], stamp: bytes | None) -> Any:
     """A dispatcher of numba's, kept on disk where there is a stamp (`kept_code.stamp_of`)."""
     made: Any = njit(**options)(function)
-    if stamp is not None:
-        made._cache = KernelCache(function, stamp)
+    _keep(made, function, stamp)
     return made
+
+
+def _keep(made: Any, function: Callable[..., Any], stamp: bytes | None) -> None:
+    """Have a dispatcher keep its code, where there is a folder for it."""
+    if stamp is not None:
+        with contextlib.suppress(RuntimeError):  # numba's, of no folder that can be written to
+            made._cache = KernelCache(function, stamp)
 
 
 def turn(prepared: Any, function: FunctionType, options: dict[str, Any], stamp: bytes | None, taken: Any) -> None:
@@ -43,8 +50,7 @@ def turn(prepared: Any, function: FunctionType, options: dict[str, Any], stamp: 
     prepared._clear()
     vars(prepared).clear()
     CPUDispatcher.__init__(prepared, function, made.locals, made.targetoptions)
-    if stamp is not None and stamp == kept_code.stamp_of(function):
-        prepared._cache = KernelCache(function, stamp)
+    _keep(prepared, function, stamp)
     prepared.__class__ = CPUDispatcher
 
 
@@ -63,12 +69,12 @@ class _Turning(CPUDispatcher):
 
 
 class KernelCache(FunctionCache):
-    """numba's own cache of a function, with its files, keys and checks."""
+    """numba's own cache of a function, with its files and keys."""
 
     def __init__(self, function: Callable[..., Any], stamp: bytes) -> None:
         super().__init__(function)  # type: ignore[no-untyped-call]
         self._cache_file.__class__ = _KernelFile  # made by the base class
-        vars(self._cache_file).update(function=function, stamp=stamp)
+        vars(self._cache_file).update(function=function, stamp=stamp, _source_stamp=stamp)
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Kept code of a signature, ready to be called; None where nothing is kept, with the compiler prepared."""
@@ -92,12 +98,31 @@ class _KernelFile(IndexDataCacheFile):
         return data
 
     def save(self, key: Any, data: Any) -> None:
-        super().save(key, data)  # type: ignore[no-untyped-call]
-        self._keep(key[0], data, anew=True)
+        """Keep what was compiled, unless the source has changed since it was read, or nothing can be written."""
+        if kept_code.is_current(self.function, self.stamp):
+            with contextlib.suppress(OSError):  # a full disk; doctor says it
+                super().save(key, data)  # type: ignore[no-untyped-call]
+            self._keep(key[0], data, anew=True)
+
+    def _load_index(self) -> Any:
+        try:
+            with kept_code.opened(self._index_path) as file:
+                if pickle.load(file) != self._version:
+                    return {}
+                stamp, overloads = pickle.load(file)
+        except (OSError, EOFError, pickle.UnpicklingError):
+            return {}
+        return overloads if stamp == self._source_stamp else {}
 
     def _load_data(self, name: str) -> Any:
-        with Path(self._data_path(name)).open("rb") as file:
+        with kept_code.opened(self._data_path(name)) as file:
             return _Unpickler(file).load()
+
+    @contextlib.contextmanager
+    def _open_for_write(self, filepath: str) -> Iterator[Any]:
+        with super()._open_for_write(filepath) as file:
+            os.fchmod(file.fileno(), kept_code.OWN_MODE)
+            yield file
 
     def _keep(self, arguments: Any, data: Any, *, anew: bool) -> None:
         """Keep machine code of these types of arguments, if it is of a kind that can be; `anew` also where it is."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 import re
 import sys
-from importlib import machinery, util
+import warnings
+from importlib import import_module, machinery, util
 from pathlib import Path
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 OLDEST, NEWEST = (0, 61), (0, 68)
 """Versions of numba whose extensions are known; with any other one all is left to numba."""
@@ -38,8 +39,28 @@ class Extensions(NamedTuple):
 
 def usual() -> bool:
     """Whether numba compiles for this machine as it does by itself, without a setting of the user's."""
-    set_otherwise = any(name.startswith("NUMBA_") and name not in HARMLESS for name in os.environ)
-    return not set_otherwise and not Path(".numba_config.yaml").exists()
+    return not any(name.startswith("NUMBA_") and name not in HARMLESS for name in os.environ)
+
+
+def import_numba() -> ModuleType:
+    """numba, without the settings of a file in the working folder, which may name a folder of code.
+
+    numba reads `.numba_config.yaml` while it is imported, if there is a package that reads YAML, and whenever it
+    compiles. Whoever made the working folder is not trusted.
+    """
+    if "numba" not in sys.modules:
+        loaded = sys.modules.pop("yaml", None)
+        cast(Any, sys.modules)["yaml"] = None  # as if there were none
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # that the file is not read
+                import_module("numba")
+        finally:
+            del sys.modules["yaml"]
+            if loaded is not None:
+                sys.modules["yaml"] = loaded
+    cast(Any, import_module("numba.core.config"))._config_fname = os.devnull
+    return sys.modules["numba"]
 
 
 def load() -> Extensions | None:

@@ -29,6 +29,8 @@ _waiting: list[Callable[[], object]] = []
 """All that is done once numba is needed, in order; nothing waits after that."""
 _begun = _EXTENSIONS is None
 """Whether numba has been needed."""
+if _begun:
+    numbas.import_numba()
 _at_once = threading.RLock()
 
 
@@ -110,8 +112,7 @@ def begin() -> None:
     """Load numba, which takes over from now on."""
     global _begun  # noqa: PLW0603 - it happens once
     with _at_once:
-        import numba  # noqa: F401, PLC0415
-
+        numbas.import_numba()
         _begun = True
         while _waiting:
             _waiting.pop(0)()

@@ -1,7 +1,8 @@
 """Files of kept machine code: one for each kernel, beside numba's own, and with the same rules.
 
-What is kept holds for the file that the kernel stands in as it was read, what the kernel closes over, numba's and the
-interpreter's version, and this kind of processor.
+What is kept holds for all source of the package that the kernel stands in, for whatever a kernel is made of stands
+somewhere there; for the kernel, what it closes over, numba's and the interpreter's version, and this kind of processor.
+It is machine code, and so read only from files that nobody but this user, or the system's, can have written.
 """
 
 from __future__ import annotations
@@ -11,13 +12,13 @@ import functools
 import hashlib
 import marshal
 import os
+import stat
 import sys
 import zlib
 from collections.abc import Callable, Iterator
-from importlib.util import source_hash
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, BinaryIO
 
 from simvehicle.kernels.argument_types import Key
 from simvehicle.kernels.extensions import CACHE_FOLDER
@@ -31,19 +32,67 @@ _PROCESSOR = Path("/sys/devices/system/cpu/modalias")
 _PLAIN = (bool, int, float, str, bytes, type(None))
 
 
+OWN_MODE = 0o644
+"""Of a file of kept code: others may read it, whatever the umask."""
+_OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
+_SYSTEM = 0
+"""The user that installs programs for all."""
+
+
 def stamp_of(function: Callable[..., Any]) -> bytes | None:
-    """A number that tells whether a function's file has changed; None where it cannot be read."""
-    path = _code_of(function).co_filename
+    """`digest` of the package that a function stands in, as first seen by this process; None where it cannot be read."""
+    return _first_digest(_package_of(_code_of(function).co_filename))
+
+
+def is_current(function: Callable[..., Any], stamp: bytes) -> bool:
+    """Whether all source is still as it was stamped, so that what was compiled since then is of that source."""
+    return digest(_package_of(_code_of(function).co_filename)) == stamp
+
+
+def digest(package: str) -> bytes | None:
+    """Of all source in a package's folder, or of one file; None where any of it cannot be read."""
+    found = hashlib.blake2b(digest_size=16)
     try:
-        status = os.stat(path)
-        return _stamp(path, status.st_mtime_ns, status.st_size)
+        for path in _sources(package):
+            content = Path(path).read_bytes()
+            found.update(f"{path.removeprefix(package)}\0{len(content)}\0".encode())
+            found.update(content)
     except OSError:
         return None
+    return found.digest()
+
+
+_first_digest = functools.cache(digest)
+
+
+def _sources(package: str) -> list[str]:
+    if not os.path.isdir(package):
+        return [package]
+    return sorted(f"{at}/{name}" for at, _, names in os.walk(package) for name in names if name.endswith(".py"))
 
 
 @functools.cache
-def _stamp(path: str, *_: int) -> bytes:
-    return source_hash(Path(path).read_bytes())
+def _package_of(path: str) -> str:
+    """The outermost folder of the package that a file is a module of; the file itself where it is of none."""
+    outermost, folder = path, os.path.dirname(path)
+    while os.path.exists(f"{folder}/__init__.py"):
+        outermost, folder = folder, os.path.dirname(folder)
+    return outermost
+
+
+def opened(path: str | Path) -> BinaryIO:
+    """A file of kept code, open to be read.
+
+    Raises:
+        OSError: it cannot be read; or it is a link, or somebody else could have written it (PermissionError).
+    """
+    file = os.fdopen(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb")
+    status = os.fstat(file.fileno())
+    own = status.st_uid in (os.geteuid(), _SYSTEM)
+    if not own or not stat.S_ISREG(status.st_mode) or status.st_mode & _OTHERS_WRITE:
+        file.close()
+        raise PermissionError(f"{path}: somebody else can have written it")
+    return file
 
 
 def read(function: Callable[..., Any], stamp: bytes, version: str) -> dict[Signature, Image]:
@@ -75,7 +124,8 @@ class File:
     def read(self) -> dict[Signature, Image]:
         """All that it keeps; nothing where there is none, or a broken one, or one that does not hold."""
         try:
-            content = self._path.read_bytes()
+            with opened(self._path) as file:
+                content = file.read()
         except OSError:
             return {}
         start = len(_MARK) + 4
@@ -98,6 +148,7 @@ class File:
         beside = self._path.with_name(f"{self._path.name}.{os.urandom(8).hex()}")
         try:
             beside.write_bytes(_MARK + zlib.crc32(payload).to_bytes(4, "little") + payload)
+            beside.chmod(OWN_MODE)
             beside.replace(self._path)
         except OSError:
             with contextlib.suppress(OSError):
@@ -106,11 +157,13 @@ class File:
 
 def _validity(function: Callable[..., Any], stamp: bytes, version: str) -> Any:
     """All that kept code holds for; None where not all of it can be told."""
+    code = _code_of(function)
+    named = (os.path.basename(code.co_filename), function.__qualname__, code.co_firstlineno)
     closed_over = tuple(cell.cell_contents for cell in function.__closure__ or ())
     processor = _processor()
     if processor is None or not all(type(value) in _PLAIN for value in closed_over):
         return None
-    return (stamp, repr(closed_over), version, sys.version, processor)
+    return (stamp, named, repr(closed_over), version, sys.version, processor)
 
 
 @functools.cache

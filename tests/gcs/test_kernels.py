@@ -1,6 +1,8 @@
 """Kernels on disk: compiled once, called without numba, compiled anew when their source changes."""
 
 import os
+import re
+import shutil
 import subprocess
 import sys
 from collections import namedtuple
@@ -13,8 +15,10 @@ import pytest
 from numba import njit
 from numba.core.errors import TypingError
 
+from gcs.kernels import kept_code
 from gcs.kernels.argument_types import ArgumentTypes
 from simvehicle.kernels import UNCOUNTED
+from simvehicle.kernels import kept_code as kept_code_of_vehicles
 
 SOURCE = """
 from collections import namedtuple
@@ -84,7 +88,9 @@ class Programs:
             "PYTHONPATH": os.pathsep.join([str(self.folder), *filter(None, [os.environ.get("PYTHONPATH")])]),
         }
         command = [sys.executable, "-c", PROGRAM.format(calls=calls)]
-        done = subprocess.run(command, env=environment | settings, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            command, cwd=self.folder, env=environment | settings, capture_output=True, text=True, check=False
+        )
         assert done.returncode == 0, done.stderr
         return done.stdout.strip()
 
@@ -198,6 +204,127 @@ def test_a_broken_file_is_passed_over(content: bytes | None, programs: Programs)
     calls = "print(least(np.array([3.0, 2.0])), loaded())"
     assert programs.printed(calls) == "3.5 True"
     assert programs.printed(calls) == "3.5 False"
+
+
+PARTS = {
+    "__init__": "",
+    "sizes": "SURFACE_M = {surface}\n",
+    "inner": """
+from gcs.kernels import inner
+from part.sizes import SURFACE_M
+
+@inner()
+def distance(x):
+    return x - SURFACE_M
+""",
+    "entry": """
+from gcs.kernels import kernel
+from part.inner import distance
+
+@kernel()
+def clearance(x):
+    return 2.0 * distance(x)
+""",
+}
+
+
+def test_code_is_compiled_anew_when_any_file_that_it_is_made_of_changes(tmp_path: Path) -> None:
+    """A kernel takes a constant from a module without a kernel, through a compiled function of a third one."""
+    (tmp_path / "part").mkdir()
+    program = "import sys; from part.entry import clearance; print(clearance(10.0), 'numba' in sys.modules)"
+
+    def printed(surface: float) -> str:
+        for name, source in PARTS.items():
+            (tmp_path / "part" / f"{name}.py").write_text(source.format(surface=surface))
+        command = [sys.executable, "-c", program]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+        return done.stdout.strip()
+
+    assert [printed(1.0), printed(1.0)] == ["18.0 True", "18.0 False"]
+    assert [printed(1.5), printed(1.5)] == ["17.0 True", "17.0 False"]
+
+
+FIRST = {"gcs": kept_code, "simvehicle": kept_code_of_vehicles}
+
+
+@pytest.mark.parametrize("package", ["gcs", "simvehicle"])
+def test_every_module_of_a_package_is_in_the_key_of_all_its_kept_code(package: str, tmp_path: Path) -> None:
+    """Numbers in the source of each module, one at a time, are made others: no key is as before."""
+    whole = Path(str(FIRST[package].__file__)).parents[1]
+    copy = tmp_path / package
+    shutil.copytree(whole, copy, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
+    usual = kept_code.digest(str(copy))
+    assert usual == kept_code.digest(str(whole)) == kept_code.stamp_of(FIRST[package].is_current)
+    modules = sorted(copy.rglob("*.py"))
+    changed = 0
+    for path in modules:
+        source = path.read_text(encoding="utf-8")
+        other = re.sub(r"\d", lambda found: str(9 - int(found[0])), source)
+        if other != source:
+            path.write_text(other, encoding="utf-8")
+            assert kept_code.digest(str(copy)) != usual, path
+            path.write_text(source, encoding="utf-8")
+            changed += 1
+    assert kept_code.digest(str(copy)) == usual
+    assert changed > len(modules) / 3
+
+
+def test_code_that_somebody_else_can_have_written_is_not_loaded(programs: Programs) -> None:
+    calls = "print(least(np.array([3.0, 2.0])), loaded())"
+    assert [programs.printed(calls), programs.printed(calls)] == ["3.5 True", "3.5 False"]
+    files = [path for path in programs.folder.glob("kept/*/*") if "least" in path.name]
+    assert {path.suffix for path in files} == {".kept", ".nbi", ".nbc"}
+    assert {path.stat().st_mode & 0o777 for path in files} == {0o644}
+    for path in files:
+        path.chmod(0o666)
+        with pytest.raises(PermissionError):
+            kept_code.opened(path)
+        path.chmod(0o664)
+        with pytest.raises(PermissionError):
+            kept_code.opened(path)
+        path.chmod(0o644)
+        link = path.with_name("link")
+        link.symlink_to(path)
+        with pytest.raises(OSError, match="symbolic links"):
+            kept_code.opened(link)
+        link.unlink()
+        kept_code.opened(path).close()
+    for path in files:  # each is compiled anew, and its file replaced
+        path.chmod(0o666)
+    assert [programs.printed(calls), programs.printed(calls)] == ["3.5 True", "3.5 False"]
+    assert {path.stat().st_mode & 0o777 for path in files} == {0o644}
+
+
+def test_nor_is_code_of_another_user(monkeypatch: pytest.MonkeyPatch, programs: Programs) -> None:
+    programs.printed("least(np.array([3.0, 2.0]))")
+    monkeypatch.setattr(kept_code, "_SYSTEM", -1)
+    monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)
+    for path in programs.folder.glob("kept/*/*"):
+        with pytest.raises(PermissionError):
+            kept_code.opened(path)
+
+
+def test_settings_in_the_working_folder_are_not_read(programs: Programs) -> None:
+    """Neither when numba is imported nor when it compiles, which is when numba by itself reads them."""
+    (programs.folder / ".numba_config.yaml").write_text("cache_dir: planted\nopt: 0\ndisable_jit: 1\n")
+    calls = "print(least(np.array([3.0, 2.0])), loaded(), end=' ')"
+    others = (
+        "least(np.array([3, 2])); from numba import config; print(config.CACHE_DIR, config.DISABLE_JIT, config.OPT)"
+    )
+    kept = str(programs.folder / "kept")
+    assert programs.printed(f"{calls}; {others}") == f"3.5 True {kept} 0 _OptLevel(3)"
+    assert programs.printed(calls) == "3.5 False"
+    assert not (programs.folder / "planted").exists()
+
+
+def test_a_full_disk_keeps_nothing_and_ends_nothing(programs: Programs) -> None:
+    """The largest file that the program may write is of no byte, as on a disk without room."""
+    calls = "print(least(np.array([3.0, 2.0])), loaded())"
+    full = "import resource, signal; signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+    full += "resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))\n"
+    assert programs.printed(full + calls + "; sys.stdout.flush()") == "3.5 True"
+    assert not list(programs.folder.glob("kept/*/*"))
+    assert [programs.printed(calls), programs.printed(calls)] == ["3.5 True", "3.5 False"]
 
 
 def test_a_setting_of_numbas_leaves_all_to_numba(programs: Programs) -> None:

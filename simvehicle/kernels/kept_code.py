@@ -40,7 +40,7 @@ _SYSTEM = 0
 
 
 def stamp_of(function: Callable[..., Any]) -> bytes | None:
-    """`digest` of the package that a function stands in, as first seen by this process; None where it cannot be read."""
+    """`digest` of the package that a function stands in, as this process first saw it; None where that cannot be."""
     return _first_digest(_package_of(_code_of(function).co_filename))
 
 

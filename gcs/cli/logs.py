@@ -112,6 +112,7 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
             raise
         finally:
             progress.close()
+            folder.close()
     if as_json:
         click.echo(json.dumps({"files": [log._asdict() for log in folder.kept]}))
     elif not folder.kept and not any(client.failed or client.list_problem for client in clients):

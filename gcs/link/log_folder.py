@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
+from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
-from gcs.mavlink.log_client import LogClient, LogEntry
+from gcs.mavlink.log_client import LogClient, LogEntry, LogPiece
 
 ENDINGS = ((b"\xa3\x95", ".bin"), (b"ULog", ".ulg"), (b'{"', ".truth"))
 """By their first bytes: ArduPilot's DataFlash log, PX4's ULog, the truth of a vehicle of ours."""
+
+COMPARED_BYTES = 1 << 20
 
 
 class KeptLog(NamedTuple):
@@ -56,38 +60,80 @@ class LogFolder:
                 wanted.append(entry)
                 self.wanted_bytes += entry.size_bytes
             else:
-                self._keep(client, entry, there, there.read_bytes(), "already")
+                self._keep(client, entry, there, "already")
         return wanted
 
     def save(self) -> list[KeptLog]:
-        """Write what has come whole since the last call; why one cannot be is its dialogue's failure."""
+        """Write what has come since the last call, and name what is whole; why one cannot be is its dialogue's
+        failure."""
         before = len(self.kept)
         for client in self._clients:
-            for number, content in client.files.items():
+            pieces, client.pieces = client.pieces, []
+            for number, of_log in groupby(pieces, lambda piece: piece.number):
+                if number not in client.failed:
+                    self._write(client, number, of_log)
+            for number in client.whole:
                 if (client.sysid, number) not in self._saved:
                     self._saved.add((client.sysid, number))
-                    self._write(client, client.entries[number], content)
+                    if number not in client.failed:
+                        self._name(client, client.entries[number])
         return self.kept[before:]
 
-    def _write(self, client: LogClient, entry: LogEntry, content: bytes) -> None:
-        ending = next((ending for first, ending in ENDINGS if content.startswith(first)), ".log")
-        path = self._folder / f"{_stem(client, entry)}{ending}"
-        part = path.with_suffix(f"{ending}.part")
-        try:
-            if path.exists() and not content.startswith(path.read_bytes()):
-                client.failed[entry.number] = f"{path} holds another log and is left as it is; give another --out"
-                return
-            part.write_bytes(content)
-            os.replace(part, path)
-        except OSError as error:
-            part.unlink(missing_ok=True)
-            client.failed[entry.number] = f"{path} cannot be written: {error.strerror}"
-            return
-        self._keep(client, entry, path, content, "downloaded")
+    def close(self) -> None:
+        """Remove what has not come whole."""
+        for client in self._clients:
+            for number in client.entries:
+                self._part(client, number).unlink(missing_ok=True)
 
-    def _keep(self, client: LogClient, entry: LogEntry, path: Path, content: bytes, outcome: str) -> None:
-        checksum = hashlib.sha256(content).hexdigest()
-        self.kept.append(KeptLog(client.sysid, entry.number, str(path), outcome, len(content), checksum))
+    def _part(self, client: LogClient, number: int) -> Path:
+        return self._folder / f".{_stem(client, client.entries[number])}.part"
+
+    def _fail(self, client: LogClient, number: int, why: str) -> None:
+        with contextlib.suppress(OSError):
+            self._part(client, number).unlink(missing_ok=True)
+        client.failed[number] = why
+
+    def _write(self, client: LogClient, number: int, pieces: Iterable[LogPiece]) -> None:
+        part = self._part(client, number)
+        try:
+            with os.fdopen(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_NOFOLLOW, 0o666), "wb", buffering=0) as file:
+                for piece in pieces:
+                    os.pwrite(file.fileno(), piece.data, piece.offset)
+        except OSError as error:
+            self._fail(client, number, f"{part} cannot be written: {error.strerror}")
+
+    def _name(self, client: LogClient, entry: LogEntry) -> None:
+        """Give a whole log its name."""
+        part = self._part(client, entry.number)
+        try:
+            with part.open("ab") as file:
+                file.truncate(entry.size_bytes)
+            with part.open("rb") as file:
+                begin = file.read(max(len(first) for first, _ in ENDINGS))
+            ending = next((ending for first, ending in ENDINGS if begin.startswith(first)), ".log")
+            path = self._folder / f"{_stem(client, entry)}{ending}"
+            if path.exists() and not _begins_with(part, path):
+                why = f"{path} holds another log and is left as it is; give another --out"
+                self._fail(client, entry.number, why)
+                return
+            os.replace(part, path)
+            self._keep(client, entry, path, "downloaded")
+        except OSError as error:
+            self._fail(client, entry.number, f"{part} cannot be written: {error.strerror}")
+
+    def _keep(self, client: LogClient, entry: LogEntry, path: Path, outcome: str) -> None:
+        with path.open("rb") as file:
+            checksum = hashlib.file_digest(file, "sha256").hexdigest()
+        self.kept.append(KeptLog(client.sysid, entry.number, str(path), outcome, path.stat().st_size, checksum))
+
+
+def _begins_with(path: Path, shorter: Path) -> bool:
+    """Whether a file begins with all that another one holds."""
+    with path.open("rb") as one, shorter.open("rb") as other:
+        while expected := other.read(COMPARED_BYTES):
+            if one.read(len(expected)) != expected:
+                return False
+    return True
 
 
 def newest(client: LogClient) -> list[LogEntry]:

@@ -5,7 +5,8 @@
                 Else LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
 
 One range is open at a time, since a vehicle serves one. What comes is kept wherever it belongs, so a piece that is lost
-costs itself, and no more than TRIES requests in a row may bring nothing.
+costs itself, and no more than TRIES requests in a row may bring nothing. Pieces are handed on as they come, and only
+which came is remembered, so that a log costs memory neither by the length that is claimed nor by its own.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.ftp.log_file import LogFile
 from gcs.mavlink.ftp.requests import FileRequests
+from gcs.mavlink.received_ranges import ReceivedRanges
 
 PIECE_BYTES = 90
 REPEAT_S = 1.0
@@ -26,7 +28,7 @@ SETTLED_S = 1.0
 NEAR_PIECES = 16
 """Missing ranges with no more pieces than this between them are asked for as one."""
 LARGEST_BYTES = 1 << 29
-"""A log that is said to be longer is not begun: by MAVLink it would take an hour, and it is built in memory."""
+"""A log that is said to be longer is not begun: by MAVLink it would take an hour."""
 
 
 class LogEntry(NamedTuple):
@@ -38,38 +40,12 @@ class LogEntry(NamedTuple):
     """when it began; 0 where the vehicle did not know"""
 
 
-class _Download:
-    """A log as far as it has come."""
+class LogPiece(NamedTuple):
+    """Bytes of a log."""
 
-    def __init__(self, entry: LogEntry) -> None:
-        self.entry = entry
-        self.content = bytearray(entry.size_bytes)
-        self.missing = -(-entry.size_bytes // PIECE_BYTES)
-        self.has = bytearray(self.missing)
-        """by piece, 1 where it has come"""
-        self._searched = 0
-
-    def put(self, offset: int, data: bytes) -> bool:
-        """Keep a piece; whether it was missing."""
-        piece, end = offset // PIECE_BYTES, min(offset + PIECE_BYTES, len(self.content))
-        if offset % PIECE_BYTES or piece >= len(self.has) or self.has[piece] or len(data) < end - offset:
-            return False
-        self.content[offset:end] = data[: end - offset]
-        self.has[piece] = 1
-        self.missing -= 1
-        return True
-
-    def first_missing(self) -> tuple[int, int]:
-        """The first range of pieces to ask for, its end excluded."""
-        first = last = self._searched = self.has.index(0, self._searched)
-        while True:
-            stop = self.has.find(1, last)
-            if stop < 0:
-                return first, len(self.has)
-            again = self.has.find(0, stop)
-            if again < 0 or again - stop > NEAR_PIECES:
-                return first, stop
-            last = again
+    number: int
+    offset: int
+    data: bytes
 
 
 class LogClient:
@@ -81,8 +57,10 @@ class LogClient:
         self._to = {"target_system": sysid, "target_component": compid}
         self.entries: dict[int, LogEntry] = {}
         """its logs, by number"""
-        self.files: dict[int, bytes] = {}
-        """whole logs, by number"""
+        self.pieces: list[LogPiece] = []
+        """in the order in which they came, until they are taken away; a later one replaces what an earlier one holds"""
+        self.whole: dict[int, LogEntry] = {}
+        """logs that have come whole, by number"""
         self.failed: dict[int, str] = {}
         """why a log did not come, by number"""
         self.list_problem = ""
@@ -90,7 +68,9 @@ class LogClient:
         self._listing = False
         self._expected: int | None = None
         self._wanted: list[LogEntry] = []
-        self._open: _Download | None = None
+        self._open: LogEntry | None = None
+        self._came = ReceivedRanges()
+        """of the open log"""
         self._requests = FileRequests(sysid, compid)
         self._file: LogFile | None = None
         self._log_folders = log_folders
@@ -115,10 +95,9 @@ class LogClient:
     @property
     def bytes_so_far(self) -> int:
         """Of the logs asked for, what has come."""
-        download = self._open
-        partial = 0 if download is None else (len(download.has) - download.missing) * PIECE_BYTES
+        partial = 0 if self._open is None else self._came.size_bytes
         partial += 0 if self._file is None else self._file.bytes_so_far
-        return partial + sum(map(len, self.files.values()))
+        return partial + sum(entry.size_bytes for entry in self.whole.values())
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
         """Take a message of this vehicle's: its name and fields."""
@@ -132,15 +111,15 @@ class LogClient:
                 self._listing = False
         elif self._file is not None:
             self._file.receive(name, content, now_s)
-        elif name == "LOG_DATA" and self._open is not None and content.id == self._open.entry.number:
-            download = self._open
-            if download.put(content.ofs, bytes(content.data[: content.count])):
+            if self._open is not None:
+                self.pieces += [LogPiece(self._open.number, *piece) for piece in self._file.taken()]
+        elif name == "LOG_DATA" and self._open is not None and content.id == self._open.number:
+            if self._put(self._open, content.ofs, bytes(content.data[: content.count])):
                 self._tries = 0
             self._due_s = max(self._due_s, now_s + REPEAT_S)
-            if not download.missing:
-                self.files[content.id] = bytes(download.content)
-                self._close()
-            elif content.ofs // PIECE_BYTES + 1 >= self._range[1] or content.count < PIECE_BYTES:
+            if self._came.size_bytes >= self._open.size_bytes:
+                self._end(self._open)
+            elif content.ofs + PIECE_BYTES >= self._range[1] or content.count < PIECE_BYTES:
                 self._due_s = now_s if self._tries == 0 else self._due_s  # the range has ended: the next gap at once
 
     def poll(self, now_s: float) -> list[Message]:
@@ -150,13 +129,12 @@ class LogClient:
         if self._open is None and self._wanted:
             self._begin(self._wanted.pop(0), now_s)
         if self._file is not None and self._open is not None:
-            return self._poll_file(self._file, self._open.entry, now_s)
+            return self._poll_file(self._file, self._open, now_s)
         if self._open is not None and now_s >= self._due_s:
             if self._tries < TRIES:
                 return [self._ask(self._open, now_s)]
-            came = len(self._open.has) - self._open.missing
-            of = f"{came} of {len(self._open.has)} pieces came"
-            self.failed[self._open.entry.number] = f"{of}, then nothing, though it was asked {TRIES} times"
+            of = f"{self._came.size_bytes} of {self._open.size_bytes} bytes came"
+            self.failed[self._open.number] = f"{of}, then nothing, though it was asked {TRIES} times"
             self._close()
         if self._to_end and not self._wanted and self._open is None:
             self._to_end = False
@@ -174,9 +152,9 @@ class LogClient:
         if entry.size_bytes > LARGEST_BYTES:
             self.failed[entry.number] = f"it is said to have {entry.size_bytes} bytes, more than comes over such a link"
         elif entry.size_bytes == 0:
-            self.files[entry.number] = b""
+            self.whole[entry.number] = entry
         else:
-            self._open, self._tries, self._due_s = _Download(entry), 0, now_s
+            self._open, self._came, self._tries, self._due_s = entry, ReceivedRanges(), 0, now_s
             if self._log_folders is not None:
                 self._file = LogFile(self._requests, entry.number, entry.size_bytes, self._log_folders)
 
@@ -185,12 +163,23 @@ class LogClient:
         messages = file.poll(now_s)
         if file.done:
             self._file = None
-            if file.content is None:
-                self._log_folders = None
+            if file.is_whole:
+                self._end(entry)
             else:
-                self.files[entry.number] = file.content
-                self._close()
+                self._log_folders = None
         return messages
+
+    def _put(self, entry: LogEntry, offset: int, data: bytes) -> bool:
+        """Hand a piece on; whether any of it was missing. One that is cut short before the log's end is no piece."""
+        end = min(offset + PIECE_BYTES, entry.size_bytes)
+        new = self._came.add(offset, end) - offset if 0 < end - offset <= len(data) else 0
+        if new:
+            self.pieces.append(LogPiece(entry.number, offset, data[:new]))
+        return new > 0
+
+    def _end(self, entry: LogEntry) -> None:
+        self.whole[entry.number] = entry
+        self._close()
 
     def _close(self) -> None:
         self._open, self._tries, self._due_s = None, 0, 0.0
@@ -208,9 +197,8 @@ class LogClient:
         self._due_s = now_s + REPEAT_S
         return [codec.message("LOG_REQUEST_LIST", **self._to, start=0, end=0xFFFF)]
 
-    def _ask(self, download: _Download, now_s: float) -> Message:
+    def _ask(self, entry: LogEntry, now_s: float) -> Message:
         self._tries += 1
         self._due_s = now_s + REPEAT_S
-        first, stop = self._range = download.first_missing()
-        offset, end = first * PIECE_BYTES, min(stop * PIECE_BYTES, download.entry.size_bytes)
-        return codec.message("LOG_REQUEST_DATA", **self._to, id=download.entry.number, ofs=offset, count=end - offset)
+        first, stop = self._range = self._came.missing(entry.size_bytes, NEAR_PIECES * PIECE_BYTES)
+        return codec.message("LOG_REQUEST_DATA", **self._to, id=entry.number, ofs=first, count=stop - first)

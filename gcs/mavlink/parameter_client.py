@@ -25,6 +25,8 @@ from gcs.mavlink.ftp.requests import FileRequests
 REPEAT_S = 0.7
 TRIES = 5
 IN_FLIGHT = 8
+MOST_PARAMETERS = 1 << 14
+"""Ten times what any autopilot has: further names are not kept, whatever is sent."""
 SETTLED_S = 1.0
 """A list during which nothing more has come for so long has come as far as it does by itself."""
 
@@ -116,6 +118,9 @@ class ParameterClient:
         if name != "PARAM_VALUE":
             return
         parameter = Parameter(self.profile.parameter(content.param_value, content.param_type), content.param_type)
+        asked = content.param_id in self.known or content.param_id in self._tasks
+        if not asked and len(self.known) >= MOST_PARAMETERS:
+            return
         self.known[content.param_id] = parameter
         if self._listing is not None:
             self._list(self._listing, content, now_s)

@@ -47,6 +47,7 @@ def fetch_logs(
         missed += _wait_until_down(scenario, found, say)
         clients: list[LogClient] = []
         kept = LogFolder(folder, clients)
+        stack.callback(kept.close)
         try:
             clients += _listed(found)
             _download(found, clients, kept, say, fetch_within_s)

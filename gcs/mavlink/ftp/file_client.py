@@ -31,9 +31,10 @@ from gcs.mavlink.ftp.requests import (
     FileAnswer,
     FileRequests,
 )
+from gcs.mavlink.received_ranges import ReceivedRanges
 
 LARGEST_BYTES = 1 << 22
-"""A longer file is given up: it is built in memory, piece by piece."""
+"""A longer file is given up where all that it has is read: that is built in memory, piece by piece."""
 _SIZE = struct.Struct("<I")
 
 
@@ -51,15 +52,16 @@ class FileClient:
     def __init__(self, requests: FileRequests, path: str, first_bytes: int | None = None) -> None:
         """first_bytes: only so much of it is read, and a shorter file is not it; None: all that it has."""
         self.path = path
-        self.content: bytes | None = None
-        """the whole file, once it has come"""
+        self.pieces: list[tuple[int, bytes]] = []
+        """(offset, bytes) as they came, until they are taken away"""
+        self.is_whole = False
         self.problem = ""
         """why it did not come, in words"""
         self._stage = _Stage.RESET
         self._requests = requests
         self._session = 0
-        self._pieces: dict[int, bytes] = {}
-        self._first_missing = self._highest = self._begun_at = 0
+        self._came = ReceivedRanges()
+        self._highest = self._begun_at = 0
         self._end = self._wanted = first_bytes
         self._tries = 0
         self._due_s = 0.0
@@ -68,7 +70,12 @@ class FileClient:
     @property
     def bytes_so_far(self) -> int:
         """Of the file, what has come."""
-        return PIECE_BYTES * len(self._pieces)
+        return self._came.size_bytes
+
+    @property
+    def content(self) -> bytes | None:
+        """The whole file, of which no piece was taken away; None where it has not come."""
+        return b"".join(data for _, data in sorted(self.pieces)) if self.is_whole else None
 
     @property
     def done(self) -> bool:
@@ -107,7 +114,7 @@ class FileClient:
         if now_s < self._due_s:
             return []
         if self._tries >= (FIRST_TRIES if self._stage is _Stage.RESET else TRIES):
-            came = f"after {self._first_missing} bytes " if self._first_missing else ""
+            came = f"after {self._came.first_missing} bytes " if self._came.size_bytes else ""
             self._give_up(f"no answer {came}to a request for {self.path}, though it was asked {self._tries} times")
             return self.poll(now_s)
         self._tries += 1
@@ -116,7 +123,7 @@ class FileClient:
             return [self._requests.request(OPEN, data=self.path.encode("ascii"))]
         if self._stage is _Stage.RESET:
             return [self._requests.request(RESET)]
-        self._begun_at = self._highest if self._stage is _Stage.BURST else self._first_missing
+        self._begun_at = self._highest if self._stage is _Stage.BURST else self._came.first_missing
         opcode, session = self._stage.value, self._session
         return [self._requests.request(opcode, session=session, offset=self._begun_at, size=PIECE_BYTES)]
 
@@ -146,21 +153,19 @@ class FileClient:
             data = data[: max(self._wanted - offset, 0)]
         if offset % PIECE_BYTES or not data:
             return
-        self._pieces.setdefault(offset, data)
+        if new := self._came.add(offset, offset + len(data)) - offset:
+            self.pieces.append((offset, data[:new]))
         self._highest = max(self._highest, offset + len(data))
         if len(data) < PIECE_BYTES and self._wanted is None:
             self._end = offset + len(data)
-        while self._first_missing in self._pieces:
-            self._first_missing += len(self._pieces[self._first_missing])
 
     def _look_on(self) -> None:
         """End where everything has come, or there is more than is taken; fill what is missing where the end is
         known."""
         if self._highest > LARGEST_BYTES and self._wanted is None:
             self._give_up(f"{self.path} has more than {LARGEST_BYTES} bytes")
-        elif self._end is not None and self._first_missing >= self._end:
-            self.content = b"".join(self._pieces[at] for at in sorted(self._pieces))
-            self._stage = _Stage.DONE
+        elif self._end is not None and self._came.first_missing >= self._end:
+            self.is_whole, self._stage = True, _Stage.DONE
         elif self._end is not None and self._highest >= self._end and self._stage is _Stage.BURST:
             self._go_on(_Stage.FILL)
 

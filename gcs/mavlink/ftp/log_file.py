@@ -20,7 +20,7 @@ MOST_FOLDERS = 8
 
 
 class LogFile:
-    """The dialogue with one vehicle about one log; `content` is None once it is done where it did not come."""
+    """The dialogue with one vehicle about one log; `is_whole` is False once it is done where it did not come."""
 
     def __init__(self, requests: FileRequests, number: int, size_bytes: int, roots: Sequence[str]) -> None:
         """`roots`: where its autopilot may keep its logs, the likeliest first."""
@@ -29,8 +29,7 @@ class LogFile:
         self._folders: list[str] = []
         self._below_root = False
         self._open: FileClient | FolderClient | None = FileClient(self._requests, f"@LOG/{number}", size_bytes)
-        self.content: bytes | None = None
-        """the whole log, once it has come"""
+        self.is_whole = False
 
     @property
     def done(self) -> bool:
@@ -47,13 +46,20 @@ class LogFile:
         if self._open is not None:
             self._open.receive(name, content, now_s)
 
+    def taken(self) -> list[tuple[int, bytes]]:
+        """(offset, bytes) that came since the last call."""
+        if not isinstance(self._open, FileClient):
+            return []
+        pieces, self._open.pieces = self._open.pieces, []
+        return pieces
+
     def poll(self, now_s: float) -> list[Message]:
         """Messages to send now."""
         messages = [] if self._open is None else self._open.poll(now_s)
         if self._open is not None and self._open.done:
             if isinstance(self._open, FileClient):
-                self.content = self._open.content
-                searched = self.content is None and self._requests.has_answered
+                self.is_whole = self._open.is_whole
+                searched = not self.is_whole and self._requests.has_answered
                 self._open = self._looked_in(self._roots) if searched else None
             else:
                 self._open = self._after(self._open)

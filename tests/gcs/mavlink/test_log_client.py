@@ -1,15 +1,20 @@
 """The dialogue about logs with a scripted vehicle that pymavlink speaks for, over a link that loses."""
 
+import itertools
 import random
+import tracemalloc
 from typing import Any
 
 import pytest
 from arducopter_files import BURST, OPEN, READ, RESET, TERMINATE, Files
+from hypothesis import given
+from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.log_client import TRIES, LogClient, LogEntry
+from gcs.mavlink.received_ranges import MOST_RANGES, ReceivedRanges
 
 PIECES_A_TICK = 20
 TICK_S = 0.05
@@ -77,6 +82,15 @@ def converse_once(client: LogClient, vehicle: Vehicle, now_s: float) -> None:
             client.receive(answer.get_type(), codec.fields(frame), now_s)
 
 
+def came(client: LogClient) -> dict[int, bytes]:
+    """Whole logs, from their pieces in the order in which these came."""
+    logs = {number: bytearray(entry.size_bytes) for number, entry in client.whole.items()}
+    for number, offset, data in client.pieces:
+        if number in logs:
+            logs[number][offset : offset + len(data)] = data
+    return {number: bytes(content) for number, content in logs.items()}
+
+
 def log(size: int) -> bytes:
     return random.Random(size).randbytes(size)
 
@@ -92,7 +106,7 @@ def test_every_log_comes_whole_whatever_the_link_loses(lose: float) -> None:
     assert client.entries == {number: LogEntry(number, len(content), 1000 + number) for number, content in LOGS.items()}
     client.download(list(client.entries.values()))
     converse(client, vehicle)
-    assert client.files == LOGS
+    assert came(client) == LOGS
     assert not client.failed
     if not lose:
         assert vehicle.pieces == sum(-(-len(content) // 90) for content in LOGS.values())
@@ -112,7 +126,7 @@ def test_as_files_they_come_by_mavftp_as_far_as_they_were_listed(lose: float) ->
     converse(client, vehicle)
     client.download(list(client.entries.values()))
     converse(client, vehicle)
-    assert client.files == LOGS
+    assert came(client) == LOGS
     assert vehicle.asked.count("LOG_REQUEST_DATA") == 0
     assert client.bytes_so_far == sum(map(len, LOGS.values()))
     if not lose:
@@ -123,7 +137,7 @@ def test_as_files_they_come_by_mavftp_as_far_as_they_were_listed(lose: float) ->
     again = LogClient(3, 1)
     again.download([LogEntry(9, 100_001, 0)])
     converse(again, vehicle)
-    assert again.files == {9: LOGS[9]}
+    assert came(again) == {9: LOGS[9]}
     assert vehicle.asked.count("LOG_REQUEST_DATA") >= 1
 
 
@@ -142,7 +156,7 @@ def test_a_px4s_logs_are_found_in_its_folders_by_their_size(lose: float) -> None
     client = LogClient(3, 1, PX4_FOLDERS)
     client.download([LogEntry(0, len(older), 0), LogEntry(1, len(newer), 0)])
     converse(client, vehicle)
-    assert client.files == {0: older, 1: newer}
+    assert came(client) == {0: older, 1: newer}
     assert "LOG_REQUEST_DATA" not in vehicle.asked
 
 
@@ -152,7 +166,7 @@ def test_a_log_of_which_two_files_have_the_size_comes_by_ranges() -> None:
     client = LogClient(3, 1, PX4_FOLDERS)
     client.download([LogEntry(0, len(content), 0)])
     converse(client, vehicle)
-    assert client.files == {0: content}
+    assert came(client) == {0: content}
     assert vehicle.asked.count("LOG_REQUEST_DATA") == 1
 
 
@@ -169,7 +183,7 @@ def test_where_no_mavftp_answers_folders_are_not_searched() -> None:
     client = LogClient(3, 1, PX4_FOLDERS)
     client.download([LogEntry(0, 1000, 0)])
     assert converse(client, vehicle) < 4.0
-    assert client.files == vehicle.logs
+    assert came(client) == vehicle.logs
     assert set(vehicle.files.asked) == {RESET}
 
 
@@ -178,7 +192,7 @@ def test_files_that_are_not_there_to_be_had_are_not_asked_for() -> None:
     client = LogClient(3, 1, ARDUCOPTER.log_folders)
     client.download([LogEntry(0, 1000, 0)])
     converse(client, vehicle)
-    assert client.files == vehicle.logs
+    assert came(client) == vehicle.logs
     assert vehicle.files.asked == []
 
 
@@ -201,7 +215,7 @@ def test_a_single_lost_piece_costs_one_short_request() -> None:
             (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
             client.receive("LOG_DATA", codec.fields(frame), now_s)
         now_s += TICK_S
-    assert client.files == vehicle.logs
+    assert came(client) == vehicle.logs
     assert vehicle.pieces == 1001
     assert now_s - began_s < 1000 / PIECES_A_TICK * TICK_S + 0.5
 
@@ -218,6 +232,64 @@ def test_what_does_not_come_is_a_sentence() -> None:
     converse(client, shorter)
     client.download([*client.entries.values(), LogEntry(2, 1 << 30, 0)])
     converse(client, shorter)
-    assert client.failed[1] == f"10 of 20 pieces came, then nothing, though it was asked {TRIES} times"
+    assert client.failed[1] == f"900 of 1800 bytes came, then nothing, though it was asked {TRIES} times"
     assert client.failed[2].startswith("it is said to have 1073741824 bytes")
-    assert not client.files
+    assert not client.whole
+
+
+def claimed(sysid: int, size_bytes: int) -> LogClient:
+    """A client that a vehicle has told of a log, and sent the last piece of it."""
+    client = LogClient(sysid, 1, None)
+    client.list_logs()
+    client.poll(0.0)
+    entry = mav.MAVLink_log_entry_message(1, 1, 1, 0, size_bytes)
+    last = mav.MAVLink_log_data_message(1, size_bytes - 90, 90, [1] * 90)
+    client.receive("LOG_ENTRY", entry, 0.0)
+    client.download([client.entries[1]])
+    client.poll(0.0)
+    client.receive("LOG_DATA", last, 0.0)
+    return client
+
+
+def test_memory_goes_by_what_came_and_not_by_what_is_claimed() -> None:
+    """200 vehicles claim 500 MB each, and send one piece from the end."""
+    claimed(1, 90)
+    tracemalloc.start()
+    try:
+        clients = [claimed(sysid, 500_000_040) for sysid in range(1, 201)]
+        _, most_bytes = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert [client.bytes_so_far for client in clients] == [90] * 200
+    assert most_bytes < 200 * 16_000
+
+
+@given(st.lists(st.tuples(st.integers(0, 60), st.integers(1, 12)), max_size=60), st.integers(0, 8))
+def test_ranges_hold_what_a_set_of_bytes_holds(added: list[tuple[int, int]], near: int) -> None:
+    ranges, held = ReceivedRanges(), set[int]()
+    for start, size in added:
+        end = ranges.add(start, start + size)
+        new = set()
+        for at in range(start, start + size):
+            if at in held:
+                break
+            new.add(at)
+        assert new == set(range(start, end))
+        held |= new
+        assert ranges.size_bytes == len(held)
+    first = next(at for at in itertools.count() if at not in held)
+    assert ranges.first_missing == first
+    begin, end = ranges.missing(100, near)
+    assert begin == first
+    runs = itertools.groupby(range(first, end), held.__contains__)
+    assert all(len(list(run)) <= near for there, run in runs if there)
+    assert end == 100 or (end in held and all(at in held for at in range(end, end + near + 1)))
+
+
+def test_what_would_break_a_file_up_further_is_not_taken() -> None:
+    ranges = ReceivedRanges()
+    for n in range(MOST_RANGES):
+        assert ranges.add(2 * n + 1, 2 * n + 2) == 2 * n + 2
+    assert ranges.add(10**6, 10**6 + 1) == 10**6
+    assert ranges.add(2, 3) == 3
+    assert ranges.add(10**6, 10**6 + 1) == 10**6 + 1

@@ -8,7 +8,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, Profile
-from gcs.mavlink.parameter_client import IN_FLIGHT, TRIES, ParameterClient
+from gcs.mavlink.parameter_client import IN_FLIGHT, MOST_PARAMETERS, TRIES, ParameterClient
 
 INT32, REAL32 = mav.MAV_PARAM_TYPE_INT32, mav.MAV_PARAM_TYPE_REAL32
 
@@ -115,3 +115,14 @@ def test_of_many_questions_a_few_are_open_at_once_and_a_silent_vehicle_is_given_
     converse(silent, vehicle)
     assert silent.results[0].why == f"no answer, though it was asked {TRIES} times"
     assert silent.incomplete == "0 parameters came"
+
+
+def test_a_vehicle_that_names_parameters_without_end_is_heard_to_a_bound() -> None:
+    client = ParameterClient(1, 1, ARDUCOPTER)
+    client.read(["WANTED"])
+    for name in [*(f"N{number}" for number in range(2 * MOST_PARAMETERS)), "WANTED"]:
+        told: Any = mav.MAVLink_param_value_message(name.encode(), 1.0, mav.MAV_PARAM_TYPE_REAL32, 65535, 65535)
+        told.param_id = name
+        client.receive("PARAM_VALUE", told, 0.0)
+    assert len(client.known) == MOST_PARAMETERS + 1
+    assert [(result.name, result.now) for result in client.results] == [("WANTED", 1.0)]

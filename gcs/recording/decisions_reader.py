@@ -9,6 +9,7 @@ takes ten times as long.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -25,6 +26,8 @@ COLUMNS = 5
 BLOCK_BYTES = 1 << 22
 MOST_OPENED = 500
 """Lists and objects in a line: one with more is no decision of ours, and could be nested deeper than is read."""
+_LONG = re.compile(rb"\d{19}")
+"""as many digits as a number of 64 bits may have, and further ones would make it larger"""
 _BEGIN = b'{"kind":"set_point",'
 """as the recorder writes them, with sorted keys"""
 
@@ -65,9 +68,22 @@ class DecisionLine(NamedTuple):
             return {}
 
 
-def _is_deep(line: bytes) -> bool:
-    """Whether a line may be nested more deeply than it can be read."""
-    return line.count(b"[") + line.count(b"{") > MOST_OPENED
+def _is_refused(line: bytes) -> bool:
+    """Whether a line may be nested more deeply than it can be read, or holds a whole number of more than 64 bits."""
+    if len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED:
+        return True
+    if _LONG.search(line) is None:
+        return False
+    try:
+        return not _is_small(_RECORDS.decode(line))
+    except _BROKEN:
+        return False  # and passed over where it is decoded
+
+
+def _is_small(value: Any) -> bool:
+    if isinstance(value, dict | list):
+        return all(map(_is_small, value.values() if isinstance(value, dict) else value))
+    return not isinstance(value, int) or -(1 << 63) <= value < 1 << 63
 
 
 class DecisionLines:
@@ -123,10 +139,10 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                deep = [line for line in lines if len(line) > MOST_OPENED and _is_deep(line)]
-                for line in deep:
-                    self._pass_over(line)
-                refused = set(deep)
+                refused = {line for line in lines if _is_refused(line)}
+                for line in lines if refused else ():
+                    if line in refused:
+                        self._pass_over(line)
                 yield [line for line in lines if line not in refused] if refused else lines
                 self._progress(min(done / size, 1.0))
 

@@ -8,6 +8,7 @@ once is a stretch of the log, whatever its length.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import Any
@@ -32,6 +33,7 @@ from gcs.scenario.model import Scenario, ScenarioError
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16
 NAMED = 5
+NAME_LETTERS = 100
 TRUTH_BYTES = 1 << 22
 MOST_PENDING = 1 << 25
 """No record of a vehicle's truth is longer than so many bytes."""
@@ -239,7 +241,7 @@ def _export_decisions(path: Path, tables: Tables, progress: Progress) -> list[st
 
 
 def _table(record: Mapping[str, Any]) -> str:
-    return "decisions_" + "".join(c if c.isalnum() else "_" for c in record["kind"].lower())
+    return "decisions_" + "".join(c if c.isalnum() else "_" for c in record["kind"][:NAME_LETTERS].lower())
 
 
 def _flat(record: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any]]]:
@@ -251,17 +253,20 @@ def _flat(record: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any
             continue
         if isinstance(value, dict):
             for sysid, number in value.items():
-                if sysid.isdigit():
-                    by_vehicle.setdefault(int(sysid), {"sysid": int(sysid)})[key] = number
+                if re.fullmatch("[0-9]{1,3}", sysid):
+                    by_vehicle.setdefault(int(sysid), {"sysid": int(sysid)})[key] = _plain(number)
         elif isinstance(value, list) and len(value) == 3 and key.endswith("_ned"):
             stem, unit = (key[:-4], "m_s") if key.startswith("v_") else (key[:-4], "m")
             letter = "v" if unit == "m_s" else "" if stem == "p" else f"{stem}_"
-            plain |= {f"{letter}{axis}_ned_{unit}": x for axis, x in zip(_AXES, value, strict=True)}
-        elif isinstance(value, list):
-            plain[key] = json.dumps(value)
+            plain |= {f"{letter}{axis}_ned_{unit}": _plain(x) for axis, x in zip(_AXES, value, strict=True)}
         else:
-            plain[key] = value
+            plain[key] = _plain(value)
     return plain, [by_vehicle[sysid] for sysid in sorted(by_vehicle)]
+
+
+def _plain(value: Any) -> Any:
+    """A value as a cell has it."""
+    return json.dumps(value) if isinstance(value, list | dict) else value
 
 
 def _learn(shapes: dict[str, tuple[dict[str, type], dict[str, type]]], record: Mapping[str, Any]) -> None:
@@ -298,9 +303,10 @@ def _typed(values: list[Any], kind: type) -> Column:
         return ["" if value is None else str(value) for value in values]
     if kind is bool:
         return ["" if value is None else str(bool(value)).lower() for value in values]
-    if kind is int and None not in values:
-        return np.array(values, dtype=np.int64)
-    return np.array([np.nan if value is None else value for value in values], dtype=np.float64)
+    numbers = [value if isinstance(value, int | float) else None for value in values]
+    if kind is int and all(isinstance(value, int) for value in numbers):
+        return np.array(numbers, dtype=np.int64)
+    return np.array([np.nan if value is None else value for value in numbers], dtype=np.float64)
 
 
 # truth

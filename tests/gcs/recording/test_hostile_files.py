@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import shutil
 import struct
+import tempfile
 import tracemalloc
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from commands import gcs
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from sessions import Outcome, fly, small
 
 from gcs.mavlink import codec
-from gcs.recording import series, session_folder, tlog_reader, truth
+from gcs.recording import series, session_folder, tables, tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
+from gcs.recording.export import export
 from gcs.scenario.file import load
 from gcs.session.client import Lines
 from gcs.session.timeline import Timeline
@@ -190,3 +196,46 @@ def test_a_decision_of_the_wrong_type_is_passed_over_by_a_report(tmp_path: Path,
     assert recorded.decisions == before.decisions
     assert any("1 line that is no decision" in problem for problem in recorded.problems)
     series.competition(recorded)
+
+
+_KINDS_OF_LINES = st.sampled_from(
+    ("set_point", "competition", "served", "decided", "of another day", "../up", "k" * 99)
+)
+_NAMES = st.sampled_from(
+    ("sysid", "p_ned", "v_ned", "time_s", "n_ned_m", "receiver", "tanker", "v", "tau", "share", "x")
+)
+_IDS = st.sampled_from(("1", "7", "254", "999", "-1", "\u00b2", "9" * 30, "9" * 5000, "one"))
+_SCALARS = st.one_of(
+    st.none(),
+    st.booleans(),
+    st.integers(),
+    st.sampled_from((2**63 - 1, 2**63, -(2**63) - 1, 2**64, 10**19, 99999999999999999999, 10**400)),
+    st.floats(allow_nan=False, allow_infinity=False),
+    st.text(st.characters(exclude_categories=["Cs"]), max_size=5),
+)
+_VALUES = st.recursive(
+    _SCALARS, lambda each: st.lists(each, max_size=4) | st.dictionaries(_IDS, each, max_size=3), max_leaves=6
+)
+_LINES = st.lists(
+    st.tuples(_KINDS_OF_LINES, st.one_of(st.integers(0, 9), _SCALARS), st.dictionaries(_NAMES, _VALUES)), max_size=6
+)
+
+
+@pytest.mark.parametrize("form", ["csv", "parquet"])
+@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+@given(lines=_LINES)
+def test_decisions_that_hold_anything_are_tables_or_passed_over(
+    form: tables.Format, lines: list[Any], tmp_path: Path
+) -> None:
+    with tempfile.TemporaryDirectory(dir=tmp_path) as place:
+        (Path(place) / "out").mkdir()
+        content = "".join(json.dumps({"kind": kind, "t_s": t_s, **rest}) + "\n" for kind, t_s, rest in lines)
+        (Path(place) / "decisions.jsonl").write_text(content, encoding="utf-8")
+        written = tables.tables(form, Path(place) / "out")
+        try:
+            problems = export(Path(place), written)
+        finally:
+            written.close()
+        rows = sum(n for name, n in written.rows.items() if not name.endswith("_by_vehicle"))
+        said = re.search(r"(\d+) lines? (?:is|are) no decision", " ".join(problems))
+        assert rows + int(said[1] if said else 0) == len(lines)

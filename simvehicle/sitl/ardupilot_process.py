@@ -19,6 +19,7 @@ STEP_MS = 5
 PARAMETERS: dict[str, float] = {
     "FRAME_CLASS": 1,
     "FRAME_TYPE": 1,
+    "AHRS_EKF_TYPE": 3,  # from 4.7 on it flies on the simulation's truth where its clock is its simulation's
     "SCHED_LOOP_RATE": 1000 // (2 * STEP_MS),  # 4.6 wants 1.8 samples of its gyro for each loop, and gets one a step
     "MOT_THST_EXPO": 1.0,
     "MOT_SPIN_MIN": 0.0,

@@ -2,7 +2,10 @@
 
 Like the real one it waits for a client on its serial port, repeats a servo packet that is not answered each second with
 the same frame count, serves its serial port right after an answer, lives by the answers' time alone, and ends with its
-client. It flies a cascade of its own on the motion that it is told: velocity, tilt, rates, four motors of a quad X.
+client. `--like` says which version's habits it has: from 4.7 on a simulation that does not keep to the wall clock makes
+AHRS_EKF_TYPE 10 its default, and by that it estimates nothing: it is ready at once, has its place without a fix, and
+tells no velocity. It flies a cascade of its own on the motion that it is told: velocity, tilt, rates, four motors of a
+quad X.
 """
 
 from __future__ import annotations
@@ -19,13 +22,15 @@ from collections.abc import Sequence
 from typing import Any
 
 from arducopter import ArduCopter
-from arducopter_motion import GUIDED, LAND, PARAMETERS, REAL32, Copter
+from arducopter_motion import GUIDED, INT8, LAND, PARAMETERS, REAL32, Copter
 from arducopter_telemetry import Telemetry
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 MAGIC, RATE_HZ, CHANNELS = 18458, 250, 16
 REPEAT_S = 1.0
+ESTIMATE, TRUTH = 3.0, 10.0
+"""AHRS_EKF_TYPE."""
 GPS_DISABLE, SWITCH_HIGH = 65.0, 2.0
 LOST_FOR_S = 2.0
 """Without a fix for so long, it lands."""
@@ -91,13 +96,19 @@ class JsonCopter(Copter):
     def enter(self, mode: int) -> bool:
         """Not GUIDED before it knows its place, or while it does not."""
         knows = self.now_s >= self.ready_s and self.fix_s is None
-        return (mode != GUIDED or knows) and super().enter(mode)
+        return (mode != GUIDED or knows or self.on_truth) and super().enter(mode)
+
+    @property
+    def on_truth(self) -> bool:
+        """Whether it flies on what its simulation says, and not on an estimate."""
+        return self.parameters["AHRS_EKF_TYPE"] == TRUTH
 
     def lose_fix(self, *, lost: bool) -> None:
         self.fix_s = None if not lost else self.now_s if self.fix_s is None else self.fix_s
 
     def step(self) -> None:
-        if self.flying and self.mode != LAND and self.fix_s is not None and self.now_s > self.fix_s + LOST_FOR_S:
+        lost_s = 0.0 if self.fix_s is None or self.on_truth else self.now_s - self.fix_s
+        if self.flying and self.mode != LAND and lost_s > LOST_FOR_S:
             self.told.append("EKF Failsafe: changed to LAND Mode")
             self.enter(LAND)
         super().step()
@@ -112,6 +123,12 @@ class JsonTelemetry(Telemetry):
     def _gps_raw_int(self) -> Any:
         said = super()._gps_raw_int()
         said.fix_type = 6 if self.copter.fix_s is None else 1
+        return said
+
+    def _local_position_ned(self) -> Any:
+        said = super()._local_position_ned()
+        if said is not None and self.copter.on_truth:
+            said.vx = said.vy = said.vz = 0.0
         return said
 
     def _heartbeat(self) -> Any:
@@ -220,6 +237,7 @@ class JsonArduCopter(ArduCopter):
 
 def main() -> None:
     says = argparse.ArgumentParser(description="A scripted ArduCopter in a simulation of somebody else's.")
+    says.add_argument("--like", choices=("4.6", "4.7"), default="4.7")
     says.add_argument("--model", required=True)
     says.add_argument("-I", dest="instance", type=int, default=0)
     says.add_argument("--home", required=True)
@@ -235,6 +253,8 @@ def main() -> None:
         parameters = dict(line.split() for line in file)
     for name in ("SIM_BATT_VOLTAGE", "BATT_AMP_OFFSET"):
         PARAMETERS[name] = (REAL32, float(parameters[name]))
+    estimator = float(parameters.get("AHRS_EKF_TYPE", TRUTH if given.like == "4.7" else ESTIMATE))
+    PARAMETERS["AHRS_EKF_TYPE"] = (INT8, estimator)
     if "CRASH" in parameters:
         print("PANIC: a parameter that it cannot bear", flush=True)
         sys.exit(3)
@@ -242,8 +262,8 @@ def main() -> None:
     lat, lon, alt, _ = map(float, given.home.split(","))
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
-        refuse_arming_s=float(parameters.get("READY_S", 2.0)), refuse_intervals=False, battery_wh=70.0,
-        battery_told="current", lies=False, says="", param=[],
+        refuse_arming_s=0.0 if estimator == TRUTH else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
+        battery_wh=70.0, battery_told="current", lies=False, says="", param=[],
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)
     copter = JsonArduCopter(options, serial)

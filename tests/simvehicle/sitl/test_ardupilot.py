@@ -23,11 +23,13 @@ STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "json_arducopter.py"
 COPTER = 7
 
 
-def unit(folder: Path, program: Path | None = None, **parameters: float) -> tuple[ArduPilotUnit, Connection]:
-    """The stand-in, or another program, booted. Raises AutopilotError."""
+def unit(
+    folder: Path, program: Path | None = None, *, like: str = "4.7", **parameters: float
+) -> tuple[ArduPilotUnit, Connection]:
+    """The stand-in for a version, or another program, booted. Raises AutopilotError."""
     if program is None:
         program = folder / "arducopter"
-        program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+        program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} --like {like} "$@"\n')
         program.chmod(0o755)
     content: dict[str, Any] = {
         "program": str(program),
@@ -75,6 +77,16 @@ def test_its_receiver_has_no_fix_while_gnss_fails(tmp_path: Path) -> None:
     with booted:
         booted.start_clock(0, 0)
         assert fixes_around_an_outage(booted, connection, COPTER) == [1, 6]
+
+
+@pytest.mark.parametrize("like", ["4.6", "4.7"])
+def test_it_flies_on_an_estimate_whatever_its_version_defaults_to(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, like: str
+) -> None:
+    """One that flies on truth is ready before it can know its place."""
+    monkeypatch.setattr(autopilot_unit, "BOOTS_WITHIN_S", 3.0)
+    with pytest.raises(AutopilotError, match="was not ready in 3 s of its time"):
+        unit(tmp_path, like=like, READY_S=1e6)
 
 
 @pytest.mark.parametrize(

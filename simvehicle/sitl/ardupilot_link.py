@@ -6,8 +6,6 @@ import contextlib
 import socket
 import time
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.sitl.ardupilot_process import APART, SERIAL_PORT, simulation_port, start_ardupilot
@@ -30,7 +28,6 @@ class ArduPilotLink(AutopilotLink):
 
     def __init__(self, wanted: AutopilotWanted) -> None:
         """Start it, and wait for its first servo packet."""
-        self._wanted = wanted
         self._serial_pending = b""
         self._peer = (HOST, 0)
         with contextlib.ExitStack() as opened:
@@ -74,8 +71,7 @@ class ArduPilotLink(AutopilotLink):
         if not self._serial_pending:
             return []
         whole, self._serial_pending = whole_frames(self._serial_pending)
-        mine = (self._wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
-        return [frame for frame in split(whole) if frame[:2] == mine]
+        return [*split(whole)]
 
     def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
         """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""

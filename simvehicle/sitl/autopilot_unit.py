@@ -63,6 +63,7 @@ class AutopilotUnit(ABC):
     def __init__(self, wanted: AutopilotWanted, plant: RotorPlant, connection: Connection) -> None:
         """Start it, and let it boot; raises AutopilotError."""
         self._wanted, self._plant, self._connection = wanted, plant, connection
+        self._mine = (wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
         flight = VehicleParams(battery=wanted.battery)
         plant.tune(flight)
         north, east, down = wanted.start_ned
@@ -134,7 +135,7 @@ class AutopilotUnit(ABC):
             self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += self.step_ms
         for frame in self._traffic.received():
-            if frame.msgid in OURS or self._is_answer(frame):
+            if frame[:2] != self._mine or frame.msgid in OURS or self._is_answer(frame):
                 continue
             said: Any = decode(frame)
             if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:

@@ -6,8 +6,6 @@ import contextlib
 import socket
 import time
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.real_autopilots import hil
 from simvehicle.sitl.autopilot_process import (
@@ -33,7 +31,6 @@ class Px4Link(AutopilotLink):
 
     def __init__(self, wanted: AutopilotWanted, *, hover_throttle: float) -> None:
         """Start it, and wait until it asks for its simulation."""
-        self._mine = (wanted.sysid, mav.MAV_COMP_ID_AUTOPILOT1)
         self._pending = b""
         self.controls = hil.MotorControls(0, True, (0.0,) * hil.ROTORS)
         self._answers = False
@@ -66,7 +63,7 @@ class Px4Link(AutopilotLink):
                 datagram = self._udp.recv(BYTES)
             except (BlockingIOError, ConnectionRefusedError):
                 return frames
-            frames += [frame for frame in split(datagram) if frame[:2] == self._mine]
+            frames.extend(split(datagram))
 
     def step(self, time_us: int, messages: bytes) -> None:
         """Tell it a step of its simulation, whose HIL_SENSOR is of that time, and wait for its controls, `controls`."""

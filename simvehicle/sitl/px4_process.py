@@ -1,8 +1,9 @@
 """A real PX4 as a process: its parameters, ports and start scripts (docs/protocol.md#px4).
 
 PX4 starts by a shell script that looks for parts of it on PATH first, which is its own way to be configured: two stand
-in its folder, its parameters and its MAVLink. Its instance number gives it the port of its simulation and that of its
-MAVLink, PX4's own ones.
+in its folder, its parameters and its MAVLink. From 1.16 on it reads no script of parameters, but variables of its
+environment, which older ones pass over: each gets both. Its instance number gives it the port of its simulation and
+that of its MAVLink, PX4's own ones.
 """
 
 from __future__ import annotations
@@ -91,11 +92,13 @@ def start_px4(wanted: AutopilotWanted, instance: int, *, hover_throttle: float, 
     which it hovers. Raises AutopilotError."""
     program, scripts = program_of(wanted.program)
     values = {**PARAMETERS, "MPC_THR_HOVER": hover_throttle, "MAV_SYS_ID": wanted.sysid, **wanted.parameters}
-    lines = [f"param set {name} {value:.9g}" for name, value in values.items()]
-    (wanted.folder / "px4-rc.params").write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+    said = {name: f"{value:.9g}" for name, value in values.items()}
+    lines = [f"param set {name} {value}\n" for name, value in said.items()]
+    (wanted.folder / "px4-rc.params").write_text("".join(lines), encoding="utf-8")
     mavlink = f"mavlink start -x -u {MAVLINK_PORT + instance} -o {port} -t {HOST} -r 4000000\n"
     (wanted.folder / "px4-rc.mavlink").write_text(mavlink, encoding="utf-8")
     kept = {name: value for name, value in os.environ.items() if not name.startswith("PX4_")}
     path = f".{os.pathsep}{kept.get('PATH', os.defpath)}"
     environment = {**kept, "PATH": path, "PX4_SIM_MODEL": MODEL, "PX4_SIM_HOSTNAME": HOST}
+    environment |= {f"PX4_PARAM_{name}": value for name, value in said.items()}
     return AutopilotProcess(wanted, [str(program), "-i", str(instance), "-d", str(scripts)], environment)

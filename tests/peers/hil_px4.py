@@ -1,10 +1,11 @@
 """A scripted PX4 as a simulation in the loop: it starts with PX4's flags and start scripts and speaks its HIL messages.
 
-Like the real one it finds its parameters and its MAVLink by the scripts in its working directory, connects to TCP
-4560 + its instance, answers nothing to its first HIL_SENSORs and then one HIL_ACTUATOR_CONTROLS to each, lives by their
-time alone, and takes its battery from another component of its system. It knows only what its sensors say: attitude by
-its gyros from where accelerometer and magnetometer have it at first, place and velocity by its GNSS and accelerometer.
-It flies as the scripted ArduCopter does, which it is but for modes and take-off.
+Like the real one it finds its parameters and its MAVLink by the scripts in its working directory, connects to TCP 4560
++ its instance, answers nothing to its first HIL_SENSORs and then one HIL_ACTUATOR_CONTROLS to each, lives by their time
+alone, and takes its battery from another component of its system. `--like` says which version's habits it has: 1.15 has
+its parameters from the script px4-rc.params, 1.18 from its environment, PX4_PARAM_<NAME>. It knows only what its
+sensors say: attitude by its gyros from where accelerometer and magnetometer have it at first, place and velocity by its
+GNSS and accelerometer. It flies as the scripted ArduCopter does, which it is but for modes and take-off.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 SILENT_STEPS = 10
+PREFIX = "PX4_PARAM_"
 BATTERY = mav.MAV_COMP_ID_BATTERY
 OFFBOARD, TAKEOFF = 6 << 16, 4 << 16 | 2 << 24
 MODES = {GUIDED: OFFBOARD, LOITER: 4 << 16 | 3 << 24, RTL: 4 << 16 | 5 << 24, LAND: 4 << 16 | 6 << 24}
@@ -40,10 +42,11 @@ class HilCopter(JsonCopter):
     """Its motion, and the battery that it is told of."""
 
     said_v, said_w = 0.0, 0.0
+    on_truth = False
 
     @property
     def volts(self) -> float:
-        return self.said_v
+        return self.said_v or 1e-3  # its battery may not have been told yet
 
     @property
     def power_w(self) -> float:
@@ -62,11 +65,6 @@ class Px4Telemetry(JsonTelemetry):
         said.autopilot = mav.MAV_AUTOPILOT_PX4
         said.custom_mode = TAKEOFF if self.copter.climbing else MODES.get(self.copter.mode, 0)
         return said
-
-    def _sys_status(self) -> Any:
-        if not self.copter.volts:
-            self.copter.said_v = 1e-3  # its battery has not been told yet
-        return super()._sys_status()
 
 
 class HilPx4(JsonArduCopter):
@@ -196,8 +194,17 @@ class HilPx4(JsonArduCopter):
         }
 
 
+def given_parameters(like: str) -> dict[str, str]:
+    """Parameters by name, as text, where its version looks for them."""
+    if like == "1.18":
+        return {name[len(PREFIX) :]: value for name, value in os.environ.items() if name.startswith(PREFIX)}
+    lines = [line.split() for line in Path("px4-rc.params").read_text(encoding="utf-8").splitlines()]
+    return {name: value for _, _, name, value in lines}
+
+
 def main() -> None:
     says = argparse.ArgumentParser(description="A scripted PX4 in a simulation of somebody else's.")
+    says.add_argument("--like", choices=("1.15", "1.18"), default="1.18")
     says.add_argument("-i", dest="instance", type=int, default=0)
     says.add_argument("-d", action="store_true", required=True)
     says.add_argument("etc", type=Path)
@@ -205,12 +212,11 @@ def main() -> None:
     assert (given.etc / "init.d-posix" / "rcS").is_file()
     assert os.environ["PATH"].split(":")[0] == "."
     assert os.environ["PX4_SIM_MODEL"] == "none_iris"
-    lines = [line.split() for line in Path("px4-rc.params").read_text(encoding="utf-8").splitlines()]
-    parameters = {name: value for _, _, name, value in lines}
+    parameters = given_parameters(given.like)
     if "CRASH" in parameters:
         print("ERROR [init] a parameter that it cannot bear", flush=True)
         sys.exit(3)
-    sysid = int(parameters["MAV_SYS_ID"])
+    sysid = int(parameters.get("MAV_SYS_ID", given.instance + 1))
     ports = re.search(r"^mavlink start .*-u (\d+) -o (\d+)", Path("px4-rc.mavlink").read_text(encoding="utf-8"))
     assert ports is not None
     print(f"INFO  [px4] instance: {given.instance}", flush=True)

@@ -48,6 +48,8 @@ class AutopilotBoot:
         self._asked_s = -ASK_EVERY_S
         self._in_mode = self._healthy = False
         self._reasons: dict[str, None] = {}
+        self._stranger: int | None = None
+        """system id of an autopilot that has another than was wanted"""
         self.kind: tuple[int, int] | None = None
         """MAV_TYPE and MAV_AUTOPILOT, once it has said them"""
         self.volts = 0.0
@@ -62,6 +64,8 @@ class AutopilotBoot:
     def mismatch(self) -> str:
         """Sentence's end that says why it is not the autopilot that is wanted; empty where it is, as far as it has
         said."""
+        if self._stranger is not None:
+            return f"did not take its parameters: it says that its system id is {self._stranger}, not {self._sysid}"
         wanted = (mav.MAV_TYPE_QUADROTOR, self._mode.autopilot)
         if self.kind in (None, wanted):
             return ""
@@ -85,7 +89,12 @@ class AutopilotBoot:
         return asked
 
     def receive(self, frame: ReceivedFrame) -> None:
-        """Learn from one of its frames."""
+        """Learn from one of its frames; those of its other components say nothing of it."""
+        if frame.compid != mav.MAV_COMP_ID_AUTOPILOT1:
+            return
+        if frame.sysid != self._sysid:
+            self._stranger = frame.sysid
+            return
         content: Any = decode(frame)
         if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:
             self.kind = (content.type, content.autopilot)

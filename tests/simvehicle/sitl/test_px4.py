@@ -26,20 +26,22 @@ PX4 = 7
 HOME, START_NED, YAW_DEG = (47.4, 8.5, 488.0), (1.0, 2.0, 0.0), 70.0
 
 
-@pytest.fixture
-def build(tmp_path: Path) -> Path:
-    """The stand-in as a build of PX4's."""
+@pytest.fixture(params=["1.15", "1.18"])
+def build(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """The stand-in for a version as a build of PX4's."""
     program = tmp_path / "build" / "bin" / "px4"
     scripts = tmp_path / "build" / "etc" / "init.d-posix"
     for made in (program.parent, scripts):
         made.mkdir(parents=True)
     (scripts / "rcS").touch()
-    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} --like {request.param} "$@"\n')
     program.chmod(0o755)
     return tmp_path / "build"
 
 
-def unit(program: Path, sensors: dict[str, float] | None = None, **parameters: float) -> tuple[Px4Unit, Connection]:
+def unit(
+    program: Path, sensors: dict[str, float] | None = None, *, sysid: int = PX4, **parameters: float
+) -> tuple[Px4Unit, Connection]:
     """The stand-in, or another program, booted. Raises AutopilotError."""
     content: dict[str, Any] = {
         "program": str(program),
@@ -53,10 +55,10 @@ def unit(program: Path, sensors: dict[str, float] | None = None, **parameters: f
         "relative_speed_m_s": 0.5,
         "parameters": parameters,
         "truth": None,
-        "world": {"vehicles": {PX4: {"airframe": "iris", "sensors": sensors}}},
+        "world": {"vehicles": {sysid: {"airframe": "iris", "sensors": sensors}}},
     }
-    wanted, plant = read_wanted(content, PX4, Px4Unit.step_ms / 1e3)
-    connection = Connection(PX4)
+    wanted, plant = read_wanted(content, sysid, Px4Unit.step_ms / 1e3)
+    connection = Connection(sysid)
     return Px4Unit(wanted, plant, connection), connection
 
 
@@ -125,6 +127,15 @@ def test_one_that_cannot_be_had_is_one_sentence(
         unit(build, **parameters)
     assert said in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_one_that_did_not_take_its_parameters_is_one_sentence_that_names_its_id(build: Path) -> None:
+    program = build / "bin" / "px4"
+    as_ever = program.read_text()
+    forgets = "sed -i /MAV_SYS_ID/d px4-rc.params; unset PX4_PARAM_MAV_SYS_ID; exec"
+    program.write_text(as_ever.replace("exec", forgets))
+    with pytest.raises(AutopilotError, match=r"it says that its system id is [1-9][0-9]*, not 200$"):
+        unit(build, sysid=200)
 
 
 def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(

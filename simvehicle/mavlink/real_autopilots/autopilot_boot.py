@@ -48,7 +48,7 @@ class AutopilotBoot:
         self._asked_s = -ASK_EVERY_S
         self._in_mode = self._healthy = False
         self._reasons: dict[str, None] = {}
-        self._stranger: int | None = None
+        self._said_sysid: int | None = None
         """system id of an autopilot that has another than was wanted"""
         self.kind: tuple[int, int] | None = None
         """MAV_TYPE and MAV_AUTOPILOT, once it has said them"""
@@ -64,8 +64,8 @@ class AutopilotBoot:
     def mismatch(self) -> str:
         """Sentence's end that says why it is not the autopilot that is wanted; empty where it is, as far as it has
         said."""
-        if self._stranger is not None:
-            return f"did not take its parameters: it says that its system id is {self._stranger}, not {self._sysid}"
+        if self._said_sysid is not None:
+            return f"did not take its parameters: it says that its system id is {self._said_sysid}, not {self._sysid}"
         wanted = (mav.MAV_TYPE_QUADROTOR, self._mode.autopilot)
         if self.kind in (None, wanted):
             return ""
@@ -93,7 +93,7 @@ class AutopilotBoot:
         if frame.compid != mav.MAV_COMP_ID_AUTOPILOT1:
             return
         if frame.sysid != self._sysid:
-            self._stranger = frame.sysid
+            self._said_sysid = frame.sysid
             return
         content: Any = decode(frame)
         if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:

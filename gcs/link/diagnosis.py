@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from gcs.mavlink import v1
 from gcs.mavlink.codec import Split
 from gcs.scenario.endpoint import Endpoint
 
 NOISE_BYTES = 200
 """So much without a frame is no MAVLink at this rate: no vehicle's console says so much before its first HEARTBEAT
 without one in between."""
-_OLD_MARKER = bytes([v1.MARKER])
 
 
 class Diagnosis:
@@ -26,11 +24,8 @@ class Diagnosis:
         """Take what came from somebody unknown, and what was found in it; whether that is MAVLink 1."""
         self._bytes += len(data)
         self._frames += len(split.frames)
-        if split.frames or _OLD_MARKER not in data:
-            return False
-        old = {frame.sysid for frame in v1.split(data)}
-        self._old |= old
-        return bool(old)
+        self._old |= {frame.sysid for frame in split.older}
+        return bool(split.older)
 
     def text(self, problem: str, sysid: int | None = None) -> str:
         """Reason why this vehicle, or any, is not heard; empty where nothing does that can be seen here."""

@@ -14,7 +14,6 @@ from gcs.link.addresses import open_connection
 from gcs.link.connection import Channel
 from gcs.link.keys import SignatureGate
 from gcs.link.socket import AddressRefused, Where
-from gcs.mavlink import v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import address
 
@@ -73,8 +72,9 @@ class Forwarder:
         now_s = time.monotonic()
         for place, channel in enumerate(self._channels):
             for pieces, (data, sender) in enumerate(channel.receive(), 1):
-                frames = self._gate.accepted(channel.split(data, sender).frames)
-                if not channel.stream and (frames or v1.split(data)):  # many begin with MAVLink 1, until they hear 2
+                split = channel.split(data, sender)
+                frames = self._gate.accepted(split.frames)
+                if not channel.stream and (frames or split.older):  # many begin with MAVLink 1, until they hear 2
                     self._note(place, sender, now_s)
                 received += [
                     FromStation(frame, f"{frame.sysid}/{frame.compid} at {channel.at.text}") for frame in frames

@@ -11,7 +11,6 @@ from gcs.link.addresses import open_connection
 from gcs.link.diagnosis import Diagnosis
 from gcs.link.keys import SignatureGate
 from gcs.link.socket import Where
-from gcs.mavlink import v1
 from gcs.mavlink.codec import Frame
 from gcs.scenario.endpoint import Endpoint
 
@@ -44,10 +43,9 @@ class Listener:
         self.connection.tend(time.monotonic())
         for data, sender in self.connection.receive():
             split = self.connection.split(data, sender)
-            if self._older and not split.frames:
-                split = split._replace(frames=v1.split(data))
             self._diagnosis.count(data, split)
-            yield self.gate.accepted(split.frames), sender
+            frames = [*split.frames, *split.older] if self._older else split.frames
+            yield self.gate.accepted(frames), sender
         self.connection.pop_gone()
 
     def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:

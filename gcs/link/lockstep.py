@@ -428,7 +428,7 @@ class LockstepLink(TickLink):
         """Take in what one address has sent, frame by frame; whether any tick made progress."""
         runs: Sequence[Sequence[Frame]] | None = runs_of(datagram)
         if runs is None:
-            frames, malformed, _ = codec.split(datagram)
+            frames, malformed, *_ = codec.split(datagram)
             self.malformed += malformed
             runs = [list(run) for _, run in groupby(frames, _SENDER)]
         if not origin.shared:

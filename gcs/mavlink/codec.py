@@ -1,13 +1,15 @@
-"""MAVLink 2 frames ↔ messages: one decoder and one encoder, both driven by a table.
+"""MAVLink frames ↔ messages: one decoder and one encoder, both driven by a table.
 
-The table comes from pymavlink's generated message classes (`common` dialect: id, CRC seed, wire format, field names)
-and is built per message when it is first met. A message is a named tuple with its fields in *wire order*, values in
+The table comes from pymavlink's generated message classes (gcs/mavlink/dialect.py: id, CRC seed, wire format, field
+names) and is built per message when it is first met. Frames are those of MAVLink 2; what comes in MAVLink 1 is read in
+that form. A message is a named tuple with its fields in *wire order*, values in
 MAVLink's own units: arrays are tuples, character arrays are str up to the first NUL. Nothing that a network sends makes
 `split` raise.
 """
 
 from __future__ import annotations
 
+import re
 import struct
 from collections import namedtuple
 from collections.abc import Callable, Iterator, Sequence
@@ -16,11 +18,11 @@ from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
 from fastcrc.crc16 import mcrf4xx
-from pymavlink.dialects.v20 import common
 
-MARKER = 0xFD
-HEADER_BYTES = 10
-CRC_BYTES = 2
+from gcs.mavlink import dialect
+from gcs.mavlink.dialect import CLASSES, CRC_TERMS
+
+MARKER, HEADER_BYTES, CRC_BYTES = dialect.MARKER, dialect.HEADER_BYTES, dialect.CRC_BYTES
 SIGNED = 0x01
 SIGNATURE_BYTES = 13
 LARGEST_FRAME = HEADER_BYTES + 255 + CRC_BYTES + SIGNATURE_BYTES
@@ -32,17 +34,14 @@ _HEADER = "<BBBBBBBHB"
 # By payload length, what stands outside the payload: marker, both flags (incompatibility low), seq, sysid, compid, id,
 # CRC.
 _READ_FRAME = [struct.Struct(f"<BxHBBB3s{length}xH").unpack_from for length in range(256)]
-_MARKER_BYTE = bytes([MARKER])
+_ANY_MARKER = re.compile(rb"[\xFD\xFE]").search
 _SMALLEST_FRAME = HEADER_BYTES + CRC_BYTES
 _new = tuple.__new__  # fills a named tuple from a tuple without the detour over its constructor
 
-_CLASSES: dict[int, Any] = common.mavlink_map
-_IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in _CLASSES.items()}
+_IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in CLASSES.items()}
 # The id as it stands in a frame → the id, and the seed that its checksum ends with.
-_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in _CLASSES.items()}
+_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in CLASSES.items()}
 _UNKNOWN = (None, b"")
-# What any one seed byte can add to a checksum: CRC(body, seed) = CRC(body) >> 8 ^ one of these.
-CRC_TERMS = [mcrf4xx(bytes([seed]), 0) for seed in range(256)]
 _SEED_TERMS = frozenset(CRC_TERMS)
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
@@ -67,12 +66,16 @@ class Frame(NamedTuple):
 
 
 class Split(NamedTuple):
-    """Content of a datagram. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames among
-    `frames` whose message id is not in the dialect, which no table can check or decode."""
+    """Content of a datagram. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames whose
+    message id is not in the dialect, which no table can check or decode."""
 
     frames: list[Frame]
     malformed: int
     unknown: int
+    older: list[Frame]
+    """that came in MAVLink 1, in the form of MAVLink 2"""
+    end: int
+    """where the last frame ends"""
 
 
 class Message(NamedTuple):
@@ -117,16 +120,11 @@ class _Table(dict[int, Any]):
 
 
 def _layout(msgid: int) -> WireLayout:
-    cls = _CLASSES.get(msgid)
+    cls = CLASSES.get(msgid)
     if cls is None:
         raise ValueError(
-            f"message id {msgid} is not in the MAVLink dialect '{common.DIALECT}': it cannot be read or sent"
+            f"message id {msgid} is not in the MAVLink dialect '{dialect.NAME}': it cannot be read or sent"
         )
-    return layout_of(cls)
-
-
-def layout_of(cls: Any) -> WireLayout:
-    """The layout of a message class of pymavlink's, also of another dialect."""
     formats = tuple(
         f"{length or 1}s" if code == "c" else f"{length or ''}{code}"
         for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
@@ -164,14 +162,14 @@ def layout(message: int | str) -> WireLayout:
     """The layout of a message by name or id. Raises ValueError for one that the dialect lacks."""
     if isinstance(message, str):
         if message not in _IDS:
-            raise ValueError(f"{message} is no message of the MAVLink dialect '{common.DIALECT}'")
+            raise ValueError(f"{message} is no message of the MAVLink dialect '{dialect.NAME}'")
         message = _IDS[message]
     return cast(WireLayout, _LAYOUTS[message])
 
 
 def name(msgid: int) -> str:
     """The message's name; `UNKNOWN_<id>` for an id that the dialect lacks."""
-    cls = _CLASSES.get(msgid)
+    cls = CLASSES.get(msgid)
     return f"UNKNOWN_{msgid}" if cls is None else str(cls.msgname)
 
 
@@ -191,22 +189,32 @@ def seeds() -> Iterator[tuple[int, int]]:
 
 
 def split(datagram: bytes) -> Split:
-    """Take a datagram apart into its MAVLink 2 frames; never raises.
+    """Take a datagram apart into its frames; never raises.
 
     A frame counts when its checksum is right. An unknown id's checksum has an unknown seed, so such a frame must fit
     twice over: some seed must explain its checksum, and it must lie without a gap between other frames or the
-    datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag, and MAVLink 1,
-    is malformed. Size, marker and flags are looked at before a checksum is taken, and no more than MOST_TRIES places
+    datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag is malformed.
+    Size, marker and flags are looked at before a checksum is taken, and no more than MOST_TRIES places
     that are no frame are tried: what a stranger can make this cost is bounded.
     """
     frames: list[Frame] = []
+    older: list[Frame] = []
     malformed = unknown = tries = 0
     size = len(datagram)
     at = frame_end = 0  # where to look next; where the last frame ended
-    while at + _SMALLEST_FRAME <= size:
+    while at + dialect.SMALLEST_1 <= size:
         length = datagram[at + 1]
         end = at + _SMALLEST_FRAME + length
-        if end <= size:
+        if datagram[at] == dialect.MARKER_1:
+            old = dialect.older_frame(datagram, at)
+            if old is not None and (old.known or _stands_between(datagram, at == frame_end, old.end)):
+                malformed += at != frame_end
+                unknown += not old.known
+                raw = old.raw
+                older.append(Frame(raw[5], raw[6], raw[4], raw[7], raw))
+                at = frame_end = old.end
+                continue
+        elif end <= size:
             marker, flags, seq, sysid, compid, id_bytes, crc = _READ_FRAME[length](datagram, at)
             body_end = end - CRC_BYTES
             if flags & 0xFF:
@@ -218,8 +226,7 @@ def split(datagram: bytes) -> Split:
                     valid = body_crc == crc
                 else:
                     msgid = int.from_bytes(id_bytes, "little")
-                    valid = crc ^ body_crc >> 8 in _SEED_TERMS and at == frame_end
-                    valid = valid and (end == size or datagram[end] == MARKER)
+                    valid = crc ^ body_crc >> 8 in _SEED_TERMS and _stands_between(datagram, at == frame_end, end)
                     unknown += valid
                 if valid:
                     malformed += at != frame_end
@@ -227,10 +234,16 @@ def split(datagram: bytes) -> Split:
                     at = frame_end = end
                     continue
         tries += 1
-        at = datagram.find(_MARKER_BYTE, at + 1) if tries < MOST_TRIES else -1
-        if at < 0:
+        following = _ANY_MARKER(datagram, at + 1) if tries < MOST_TRIES else None
+        if following is None:
             break
-    return _new(Split, (frames, malformed + (frame_end != size), unknown))
+        at = following.start()
+    return _new(Split, (frames, malformed + (frame_end != size), unknown, older, frame_end))
+
+
+def _stands_between(datagram: bytes, after_frame: bool, end: int) -> bool:
+    """Whether a frame lies without a gap between other frames or the datagram's ends."""
+    return after_frame and (end == len(datagram) or datagram[end] in (MARKER, dialect.MARKER_1))
 
 
 def fields(frame: Frame) -> Any:

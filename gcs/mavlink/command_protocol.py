@@ -17,7 +17,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
-from pymavlink.dialects.v20 import common
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
@@ -31,13 +31,13 @@ PROGRESS_S = 5.0
 # Session times are sums of tick lengths; a deadline must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
 
-ACCEPTED: int = common.MAV_RESULT_ACCEPTED
-IN_PROGRESS: int = common.MAV_RESULT_IN_PROGRESS
+ACCEPTED: int = mav.MAV_RESULT_ACCEPTED
+IN_PROGRESS: int = mav.MAV_RESULT_IN_PROGRESS
 
 
 def result_name(result: int) -> str:
     """MAV_RESULT's own name: `TEMPORARILY_REJECTED`."""
-    entry = common.enums["MAV_RESULT"].get(result)
+    entry = mav.enums["MAV_RESULT"].get(result)
     return entry.name.removeprefix("MAV_RESULT_") if entry is not None else f"result {result}"
 
 

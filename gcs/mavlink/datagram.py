@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from gcs.frame_spans import FrameSpans
 from gcs.kernels import UNCOUNTED, inner, kernel
-from gcs.mavlink import codec
+from gcs.mavlink import codec, dialect
 from gcs.mavlink.codec import Frame
 
 MOST_BYTES = 16_384
@@ -40,7 +40,7 @@ AT_ONCE = 8
 def _crc_table() -> NDArray[np.uint16]:
     """(AT_ONCE, 256) CRC-16/MCRF4XX, from a register of 0, of one byte with so many zeros behind it as the row says: so
     many bytes are summed in one step (Kounavis and Berry 2005)."""
-    rows = [np.array(codec.CRC_TERMS, dtype=np.uint16)]
+    rows = [np.array(dialect.CRC_TERMS, dtype=np.uint16)]
     for _ in range(AT_ONCE - 1):
         rows.append(rows[-1] >> 8 ^ rows[0][rows[-1] & 0xFF])
     return np.array(rows, dtype=np.uint16)

@@ -19,12 +19,9 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega
 
-from gcs.mavlink import codec, records
-
-CLASSES: Mapping[int, Any] = ardupilotmega.mavlink_map
-"""pymavlink's message classes by id: MAVLink's common messages, and ArduPilot's own."""
+from gcs.mavlink import codec
+from gcs.mavlink.dialect import CLASSES
 
 T = TypeVar("T")
 STANDARD_GRAVITY_M_S2 = 9.80665
@@ -195,10 +192,9 @@ class FieldColumn(NamedTuple):
 
 
 class MessageTable(NamedTuple):
-    """A message as a table: how its payload lies (little-endian, packed, uncut), and its columns."""
+    """A message as a table."""
 
     name: str
-    dtype: np.dtype[Any]
     columns: tuple[FieldColumn, ...]
 
 
@@ -208,7 +204,7 @@ def layout(msgid: int) -> MessageTable | None:
     cls = CLASSES.get(msgid)
     if cls is None:
         return None
-    wire = codec.layout_of(cls)
+    wire = codec.layout(msgid)
     form = dict(zip(wire.record._fields, wire.formats, strict=True))
     columns: list[FieldColumn] = []
     taken = set(OWN)
@@ -232,7 +228,7 @@ def layout(msgid: int) -> MessageTable | None:
             ]
         else:
             columns.append(FieldColumn(title, name, None, scale, unknown, "number"))
-    return MessageTable(cls.msgname, records.dtype(wire), tuple(columns))
+    return MessageTable(cls.msgname, tuple(columns))
 
 
 def _scale(unit: str) -> Scale | None:

@@ -1,6 +1,6 @@
 """MAVLink ids of ground station, autopilot and traffic reporter, and the station's own HEARTBEAT."""
 
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 import struct
 
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 MAGIC, MAGIC_WITH_DEFAULTS = 0x671B, 0x671C
 _HEAD = struct.Struct("<HHH")

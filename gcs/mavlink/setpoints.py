@@ -7,7 +7,7 @@ from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.kernels import kernel
 from gcs.mavlink import field_units
@@ -135,7 +135,7 @@ def _export_frames(
                 _unknown(chunk, msgid, tables, epoch_us or 0, sent)
                 continue
             mine = heads[:, MSGID] == msgid
-            rows = chunk.table(msgid) if msgid in mav.mavlink_map else _payloads(chunk, heads[mine], shape.dtype)
+            rows = chunk.table(msgid)
             columns, names = _own_columns(heads[mine], sent[mine], epoch_us or 0), rows.dtype.names or ()
             for column in shape.columns:
                 renamed = f"{column.field}_"  # as the table has a field that is named like a column of its own
@@ -182,14 +182,6 @@ def _sent(heads: IntArray, stations: NDArray[np.bool_], answered_us: IntArray, r
             elif answered_us[sender] == heads[i, 0] and (heads[i, 5] == relayed[0] or heads[i, 5] == relayed[1]):
                 sent[i] = True
     return sent
-
-
-def _payloads(chunk: Chunk, heads: IntArray, dtype: np.dtype[Any]) -> NDArray[Any]:
-    """Frames of one message that is not in MAVLink's common dialect, as records."""
-    packed = b"".join(
-        _payload(chunk, at)[: dtype.itemsize].ljust(dtype.itemsize, b"\0") for at in heads[:, AT].tolist()
-    )
-    return np.frombuffer(packed, dtype=dtype)
 
 
 def _payload(chunk: Chunk, at: int) -> bytes:

@@ -21,12 +21,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from fastcrc.crc16 import mcrf4xx
 from numpy.typing import NDArray
 
 from gcs.kernel_files import checksum
 from gcs.kernels import inner, kernel
-from gcs.mavlink import codec, datagram, records
+from gcs.mavlink import codec, datagram, dialect, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.datagram import CRC_TABLE, SEEDS, crc_of
 from gcs.recording import rotation
@@ -36,8 +35,6 @@ ByteArray = NDArray[np.uint8]
 
 CHUNK_BYTES = 1 << 24
 TIME_BYTES = 8
-HEADER_1 = 6
-"""Bytes of a MAVLink 1 header."""
 LARGEST = codec.LARGEST_FRAME
 APART_US = 3_600_000_000
 """A time so far from both its neighbours is not believed."""
@@ -188,11 +185,9 @@ def raw_at(data: bytes, at: int) -> bytes:
     if data[at] == codec.MARKER:
         signature = codec.SIGNATURE_BYTES if data[at + 2] & codec.SIGNED else 0
         return data[at : at + codec.HEADER_BYTES + length + codec.CRC_BYTES + signature]
-    seq, sysid, compid, msgid = data[at + 2 : at + HEADER_1]
-    payload = data[at + HEADER_1 : at + HEADER_1 + length]
-    body = bytes([length, 0, 0, seq, sysid, compid, msgid, 0, 0]) + payload
-    crc = mcrf4xx(body + bytes([SEEDS[msgid]]))
-    return bytes([codec.MARKER]) + body + crc.to_bytes(2, "little")
+    older = dialect.older_frame(data, at)
+    assert older is not None  # as the walk has found
+    return older.raw
 
 
 @lru_cache(maxsize=512)
@@ -242,8 +237,7 @@ def _frame_bytes(
     if seed >= 0:
         crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
         return total if crc == sent_crc else 0
-    # Of MAVLink 1 an unknown message could not be handed out, since the form of MAVLink 2 needs its seed.
-    return -total if data[at] == 0xFD and some_seed[sent_crc ^ crc >> 8] else 0
+    return -total if some_seed[sent_crc ^ crc >> 8] else 0
 
 
 @kernel()

@@ -13,7 +13,7 @@ from dataclasses import astuple
 from typing import Any, Literal
 
 import msgspec
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec

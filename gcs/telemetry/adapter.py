@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from typing import Any, Literal
 
 import pymap3d
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymap3d
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place

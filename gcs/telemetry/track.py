@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.autopilots import GENERIC, STEERABLE, FlightMode, Profile, profile_of
 from gcs.mavlink.common_frame import turned

@@ -6,21 +6,21 @@ import math
 import struct
 from typing import Any
 
-from pymavlink.dialects.v20 import common
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
-CLASSES: dict[str, Any] = {cls.msgname: cls for cls in common.mavlink_map.values()}
+CLASSES: dict[str, Any] = {cls.msgname: cls for cls in mav.mavlink_map.values()}
 
 
 def peer_frame(name: str, payload: bytes, seq: int = 7, sysid: int = 3, compid: int = 1) -> bytes:
     """A frame around these payload bytes, made by pymavlink."""
-    mav = common.MAVLink(None, srcSystem=sysid, srcComponent=compid)
-    mav.seq = seq
-    return bytes(common.MAVLink_message(CLASSES[name].id, name)._pack(mav, CLASSES[name].crc_extra, payload))
+    sender = mav.MAVLink(None, srcSystem=sysid, srcComponent=compid)
+    sender.seq = seq
+    return bytes(mav.MAVLink_message(CLASSES[name].id, name)._pack(sender, CLASSES[name].crc_extra, payload))
 
 
 def with_crc(head_and_payload: bytes, seed: int) -> bytes:
     """The frame that these bytes begin, ended as its kind's seed asks."""
-    return head_and_payload + struct.pack("<H", common.x25crc(head_and_payload[1:] + bytes([seed])).crc)
+    return head_and_payload + struct.pack("<H", mav.x25crc(head_and_payload[1:] + bytes([seed])).crc)
 
 
 def same(ours: Any, theirs: Any) -> bool:

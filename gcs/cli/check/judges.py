@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict
 from gcs.mavlink.command_protocol import result_name

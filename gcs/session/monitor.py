@@ -62,7 +62,8 @@ class MonitorSource:
         self._observer = Observer("monitor", at.text)
         self._observer.control = control
         self._control = control
-        self._peers: dict[int, tuple[Where, float]] = {}
+        self._peers: dict[tuple[int, int], tuple[Where, float]] = {}
+        """where components of vehicles speak from, and when they did last"""
         self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
         self._silent_vehicles = SilentVehicles()
@@ -123,29 +124,39 @@ class MonitorSource:
     # in
 
     def _receive(self, frame: Frame, peer: Where, t_s: float) -> None:
-        observer = self._observer
-        known = self._peers.get(frame.sysid)
+        observer, sender = self._observer, (frame.sysid, frame.compid)
+        known = self._peers.get(sender)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
-            if (frame.sysid, peer) not in self._refused and len(self._refused) < MOST_REFUSED:
-                self._refused.add((frame.sysid, peer))
-                text = f"Another vehicle says that it is {frame.sysid}, from {peer[0]}:{peer[1]}: ignored"
-                observer.add_event(Event(t_s, frame.sysid, "warning", text, "link"))
+            # A camera or a companion has a port of its own, or two: only a second autopilot is another vehicle.
+            if sender == self._autopilot(frame.sysid) and (frame.sysid, peer) not in self._refused:
+                self._refuse(frame.sysid, peer, t_s)
             return
         observer.receive(frame, t_s)
         if frame.sysid not in observer.sysids:
             observer.receive_sent(frame)
             return
-        self._peers[frame.sysid] = (peer, t_s)
+        self._peers[sender] = (peer, t_s)
+        if sender != self._autopilot(frame.sysid):
+            return
         self._silent_vehicles.received(frame.sysid, frame.msgid, t_s)
         if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
             self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
 
+    def _autopilot(self, sysid: int) -> tuple[int, int]:
+        return sysid, self._observer.component(sysid)
+
+    def _refuse(self, sysid: int, peer: Where, t_s: float) -> None:
+        if len(self._refused) < MOST_REFUSED:
+            self._refused.add((sysid, peer))
+            text = f"Another vehicle says that it is {sysid}, from {peer[0]}:{peer[1]}: ignored"
+            self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
+
     def _report_silent(self, t_s: float) -> None:
         for sysid in self._silent_vehicles.due(t_s):
-            if t_s - self._peers[sysid][1] >= GONE_S:
+            if t_s - self._peers[self._autopilot(sysid)][1] >= GONE_S:
                 continue
             if self._control:
-                self._transmit(sysid, [everything(sysid, self._observer.component(sysid))])
+                self._transmit(sysid, [everything(*self._autopilot(sysid))])
             if sysid not in self._reported_silent:
                 self._reported_silent.add(sysid)
                 done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
@@ -191,7 +202,7 @@ class MonitorSource:
             return False, f"{view.label} is not armed: there is nothing to {end}."
         number, params = view.profile.ending(end)
         queue = self._queues.setdefault(sysid, CommandQueue(*self._station))
-        order = CommandLong(CommandTarget(sysid, self._observer.component(sysid)), number, params)
+        order = CommandLong(CommandTarget(*self._autopilot(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
         self._observer.add_event(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
         return True, f"{view.label} is told to {end}; what it answers is shown."
@@ -216,6 +227,6 @@ class MonitorSource:
                 self._observer.add_event(Event(t_s, sysid, "warning", text, "ack"))
 
     def _transmit(self, sysid: int, messages: list[Message]) -> None:
-        peer = self._peers[sysid][0]
+        peer = self._peers[self._autopilot(sysid)][0]
         for message in messages:
             self._listener.send(codec.frame(message, next(self._numbers), *self._station), peer)

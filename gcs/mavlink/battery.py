@@ -106,6 +106,13 @@ class BatteryReports(NamedTuple):
     remaining: NDArray[np.float64]
     second_hand: NDArray[np.bool_]
 
+    @classmethod
+    def of(cls, reports: Sequence[BatteryReport]) -> BatteryReports:
+        """These reports as columns."""
+        rows = np.array([report[:4] for report in reports], dtype=np.float64).reshape(-1, 4)  # None becomes NaN
+        second_hand = np.array([report.second_hand for report in reports], dtype=np.bool_)
+        return cls(rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], second_hand)
+
     def take(self, which: slice | NDArray[np.int64]) -> BatteryReports:
         """Some of the reports, in the order in which they are named."""
         t_s, consumed_j, power_w, remaining, second_hand = self

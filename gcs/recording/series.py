@@ -11,11 +11,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain, repeat
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
 import pymap3d
 from numpy.typing import NDArray
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import statustext
 from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
@@ -23,6 +25,7 @@ from gcs.mavlink.battery import BatteryReports, battery_statuses, sys_statuses
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.recording.session_folder import Recorded, rows_of
+from gcs.telemetry.batteries import together
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount
 from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
@@ -211,8 +214,9 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
         profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
         messages = (_messages(kind, rows[sysid]) for kind, rows in others.items() if sysid in rows)
-        between = sorted(chain(*messages, booked.get(sysid, ())))
-        known = _kept(account, *_battery_reports(statuses.get(sysid), second_hand.get(sysid)), between, profile)
+        reports, places, anew = _battery_reports(statuses.get(sysid), second_hand.get(sysid))
+        between = sorted(chain(*messages, booked.get(sysid, ()), anew), key=itemgetter(0, 1, 2))
+        known = _kept(account, reports, places, between, profile)
         if account.capacity_j and len(known.t_s):
             if known.values[-1] != account.remaining_j:
                 known = Series(
@@ -225,12 +229,17 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
 
 def _battery_reports(
     statuses: NDArray[Any] | None, second_hand: NDArray[Any] | None
-) -> tuple[BatteryReports, NDArray[Any]]:
-    """One vehicle's reports (n,) of its battery in the order in which they came, and each one's place in the file."""
-    read, places = [], []
+) -> tuple[BatteryReports, NDArray[Any], list[_TimedContent]]:
+    """One vehicle's reports (n,) of its battery in the order in which they came, each one's place in the file, and when
+    others of several batteries than before are meant."""
+    read, places, anew = [], [], list[_TimedContent]()
     if statuses is not None:
-        statuses = statuses[statuses["id"] == 0]
-        read.append(battery_statuses(statuses))
+        several = (statuses["id"] != 0) | (statuses["battery_function"] > mav.MAV_BATTERY_FUNCTION_PROPULSION)
+        first = int(np.argmax(several)) if several.any() else len(several)
+        rest = statuses[first:]
+        reports, others = together(AUTOPILOT, zip(rest["t_s"].tolist(), _contents(rest), strict=True))
+        read += [battery_statuses(statuses[:first]), reports]
+        anew = [(float(t_s), float(place), "anew", None) for t_s, place in rest[["t_s", "place"]][others].tolist()]
         places.append(statuses["place"])
     if second_hand is not None:
         read.append(sys_statuses(second_hand))
@@ -238,7 +247,7 @@ def _battery_reports(
     place = np.concatenate(places)
     reports = BatteryReports(*map(np.concatenate, zip(*read, strict=True)))
     order = np.lexsort((place, reports.t_s))
-    return reports.take(order), place[order]
+    return reports.take(order), place[order], anew
 
 
 def _messages(kind: str, rows: NDArray[Any]) -> Iterator[_TimedContent]:
@@ -293,6 +302,8 @@ def _kept(
         elif kind == "PARAM_VALUE":
             value = speaks.parameter(content.param_value, content.param_type)
             account.parameter(content.param_id.decode("ascii"), value)
+        elif kind == "anew":
+            account.begin_anew()
         elif kind == "served" and not account.reported:
             account.book(content)
     after_j = np.concatenate(left_j) if left_j else np.empty(0)

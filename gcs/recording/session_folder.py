@@ -31,7 +31,8 @@ WANTED = {
     "EXTENDED_SYS_STATE": ("landed_state",),
     "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
     "BATTERY_STATUS": (
-        *("place", "id", "energy_consumed", "battery_remaining", "current_battery", "voltages", "voltages_ext"),
+        *("place", "id", "battery_function", "energy_consumed", "battery_remaining", "current_battery", "voltages"),
+        "voltages_ext",
     ),
     "SYS_STATUS": ("place", "voltage_battery", "current_battery", "battery_remaining"),
     "NAMED_VALUE_INT": ("place", "name", "value"),

@@ -119,6 +119,21 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     """(session time, v by system id) of the last minute before, where a client connects or a recording is sought in"""
 
 
+class BatteryRow(Struct):
+    """One of several batteries of a vehicle."""
+
+    id: int
+    compid: int
+    """of the component that reports it"""
+    function: str
+    """"all", "propulsion", "avionics" or "payload"; empty where it is not said"""
+    share: float | None
+    """of its capacity, 0..1"""
+    voltage_v: float | None
+    power_w: float | None
+    age_s: float
+
+
 class VehicleRow(Struct):
     """A vehicle at the snapshot's time."""
 
@@ -152,7 +167,7 @@ class VehicleRow(Struct):
     """of the frames of the last 10 s, 0..1"""
     target_m: float | None
     battery: float | None
-    """share of the capacity, 0..1"""
+    """share of the capacity, 0..1; of several batteries that of the emptiest that it flies on"""
     remaining_j: float | None
     power_w: float | None
     endurance_s: float | None
@@ -165,6 +180,8 @@ class VehicleRow(Struct):
     note: str
     link: str | UnsetType = UNSET
     """of a vehicle with several links, the address of the one in use"""
+    batteries: list[BatteryRow] | UnsetType = UNSET
+    """of a vehicle that has reported another than number 0, all"""
 
 
 class TrafficRow(Struct):

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
-from msgspec import UNSET
+from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
 from gcs.refuelling import explain
@@ -18,6 +18,7 @@ from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.scenario.weather import CALM
 from gcs.session.message_types import (
     BaseRow,
+    BatteryRow,
     BrokenRow,
     CompetitionRow,
     End,
@@ -37,6 +38,7 @@ from gcs.session.message_types import (
     WindRow,
     plain,
 )
+from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import State, health_issues, severity, state
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
@@ -101,6 +103,24 @@ def vehicle_row(
         severity=severity(found),
         note="",
     )
+
+
+def battery_rows(batteries: Collection[VehicleBattery], now_s: float) -> list[BatteryRow] | UnsetType:
+    """All batteries of a vehicle with several, or with another than number 0; else unset."""
+    if all(one.id == 0 for one in batteries) and len(batteries) <= 1:
+        return UNSET
+    return [
+        BatteryRow(
+            id=one.id,
+            compid=one.compid,
+            function=FUNCTIONS.get(one.function, ""),
+            share=one.report.remaining,
+            voltage_v=one.voltage_v,
+            power_w=one.report.power_w,
+            age_s=max(now_s - one.report.time_s, 0.0),
+        )
+        for one in batteries
+    ]
 
 
 def traffic_row(aircraft: TrafficView) -> TrafficRow:
@@ -211,6 +231,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
         row.v, row.tau = competition_state.v.get(sysid), competition_state.tau.get(sysid)
         row.aim_ned, row.margin_m = aims.get(sysid), supervisor.planner.margin_m(sysid)
         row.link = used.get(sysid, UNSET)
+        row.batteries = battery_rows(supervisor.fleet.batteries(sysid), snapshot.time_s)
         rows.append(row)
     return rows
 

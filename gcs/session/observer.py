@@ -32,7 +32,7 @@ from gcs.session.message_types import (
     VehicleRow,
     plain,
 )
-from gcs.session.messages import event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
+from gcs.session.messages import battery_rows, event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
@@ -47,6 +47,7 @@ ORIGIN_WITHIN_S = 3.0
 MOST_EVENTS = 200
 """Events of one snapshot."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
+_BATTERY = codec.msgid("BATTERY_STATUS")
 _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _TEXT = codec.msgid("STATUSTEXT")
@@ -148,6 +149,8 @@ class Observer:
         if counted and (adapter is not None or frame.sysid in self._known or frame.sysid in self._expected):
             self._gaps.feed(frame.sysid, frame.compid, frame.seq)
             self.quality.count(frame.sysid, 1, t_s)
+        if adapter is not None and frame.msgid == _BATTERY and frame.compid != adapter.compid:
+            adapter.receive_battery(frame, t_s)
         if adapter is None or frame.compid != adapter.compid:
             return
         if frame.sysid in self.inspection.wanted:
@@ -339,6 +342,8 @@ class Observer:
             view, share = (reported, None) if adapter is None else adapter.seen(reported)
             row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
             row.mode = _mode(view)
+            batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
+            row.batteries = battery_rows(batteries, snapshot.time_s)
             aim, offset = self._aims.get(view.sysid), view.origin_offset_ned
             if aim is not None and offset is not None:
                 row.aim_ned = _sum(turned(aim, view.turn_rad), offset)

@@ -22,10 +22,11 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
-from gcs.mavlink.battery import BatteryReport, battery_status, sys_status
+from gcs.mavlink.battery import sys_status
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.telemetry import plausibility
+from gcs.telemetry.batteries import Batteries
 from gcs.telemetry.fleet import GlobalOrigin
 from gcs.telemetry.state import Vec3, VehicleView
 
@@ -51,6 +52,8 @@ class TelemetryAdapter:
         """what the battery holds of its capacity, 0..1; None: not reported"""
         self.power_w: float | None = None
         """what is drawn; None: not measured"""
+        self.batteries = Batteries()
+        """also those that other components report"""
         self._home_is_local = False
         self._system_status = mav.MAV_STATE_UNINIT
         self._state_reported = False
@@ -85,10 +88,17 @@ class TelemetryAdapter:
             elif msgid == _STATE:
                 self._state_reported = codec.fields(frame).landed_state != mav.MAV_LANDED_STATE_UNDEFINED
             elif msgid == _STATUS:
-                self._receive_battery(sys_status(codec.fields(frame), t_s))
-            elif msgid == _BATTERY and (content := codec.fields(frame)).id == 0:
-                self._receive_battery(battery_status(content, t_s))
+                self._receive_status(codec.fields(frame), t_s)
+            elif msgid == _BATTERY:
+                self.receive_battery(frame, t_s)
             yield frame if frame.compid == AUTOPILOT else codec.sent_by(frame, AUTOPILOT)
+
+    def receive_battery(self, frame: Frame, t_s: float) -> None:
+        """Take in BATTERY_STATUS, from any component of the vehicle."""
+        self.batteries.add(frame.compid, codec.fields(frame), t_s)
+        share, power_w = self.batteries.share(t_s), self.batteries.power_w(t_s)
+        self.share = self.share if share is None else share
+        self.power_w = self.power_w if power_w is None else power_w
 
     def origin_of(self, frame: Frame) -> GlobalOrigin | None:
         """An origin for a common frame that has none yet, if this frame holds a place on the globe."""
@@ -162,10 +172,12 @@ class TelemetryAdapter:
         if self._reads == "local":
             yield self._origin_frame(origin)
 
-    def _receive_battery(self, report: BatteryReport) -> None:
-        if report.remaining is not None:
+    def _receive_status(self, content: Any, t_s: float) -> None:
+        """SYS_STATUS, which speaks of one battery, counts where no battery speaks for itself."""
+        report = sys_status(content, t_s)
+        if report.remaining is not None and self.batteries.share(t_s) is None:
             self.share = report.remaining
-        if report.power_w is not None:
+        if report.power_w is not None and self.batteries.power_w(t_s) is None:
             self.power_w = report.power_w
 
     def _position(self, t_s: float, at: Vec3, v_ned: Vec3) -> Frame:

@@ -130,6 +130,13 @@ class BatteryAccount:
             self.account["capacity_j"] = self.capacity_j = value
         return ""
 
+    def begin_anew(self) -> None:
+        """Let the next share say what is in the batteries, for it is of others than the one before; what has been
+        drawn stays."""
+        self.account["initial_known"] = False
+        self.account["expected_j"] = math.nan
+        self.account["spoke_s"] = -math.inf
+
     def book(self, joules: int) -> None:
         """Count energy that a base gave to a vehicle which cannot report it itself."""
         self._booked_j += joules

@@ -23,7 +23,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place
 from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
+from gcs.mavlink.ids import AUTOPILOT
 from gcs.telemetry import energy, plausibility
+from gcs.telemetry.batteries import VehicleBattery
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, FleetColumns
 from gcs.telemetry.fleet_columns import FACTS, fill
@@ -39,8 +41,10 @@ from gcs.telemetry.readings import (
     ORIGIN_LAT,
     ORIGIN_LON,
     PLACE,
+    POWER_W,
     READINGS,
     RECEIVED_REPORTED_S,
+    SEVERAL_BATTERIES,
     UNKNOWN,
     kept_elsewhere,
     read,
@@ -181,8 +185,8 @@ class Fleet:
             track.doubts(plausibility.impossible_place(int(fault), moved_m), time_s)
         else:
             track.doubts(battery.taken(*found.tolist()), time_s)
-            self.facts += [(track.member.sysid, fact) for fact in battery.facts]
-            battery.facts.clear()
+        self.facts += [(track.member.sysid, fact) for fact in battery.facts]
+        battery.facts.clear()
         self._settle(track)
         return at
 
@@ -224,6 +228,10 @@ class Fleet:
         """(system id, fact) of what batteries showed since the last call."""
         taken, self.facts = self.facts, []
         return sorted(taken, key=itemgetter(0))
+
+    def batteries(self, sysid: int) -> list[VehicleBattery]:
+        """All of a vehicle that has several; none of one that has but number 0."""
+        return self._tracks[sysid].batteries.all
 
     def book(self, sysid: int, joules: int) -> None:
         """Energy that a vehicle was given by a base and cannot report itself."""
@@ -302,6 +310,14 @@ class Fleet:
             value = track.profile.parameter(content.param_value, content.param_type)
             track.doubts(track.battery.parameter(content.param_id, value), time_s)
 
+    def _battery(self, track: VehicleTrack, content: Any, time_s: float) -> None:
+        """One battery of several: what counts is what they say together."""
+        track.readings[SEVERAL_BATTERIES] = 1.0
+        if track.batteries.add(AUTOPILOT, content, time_s):
+            track.battery.begin_anew()
+        track.doubts(track.battery.report(track.batteries.report(time_s), armed=track.armed), time_s)
+        track.readings[POWER_W] = track.battery.power_w
+
     def _statustext(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.statustexts += [(track.member.sysid, *text) for text in track.texts.add(content, time_s)]
         if track.texts.open:
@@ -344,12 +360,13 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_HOME_POSITION: Fleet._home,
     mav.MAVLINK_MSG_ID_NAMED_VALUE_INT: Fleet._named_int,
     mav.MAVLINK_MSG_ID_PARAM_VALUE: Fleet._parameter,
+    mav.MAVLINK_MSG_ID_BATTERY_STATUS: Fleet._battery,
     mav.MAVLINK_MSG_ID_STATUSTEXT: Fleet._statustext,
     mav.MAVLINK_MSG_ID_COMMAND_ACK: Fleet._ack,
     mav.MAVLINK_MSG_ID_ADSB_VEHICLE: Fleet._traffic_of,
 }
-"""Of messages that are not among the readings."""
+"""Of messages that are not among the readings, or not always: BATTERY_STATUS of a vehicle with several."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)
-_ELSEWHERE = kept_elsewhere(_HANDLERS, _FROM_ANYBODY)
+_ELSEWHERE = kept_elsewhere(_HANDLERS.keys() - MESSAGES, _FROM_ANYBODY)
 _NO_FRAMES, _NO_RUNS = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64)
 _KEPT = MESSAGES | _HANDLERS.keys()

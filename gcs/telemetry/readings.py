@@ -25,7 +25,7 @@ from gcs.telemetry import energy, plausibility
 
 Row = NDArray[np.float64]
 
-READINGS = 27
+READINGS = 28
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -40,6 +40,7 @@ READINGS = 27
     RECEIVED_REPORTED_S, GIVEN_REPORTED_S,  # its counters of energy; -inf before the first
     EXTERNAL,  # 1 or 0
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
+    SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
 ) = range(READINGS)  # fmt: skip
 
 END, ELSEWHERE, MODE, PLACE, BATTERY, UNKNOWN = range(6)
@@ -63,6 +64,7 @@ _MAY_STOP = (_HEARTBEAT, _SYS_STATUS, _LOCAL_POSITION_NED, _BATTERY_STATUS)
 _AUTOPILOT_1 = mav.MAV_COMP_ID_AUTOPILOT1
 _ARMED = mav.MAV_MODE_FLAG_SAFETY_ARMED
 _ON_GROUND, _UNDEFINED = mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_UNDEFINED
+_PROPULSION = mav.MAV_BATTERY_FUNCTION_PROPULSION
 _NO_CURRENT, _PX4_NO_CURRENT = -1, -100
 _CELLS, _MORE_CELLS = 10, 4
 _EFFORT_NAME = b"CtlEffort\0"
@@ -270,6 +272,9 @@ def _read_run(
         if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
             at = stop + (15 if data[at + 2] == 1 else 2)
             continue
+        if own and small and msgid == _BATTERY_STATUS:
+            elsewhere = row[SEVERAL_BATTERIES] != 0.0 or _octet(data, begin + 32, stop) != 0
+            elsewhere = elsewhere or _octet(data, begin + 33, stop) > _PROPULSION
         if counted and (elsewhere or (small and own and msgid in _MAY_STOP)):
             return at, BATTERY
         if elsewhere:
@@ -286,12 +291,11 @@ def _read_run(
             if not _read_mode(data, begin, stop, row, now_s):
                 return at, MODE
         elif msgid == _BATTERY_STATUS:
-            if _octet(data, begin + 32, stop) == 0:
-                consumed_hj = _i32(data, begin + 4, stop)
-                consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
-                power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
-                percent = _i8(data, begin + 35, stop)
-                counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
+            consumed_hj = _i32(data, begin + 4, stop)
+            consumed_j = math.nan if consumed_hj < 0 else HECTOJOULE * consumed_hj
+            power_w = _power_w(_cells_mv(data, begin, stop), _i16(data, begin + 30, stop))
+            percent = _i8(data, begin + 35, stop)
+            counted = not _count_report(account, found, row, now_s, consumed_j, power_w, percent, False)
         elif msgid == _SYS_STATUS:
             total_mv = _u16(data, begin + 14, stop)
             power_w = _power_w(0 if total_mv == NO_CELL else total_mv, _i16(data, begin + 16, stop))

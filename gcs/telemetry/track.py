@@ -19,6 +19,7 @@ from gcs.mavlink.common_frame import turned
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry import fleet_columns as of
 from gcs.telemetry import plausibility
+from gcs.telemetry.batteries import Batteries
 from gcs.telemetry.battery_account import BatteryAccount
 from gcs.telemetry.columns import IS_LANDED, P_NED, FleetColumns
 from gcs.telemetry.readings import (
@@ -103,6 +104,8 @@ class VehicleTrack:
         self.origin_alt_m = 0.0
         self.origin_reported = False
         self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
+        self.batteries = Batteries()
+        """since it has reported another than number 0"""
         self.texts = Texts()
         self.doubt = ""
         self.doubted_s = -math.inf

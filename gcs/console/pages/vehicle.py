@@ -74,6 +74,9 @@ def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) ->
     lines: StyledLines = [fitted(title, width, glyphs)]
     for one, other in zip(facts[::2], facts[1::2], strict=True):
         lines.append([*fitted(_fact(*one), half, glyphs), *fitted(_fact(*other), width - half, glyphs)])
+    if batteries := vehicle.get("batteries"):
+        text = "   ".join(map(_battery, batteries))
+        lines += [[(" " + left("batteries", NAME), "dim"), (part, "")] for part in wrapped(text, width - NAME - 2)]
     if note := clean(vehicle.get("note") or ""):
         lines.append(fitted([(" " + left("note", NAME), "dim"), (note, "")], width, glyphs))
     return lines
@@ -100,6 +103,16 @@ def _competition(vehicle: Vehicle) -> str:
     parts = [clean(vehicle.get("state") or "-")]
     parts += [f"{name} {float(vehicle[name]):.3f}" for name in ("v", "tau") if vehicle.get(name) is not None]
     return ", ".join(parts)
+
+
+def _battery(one: Mapping[str, Any]) -> str:
+    share = one.get("share")
+    parts = [f"{one.get('id')}: {'-' if share is None else f'{100.0 * float(share):.0f} %'}"]
+    if one.get("voltage_v") is not None:
+        parts.append(f"{float(one['voltage_v']):.1f} V")
+    if one.get("function"):
+        parts.append(clean(one["function"]))
+    return " ".join(parts)
 
 
 def _link(vehicle: Vehicle) -> str:

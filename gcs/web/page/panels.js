@@ -168,6 +168,8 @@ export function showVehicle(at, snapshot, sysid) {
     ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode || "–"], ["autopilot", row.autopilot ?? "–"],
     ["armed", row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
     ["battery", row.battery === null ? "–" : `${number(100 * row.battery, 1)} %${row.remaining_j === null ? "" : `, ${number(row.remaining_j / 1e3, 1)} kJ`}`],
+    ...(row.batteries ?? []).map((one) => /** @type {[string, string]} */ ([`battery ${one.id}${one.function ? `, ${one.function}` : ""}`,
+      `${one.share === null ? "–" : `${number(100 * one.share, 0)} %`}${one.voltage_v === null ? "" : `, ${number(one.voltage_v, 1)} V`}`])),
     ["power", number(row.power_w, 0, " W")], ["lasts", row.endurance_s === null ? "–" : clock(row.endurance_s)],
     ["north, east", row.p_ned ? `${number(row.p_ned[0], 1)}, ${number(row.p_ned[1], 1)} m` : "–"], ["height", number(row.height_m, 1, " m")],
     ["speed", number(row.speed_m_s, 2, " m/s")], ["heading", degrees((row.heading_rad + 2 * Math.PI) % (2 * Math.PI))],
@@ -176,7 +178,7 @@ export function showVehicle(at, snapshot, sysid) {
     ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],
     ["position's age", number(row.age_s, 1, " s")],
   ];
-  const key = `${row.sysid} ${row.trouble.join("|")} ${row.note}`;
+  const key = `${row.sysid} ${row.trouble.join("|")} ${row.note} ${facts.map(([name]) => name).join("|")}`;
   renew(at, key, () => [
     h("h3", {}, row.label),
     ...row.trouble.map((text) => h("p", { class: row.severity > 1 ? "bad" : "warn" }, text)),

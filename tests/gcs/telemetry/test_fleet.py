@@ -217,10 +217,6 @@ def test_the_first_percentage_is_the_start_of_a_vehicle_that_names_none(fleet: F
     assert seen(fleet, battery(energy_consumed=20, battery_remaining=1)).initial_j == 15_000.0
 
 
-def test_another_battery_is_not_the_flight_battery(fleet: Fleet) -> None:
-    assert seen(fleet, battery(99, 1, battery_id=1)).energy_source == "none"
-
-
 def test_traffic_is_read_in_the_units_of_adsb(fleet: Fleet) -> None:
     lat, lon, alt = pymap3d.ned2geodetic(40.0, -30.0, -20.0, ORIGIN.lat_deg, ORIGIN.lon_deg, ORIGIN.alt_m)
     fleet.ingest(

@@ -1,7 +1,7 @@
 """Files of kept machine code: one for each kernel, beside numba's own, and with the same rules.
 
-What is kept holds for all source of the package that the kernel stands in, for whatever a kernel is made of stands
-somewhere there; for the kernel, what it closes over, numba's and the interpreter's version, and this kind of processor.
+What is kept holds for all source of the package that any kernel there is made of; for the kernel, what it closes over,
+numba's and the interpreter's version, and this kind of processor.
 It is machine code, and so read only from files that nobody but this user, or the system's, can have written.
 """
 
@@ -12,6 +12,7 @@ import functools
 import hashlib
 import marshal
 import os
+import re
 import stat
 import sys
 import zlib
@@ -50,25 +51,41 @@ def is_current(function: Callable[..., Any], stamp: bytes) -> bool:
 
 
 def digest(package: str) -> bytes | None:
-    """Of all source in a package's folder, or of one file; None where any of it cannot be read."""
-    found = hashlib.blake2b(digest_size=16)
+    """Of all source in a package's folder that compiled code can be made of, or of one file: of modules that hold
+    compiled functions, and of what these import, directly or not. None where any source cannot be read.
+    """
     try:
-        for path in _sources(package):
-            content = Path(path).read_bytes()
-            found.update(f"{path.removeprefix(package)}\0{len(content)}\0".encode())
-            found.update(content)
+        source = {name: Path(path).read_bytes() for name, path in _modules(package).items()}
     except OSError:
         return None
+    pending = [name for name, content in source.items() if _COMPILES in content or len(source) == 1]
+    imports = rb"\n(?:from|import) (%s[\w.]*)(?: import (\([^)]*\)|.*))?" % os.path.basename(package).encode()
+    of_compiled: set[str] = set()
+    while pending:
+        name = pending.pop()
+        if name in source and name not in of_compiled:
+            of_compiled.add(name)
+            pending.append(name.rpartition(".")[0])
+            for module, names in re.findall(imports, source[name]):
+                pending += [module.decode(), *(f"{module.decode()}.{word.decode()}" for word in _NAME.findall(names))]
+    found = hashlib.blake2b(digest_size=16)
+    for name in sorted(of_compiled):
+        found.update(f"{name} {len(source[name])}\n".encode() + source[name])
     return found.digest()
 
 
 _first_digest = functools.cache(digest)
+_COMPILES = b".kernels import "
+_NAME = re.compile(rb"\w+")
 
 
-def _sources(package: str) -> list[str]:
+def _modules(package: str) -> dict[str, str]:
+    """Files by the names of their modules."""
     if not os.path.isdir(package):
-        return [package]
-    return sorted(f"{at}/{name}" for at, _, names in os.walk(package) for name in names if name.endswith(".py"))
+        return {os.path.basename(package): package}
+    above = len(os.path.dirname(package)) + 1
+    paths = [f"{at}/{name}" for at, _, names in os.walk(package) for name in names if name.endswith(".py")]
+    return {path[above:-3].removesuffix("/__init__").replace("/", "."): path for path in paths}
 
 
 @functools.cache

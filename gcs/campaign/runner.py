@@ -65,7 +65,7 @@ class Runner:
         store = CampaignStore(self._folder, self._plan)
         handlers = _handled(self._interrupt)
         try:
-            done = table.done(self._folder)
+            done = set(table.read(self._folder, self._plan.campaign)["row"].to_pylist())
             progress = Progress(self._plan.rows, len(done))
 
             def keep(row: dict[str, Any]) -> None:

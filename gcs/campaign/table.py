@@ -1,6 +1,7 @@
 """Rows of a campaign on disk: Parquet parts in one folder, written as they come, each whole or not at all.
 
-Any reader of Parquet can open the folder `rows` while the campaign runs. A row that is in a part is done for good.
+Any reader of Parquet can open the folder `rows` while the campaign runs. A row that is in a part is done for good. A
+part that cannot be read, as after a disk failure, holds no row: a writer sets it aside, and its rows are flown again.
 """
 
 from __future__ import annotations
@@ -21,6 +22,10 @@ if TYPE_CHECKING:
     import pyarrow as pa
 
 FOLDER = "rows"
+BROKEN = ".broken"
+"""At the end of the name of a part that was set aside: no reader of the folder takes it for one."""
+MOST_ROWS = 1 << 16
+"""A part with more was not written here, and may be larger by far than its file."""
 FIRST = ("row", "session", "combination", "seed")
 
 
@@ -58,6 +63,8 @@ class Writer:
         for unfinished in self._folder.glob(".*"):
             unfinished.unlink(missing_ok=True)
         self._schema = schema(campaign)
+        for path in broken(folder, campaign):
+            path.rename(path.with_name(path.name + BROKEN))
 
     def write(self, rows: Sequence[Mapping[str, Any]]) -> None:
         """Add a part with these rows; raises OSError, and then nothing of it is there."""
@@ -83,25 +90,36 @@ class Writer:
 
 
 def read(folder: Path, campaign: CampaignRules) -> pa.Table:
-    """All rows so far, in order of their numbers; raises OSError."""
-    pa = _arrow()
-    import pyarrow.parquet as pq  # noqa: PLC0415
-
-    wanted = schema(campaign)
-    parts = [pq.read_table(path, schema=wanted) for path in sorted((folder / FOLDER).glob("part-*.parquet"))]
+    """All rows so far, in order of their numbers, without those of broken parts; raises OSError."""
+    pa, wanted = _arrow(), schema(campaign)
+    parts = [part for part in _parts(folder, wanted).values() if part is not None]
     table = pa.concat_tables(parts) if parts else wanted.empty_table()
     return table.sort_by("row")
 
 
-def done(folder: Path) -> set[int]:
-    """Numbers of the rows that are there."""
-    _arrow()
+def broken(folder: Path, campaign: CampaignRules) -> list[Path]:
+    """Parts that cannot be read; raises OSError."""
+    return [path for path, part in _parts(folder, schema(campaign)).items() if part is None]
+
+
+def _parts(folder: Path, wanted: pa.Schema) -> dict[Path, pa.Table | None]:
+    """Each part by its path, None for a broken one. Raises OSError where a file cannot be opened."""
+    return {path: _part(path, wanted) for path in sorted((folder / FOLDER).glob("part-*.parquet"))}
+
+
+def _part(path: Path, wanted: pa.Schema) -> pa.Table | None:
+    import pyarrow as pa  # noqa: PLC0415 - an extra
     import pyarrow.parquet as pq  # noqa: PLC0415
 
-    found: set[int] = set()
-    for path in (folder / FOLDER).glob("part-*.parquet"):
-        found |= set(pq.read_table(path, columns=["row"]).column("row").to_pylist())
-    return found
+    with path.open("rb") as file:
+        try:
+            if pq.ParquetFile(file).metadata.num_rows > MOST_ROWS:
+                return None
+            part = pq.read_table(file, schema=wanted)
+            part.validate(full=True)
+        except (pa.ArrowException, OSError):  # Arrow's of what does not fit together, beside its own
+            return None
+    return None if part["row"].null_count else part
 
 
 def _type_of(values: Sequence[Any]) -> pa.DataType:

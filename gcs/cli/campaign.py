@@ -361,11 +361,17 @@ def _planned(file: str, sessions: int | None = None, seed: int | None = None) ->
 
 
 def _found(folder: Path) -> Plan:
+    """The plan of a campaign's folder; broken parts of its table are named."""
+    from gcs.campaign import table
     from gcs.campaign.plan import read
     from gcs.scenario.model import ScenarioError
 
     try:
-        return read(folder)
+        plan = read(folder)
+        for path in table.broken(folder, plan.campaign):
+            why = f"no rows can be read from it; gcs campaign resume {folder} sets it aside and flies them again"
+            click.echo(f"gcs: {path}: {why}", err=True)
+        return plan
     except (OSError, ValueError, KeyError):
         raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
     except ScenarioError as error:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -109,6 +111,70 @@ def test_workers_killed_three_times_leave_one_row_per_session(reference: list[di
     assert rows(folder, flown) == reference
     assert not descendants("gcs session")
     assert not descendants("simvehicle")
+
+
+def test_a_fork_server_that_is_killed_is_replaced(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    killed: set[int] = set()
+
+    def kill(_: Progress, row: Any) -> None:
+        for server in descendants("gcs.session.forkserver") if row is not None and len(killed) < 3 else ():
+            killed.add(server.pid)
+            server.kill()
+
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    fly(folder, flown, kill, workers=2)
+    assert len(killed) >= 3
+    assert rows(folder, flown) == reference
+    assert not descendants("gcs session")
+    assert not descendants("simvehicle")
+
+
+def test_all_that_flies_may_be_stopped_for_a_while(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    stopped: list[psutil.Process] = []
+    since_s = 0.0
+
+    def stop(progress: Progress, row: Any) -> None:
+        nonlocal since_s
+        if progress.done == 2 and row is not None and not stopped:
+            since_s = time.monotonic()
+            stopped.extend(psutil.Process().children(recursive=True))
+            for process in stopped:
+                process.suspend()
+        elif stopped and since_s and time.monotonic() - since_s >= 3.0:
+            since_s = 0.0
+            for process in reversed(stopped):
+                with suppress(psutil.NoSuchProcess):
+                    process.resume()
+
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    fly(folder, flown, stop, workers=2)
+    assert stopped
+    assert since_s == 0.0
+    assert rows(folder, flown) == reference
+
+
+def test_a_full_disk_is_one_sentence_and_resume_goes_on(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+    """This process alone writes the table: no file of its own may grow any more once three rows have come."""
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def fill(progress: Progress, row: Any) -> None:
+        if progress.done == 3 and row is not None:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
+
+    flown = plan()
+    folder = make_folder(flown, tmp_path / "campaign")
+    try:
+        with pytest.raises(EngineError, match=r"campaign cannot be written: File too large; make room there"):
+            fly(folder, flown, fill, workers=2)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert len(rows(folder, flown)) < 12
+    assert not list((folder / "rows").glob(".*"))
+    assert not descendants("gcs session")
+    fly(folder, flown, workers=2)
+    assert rows(folder, flown) == reference
 
 
 def test_an_interrupted_campaign_is_resumed(reference: list[dict[str, Any]], tmp_path: Path) -> None:

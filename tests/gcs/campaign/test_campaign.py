@@ -177,7 +177,6 @@ def test_paired_differences_are_found_where_unpaired_ones_drown(tmp_path: Path) 
     writer.write(rows[:60])
     read_back = table.read(tmp_path, flown.campaign)
     assert read_back["row"].to_pylist() == list(range(80))
-    assert table.done(tmp_path) == set(range(80))
     found = statistics.paired(read_back, "min_separation_m", 0, 1)
     assert found.pairs == 40
     assert found.difference.low < 0.5 < found.difference.high

@@ -25,7 +25,7 @@ from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
-from gcs.recording.tlog_reader import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
+from gcs.recording.tlog_walk import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
 from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from gcs.recording.series import Floats, Series, Track, held, tracks
 from gcs.recording.session_folder import Gathering, Recorded
-from gcs.recording.tlog_reader import Chunk
+from gcs.recording.tlog_walk import Chunk
 from gcs.scenario.model import Scenario
 from gcs.telemetry.pursuit import PursuitHeld
 

@@ -1,101 +1,60 @@
 """Reads `.tlog` files, ours and other ground stations': per frame 8 bytes of time (µs since the Unix epoch, high byte
-first), then the frame. Compiled code walks them, so that a gigabyte takes seconds.
+first), then the frame; and `.tlog.raw` and `.rlog` files, which have frames alone. Compiled code walks them, so that a
+gigabyte takes seconds.
 
     log = tlog.read(path)
     for t_us, frame in log: ...         # one by one, or
     for chunk in log.chunks(): ...      # many at once, `chunk.table("ATTITUDE")` as a structured array
     log.problems                        # what could not be read, a sentence each, once all of it has been walked
 
-Nothing in a file makes reading raise. A cut end, and bytes that are no frame, are passed over and counted; MAVLink 1 is
-handed out as MAVLink 2; a frame without a time of its own has the time of the one before. A frame counts when its
-checksum is right; one that the dialect lacks, where it also stands exactly between two others. A time that is more than
-an hour away from those before and behind it, as one with a flipped bit, is replaced by the one before.
+Nothing in a file makes reading raise. A cut end, and bytes that are no frame, are passed over and counted. Times are
+judged over the whole file (recorded_clock.py) before the first frame is handed out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gcs.kernel_files import checksum
-from gcs.kernels import inner, kernel
-from gcs.mavlink import codec, datagram, dialect, records
+from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import CRC_TABLE, SEEDS, crc_of
-from gcs.recording import rotation
+from gcs.mavlink.datagram import CRC_TABLE, SEEDS
+from gcs.recording import rotation, tlog_times
+from gcs.recording.tlog_times import TlogTimes
+from gcs.recording.tlog_walk import (
+    AT,
+    COLUMNS,
+    COMPID,
+    MSGID,
+    SEQ,
+    SOME_SEED,
+    SYSID,
+    T_US,
+    TIME_BYTES,
+    Chunk,
+    raw_at,
+    walk,
+)
 
-IntArray = NDArray[np.int64]
-ByteArray = NDArray[np.uint8]
+__all__ = ["AT", "COMPID", "MSGID", "SEQ", "SYSID", "TIME_BYTES", "T_US", "Chunk", "Tlog", "raw_at", "read"]
 
 CHUNK_BYTES = 1 << 24
-TIME_BYTES = 8
 LARGEST = codec.LARGEST_FRAME
-APART_US = 3_600_000_000
-"""A time so far from both its neighbours is not believed."""
-COLUMNS = 6
-T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
-"""Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
-
-# Which differences one unknown seed byte can make.
-_SOME_SEED = np.isin(np.arange(1 << 16), CRC_TABLE[0])
-
-
-class Chunk:
-    """A stretch of a recording."""
-
-    def __init__(self, octets: ByteArray, heads: IntArray, read_share: float, begin: int) -> None:
-        self.octets = octets
-        self.begin = begin
-        """where in the file `octets` begin"""
-        self.heads = heads
-        """(n, 6) in the file's order: T_US, AT, SYSID, COMPID, SEQ, MSGID"""
-        self.read_share = read_share
-        """how much of the file has been read, 0 to 1"""
-
-    @cached_property
-    def _msgids(self) -> NDArray[np.int32]:
-        """(n,) by themselves, since `table` looks for each message among all."""
-        return self.heads[:, MSGID].astype(np.int32)
-
-    def frames(self) -> Iterator[tuple[int, Frame]]:
-        """(time in µs since the Unix epoch, frame) in the file's order."""
-        data = self.octets.tobytes()
-        for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
-            yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
-
-    def places(self, message: int | str) -> IntArray:
-        """(n,) where in the file the rows of `table` begin."""
-        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
-        return places
-
-    def table(self, message: int | str) -> NDArray[Any]:
-        """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
-        in wire order and MAVLink's own units; a field named like one of the four comes with a `_` after it.
-
-        Raises ValueError for a message that the dialect lacks.
-        """
-        msgid = codec.layout(message).msgid
-        dtype, payload_bytes = _dtypes(msgid)
-        heads = self.heads[np.flatnonzero(self._msgids == msgid)]
-        rows = np.zeros(len(heads), dtype=dtype)
-        for name, column in (("t_us", T_US), ("sysid", SYSID), ("compid", COMPID), ("seq", SEQ)):
-            rows[name] = heads[:, column]
-        head_bytes = dtype.itemsize - payload_bytes
-        _gather(self.octets, heads[:, AT], rows.view(np.uint8).reshape(len(rows), dtype.itemsize), head_bytes)
-        return rows
 
 
 class Tlog:
-    """A recording; walking it again begins anew. Walking raises OSError where the file cannot be read."""
+    """A recording; walking it again begins anew. Walking raises OSError where the file cannot be read.
 
-    def __init__(self, path: Path, chunk_bytes: int = CHUNK_BYTES) -> None:
+    times: those of another `Tlog` of the same file, so that they are not judged again.
+    """
+
+    def __init__(self, path: Path, chunk_bytes: int = CHUNK_BYTES, *, times: TlogTimes | None = None) -> None:
         self.path = path
+        self.times = times
+        """None until the file is first walked"""
         self._chunk_bytes = max(chunk_bytes, 2 * (LARGEST + TIME_BYTES))
         self.problems: list[str] = []
 
@@ -108,11 +67,18 @@ class Tlog:
 
         The next one is read and walked beside whoever takes this one in, for both hardly need the interpreter.
         """
-        walk = self._walked(begin)
+        if self.times is None:
+            self.times = tlog_times.judge(lambda: self._read_ahead(0))
+        for chunk in self._read_ahead(begin):
+            self.times.correct(chunk)
+            yield chunk
+
+    def _read_ahead(self, begin: int) -> Iterator[Chunk]:
+        walked = self._walked(begin)
         with ThreadPoolExecutor(1) as beside:
-            following = beside.submit(next, walk, None)
+            following = beside.submit(next, walked, None)
             while (chunk := following.result()) is not None:
-                following = beside.submit(next, walk, None)
+                following = beside.submit(next, walked, None)
                 yield chunk
 
     def _walked(self, begin: int) -> Iterator[Chunk]:
@@ -120,8 +86,8 @@ class Tlog:
         carried = np.empty(0, dtype=np.uint8)
         room = np.empty((0, COLUMNS), dtype=np.int64)
         done = begin
-        frames = gaps = skipped = wrong = 0
-        last_end, look_at, last_us, believed_us = 0, TIME_BYTES, -1, -1
+        frames = gaps = skipped = 0
+        last_end, look_at = 0, TIME_BYTES
         with rotation.open_parts(self.path) as file:
             size = max(rotation.size(self.path), 1)
             file.seek(begin)
@@ -134,12 +100,10 @@ class Tlog:
                 octets = octets[: len(carried) + count]
                 if len(room) < len(octets) // TIME_BYTES + 1:
                     room = np.empty((len(octets) // TIME_BYTES + 1, COLUMNS), dtype=np.int64)
-                found, last_end, look_at, last_us, more_gaps, more_skipped = _walk(
-                    octets, room, last_end, look_at, last_us, final, SEEDS, CRC_TABLE, _SOME_SEED
+                found, last_end, look_at, more_gaps, more_skipped = walk(
+                    octets, room, last_end, look_at, final, SEEDS, CRC_TABLE, SOME_SEED
                 )
                 heads = room[:found].copy()
-                believed_us, more_wrong = _believe(heads, believed_us)
-                wrong += more_wrong
                 frames += found
                 gaps += more_gaps
                 skipped += more_skipped
@@ -150,7 +114,8 @@ class Tlog:
                 carried = octets[keep:].copy()
                 last_end, look_at = last_end - keep, look_at - keep
         left = len(octets) - last_end
-        self.problems = list(_problems(self.path.name, frames, gaps, skipped, wrong, left))
+        notes = self.times.notes if self.times is not None else []
+        self.problems = list(_problems(self.path.name, frames, gaps, skipped, notes, left))
 
 
 def read(path: Path) -> Tlog:
@@ -159,176 +124,15 @@ def read(path: Path) -> Tlog:
         return Tlog(path)
 
 
-def _problems(name: str, frames: int, gaps: int, skipped: int, wrong: int, left: int) -> Iterator[str]:
+def _problems(name: str, frames: int, gaps: int, skipped: int, notes: list[str], left: int) -> Iterator[str]:
     if not frames:
         yield f"{name} is empty." if not left else f"{name} holds no MAVLink frame: it is no tlog."
         return
     if gaps:
         times = "one place" if gaps == 1 else f"{gaps} places"
         yield f"{name} holds {skipped} bytes in {times} that belong to no MAVLink frame; they were passed over."
-    if wrong:
-        are = (
-            "one frame has a time that cannot be: it has"
-            if wrong == 1
-            else f"{wrong} frames have times that cannot be:"
-        )
-        yield f"{name}: {are} {'the' if wrong == 1 else 'each has the'} time of the frame before."
+    yield from (f"{name}: {note}." for note in notes)
     if 0 < left < TIME_BYTES + LARGEST:
         yield f"{name} ends inside a frame: its last {left} bytes could not be read."
     elif left:
         yield f"{name} ends with {left} bytes that belong to no MAVLink frame; they were passed over."
-
-
-def raw_at(data: bytes, at: int) -> bytes:
-    """The frame at a place, of MAVLink 1 in the form of MAVLink 2."""
-    length = data[at + 1]
-    if data[at] == codec.MARKER:
-        signature = codec.SIGNATURE_BYTES if data[at + 2] & codec.SIGNED else 0
-        return data[at : at + codec.HEADER_BYTES + length + codec.CRC_BYTES + signature]
-    older = dialect.older_frame(data, at)
-    assert older is not None  # as the walk has found
-    return older.raw
-
-
-@lru_cache(maxsize=512)
-def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
-    """The dtype of a message's table, and how many of its bytes are payload: they come last."""
-    own = [("t_us", "<i8"), ("sysid", "u1"), ("compid", "u1"), ("seq", "u1")]
-    payload = records.dtype(codec.layout(msgid), frozenset(name for name, _ in own))
-    return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
-
-
-@kernel()
-def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int) -> None:
-    """Kernel: copies payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
-    for i in range(places.size):
-        at = places[i]
-        begin = at + 10 if data[at] == 0xFD else at + 6
-        for k in range(min(np.int64(data[at + 1]), rows.shape[1] - head_bytes)):
-            rows[i, head_bytes + k] = data[begin + k]
-
-
-@inner()
-def _frame_bytes(
-    data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
-) -> Any:
-    """Kernel: length (an integer) of the intact frame at a place; negative where only its seed is unknown; 0: none."""
-    size = data.size
-    if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
-        return 0
-    length = np.int64(data[at + 1])
-    if data[at] == 0xFD:
-        end = at + 10 + length
-        if end + 2 > size or data[at + 2] > 1:
-            return 0
-        low = np.int64(data[at + 7]) | np.int64(data[at + 8]) << 8
-        seed = seeds[low] if data[at + 9] == 0 else np.int64(-1)
-        total = end + 2 - at + (13 if data[at + 2] == 1 else 0)
-    else:
-        end = at + 6 + length
-        if end + 2 > size:
-            return 0
-        seed = seeds[np.int64(data[at + 5])]
-        total = end + 2 - at
-    if at + total > size:
-        return 0
-    crc = crc_of(data, at + 1, end, table)
-    sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
-    if seed >= 0:
-        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
-        return total if crc == sent_crc else 0
-    return -total if some_seed[sent_crc ^ crc >> 8] else 0
-
-
-@kernel()
-def _believe(heads: IntArray, last_us: Any) -> tuple[int, int]:
-    """Kernel: replaces the times in heads (n, 6) that are far from the last one believed and from the next one;
-    `last_us` is the last one of the stretch before, -1 before the first. Returns (last one believed, how many)."""
-    n = heads.shape[0]
-    wrong = 0
-    for i in range(n):
-        t_us = heads[i, 0]
-        if t_us >= 0 and last_us >= 0 and abs(t_us - last_us) <= APART_US:
-            last_us = t_us
-            continue
-        next_us = heads[i + 1, 0] if i + 1 < n else np.int64(-1)
-        confirmed = t_us >= 0 and next_us >= 0 and abs(next_us - t_us) <= APART_US
-        if last_us < 0 and not confirmed:
-            later_us = heads[i + 2, 0] if i + 2 < n else np.int64(-1)
-            if next_us >= 0 and later_us >= 0 and abs(later_us - next_us) <= APART_US:
-                last_us = next_us
-            else:
-                last_us = max(t_us, np.int64(0))
-            wrong += t_us != last_us
-            heads[i, 0] = last_us
-        elif confirmed:
-            last_us = t_us
-        else:
-            heads[i, 0] = last_us
-            wrong += 1
-    return last_us, wrong
-
-
-def _compiled(build: int) -> Callable[..., tuple[int, int, int, int, int, int]]:
-    """The walk, kept by numba; `build`: checksum of the other file that it is made of."""
-
-    @kernel(nogil=True)
-    def walk(
-        data: ByteArray,
-        heads: IntArray,
-        last_end: int,
-        look_at: int,
-        last_us: Any,
-        final: bool,
-        seeds: IntArray,
-        table: NDArray[np.uint16],
-        some_seed: NDArray[np.bool_],
-    ) -> tuple[int, int, int, int, int, int]:
-        """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the
-        last frame, where to look next, time of the last frame, gaps, bytes in them).
-
-        In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
-        """
-        _ = build
-        size = data.size
-        n = gaps = skipped = 0
-        while look_at < size:
-            if not final and look_at + 288 > size:
-                break
-            total = _frame_bytes(data, look_at, seeds, table, some_seed)
-            if total < 0:
-                end = look_at - total
-                follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
-                total = -total if look_at == last_end + 8 and follows else 0
-            timed = look_at - last_end >= 8
-            if total == 0 or (not timed and last_us < 0):
-                look_at = last_end if look_at == last_end + 8 else look_at + 1
-                if look_at == last_end + 8:  # that place has been looked at, and means `in step`
-                    look_at += 1
-                continue
-            begin = look_at
-            if timed:
-                begin = look_at - 8
-                last_us = np.int64(0)
-                for k in range(8):
-                    last_us = last_us << 8 | np.int64(data[begin + k])
-            if begin > last_end:
-                gaps += 1
-                skipped += begin - last_end
-            heads[n, 0], heads[n, 1] = last_us, look_at
-            if data[look_at] == 0xFD:
-                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
-                heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
-                heads[n, 5] |= np.int64(data[look_at + 9]) << 16
-            else:
-                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
-                heads[n, 5] = data[look_at + 5]
-            n += 1
-            last_end = look_at + total
-            look_at = last_end + 8
-        return n, last_end, look_at, last_us, gaps, skipped
-
-    return walk
-
-
-_walk = _compiled(checksum(datagram))

@@ -20,7 +20,7 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
-from gcs.recording.tlog_reader import AT, COMPID, MSGID, SEQ, SYSID, T_US, ByteArray, IntArray
+from gcs.recording.tlog_walk import AT, COMPID, MSGID, SEQ, SYSID, T_US, ByteArray, IntArray
 
 BLOCK_BYTES = 1 << 19
 MOST_BLOCKS = 256
@@ -74,6 +74,7 @@ _STATION = bytes([mav.MAV_TYPE_GCS])
 
 
 _NONE = np.empty(0, dtype=np.int64)
+_NONE_PLACED = np.empty((0, 2), dtype=np.int64)
 
 
 class _Block(NamedTuple):
@@ -84,8 +85,8 @@ class _Block(NamedTuple):
     counted: tuple[Any, ...]
     """sequence numbers before it, as `RecordedGaps.packed`"""
     keys: IntArray = _NONE
-    places: IntArray = _NONE
-    """in the file, of the last frame of each key"""
+    places: IntArray = _NONE_PLACED
+    """(n, 2) of the last frame of each key: place in the file, time in µs"""
 
     def with_more(self, keys: IntArray, places: IntArray) -> _Block:
         """The same with further frames at its end."""
@@ -121,14 +122,14 @@ class TlogIndex:
         log = tlog_reader.Tlog(path, chunk_bytes=block_bytes)
         gaps = RecordedGaps()
         self._metered = frozenset(metered)
-        of_batteries = [np.empty(0, dtype=np.int64)]
+        of_batteries = [_NONE_PLACED]
         latest_us, last_us, first_us = -1, -1, None
         for chunk in log.chunks():
             heads = chunk.heads
             if len(heads):
                 first_us = int(heads[0, T_US]) if first_us is None else first_us
                 epoch_us = first_us if epoch_us is None else epoch_us
-                keys, places = _keys(chunk.octets, heads, _SUBJECTS), chunk.begin + heads[:, AT]
+                keys, places = _keys(chunk.octets, heads, _SUBJECTS), _placed(chunk)
                 # A block begins with a new time: whatever came at one time, as a tick's answers, is read together.
                 new = int(np.argmax(heads[:, T_US] != last_us)) if self._blocks else 0
                 if new or (self._blocks and heads[0, T_US] == last_us):
@@ -137,7 +138,8 @@ class TlogIndex:
                     _count(gaps, heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
-                    begin, from_s = int(places[new]) - tlog_reader.TIME_BYTES, (latest_us - epoch_us) / 1e6
+                    begin = max(int(places[new, 0]) - tlog_reader.TIME_BYTES, 0)
+                    from_s = (latest_us - epoch_us) / 1e6
                     block = _Block(begin, from_s, gaps.packed())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
                     _count(gaps, heads[new:])
@@ -146,11 +148,12 @@ class TlogIndex:
                 self.frames += len(heads)
                 if metered:
                     mine = np.isin(heads[:, SYSID], list(metered)) & np.isin(heads[:, MSGID], _OF_BATTERIES)
-                    of_batteries.append(chunk.begin + heads[mine, AT])
+                    of_batteries.append(places[mine])
             watch(chunk)
             progress(chunk.read_share)
         self._of_batteries = np.concatenate(of_batteries)
         self.problems = log.problems
+        self._times = log.times
         self._epoch_us = epoch_us or 0
         self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
         self.to_s = (latest_us - self._epoch_us) / 1e6 if self.frames else 0.0
@@ -162,7 +165,7 @@ class TlogIndex:
         """
         block = self._blocks[self._block_of(from_s)]
         directions = Directions(session=self._session)
-        log, latest_s = tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES), block.from_s
+        log, latest_s = tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES, times=self._times), block.from_s
         for chunk in log.chunks(block.begin):
             for t_us, frame in chunk.frames():
                 latest_s = max(latest_s, (t_us - self._epoch_us) / 1e6)
@@ -179,27 +182,26 @@ class TlogIndex:
             return []
         keys = np.concatenate([block.keys for block in reversed(earlier)])
         places = np.concatenate([block.places for block in reversed(earlier)])
-        found = set(places[np.unique(keys, return_index=True)[1]].tolist())
-        found |= set(self._of_batteries[self._of_batteries < self._blocks[at].begin].tolist())
+        end = self._blocks[at].begin
+        of_batteries = self._of_batteries[self._of_batteries[:, 0] < end]
+        found = dict(places[np.unique(keys, return_index=True)[1]].tolist()) | dict(of_batteries.tolist())
         warm_us = (from_s - WARM_S) * 1e6 + self._epoch_us
         first = self._block_of(from_s - WARM_S)
         if first < at:
-            for chunk in tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES).chunks(earlier[first].begin):
-                if chunk.begin >= self._blocks[at].begin:
+            log = tlog_reader.Tlog(self.path, chunk_bytes=READ_BYTES, times=self._times)
+            for chunk in log.chunks(earlier[first].begin):
+                if chunk.begin >= end:
                     break
-                heads = chunk.heads
-                wanted = (heads[:, MSGID] == _BATTERY) & (heads[:, T_US] >= warm_us)
-                wanted &= chunk.begin + heads[:, AT] < self._blocks[at].begin
-                found |= set((chunk.begin + heads[wanted, AT]).tolist())
+                heads, placed = chunk.heads, _placed(chunk)
+                wanted = (heads[:, MSGID] == _BATTERY) & (heads[:, T_US] >= warm_us) & (placed[:, 0] < end)
+                found |= dict(placed[wanted].tolist())
         directions = Directions(session=False)
         frames = []
         with rotation.open_parts(self.path) as file:
-            for place in sorted(found):
-                file.seek(place - tlog_reader.TIME_BYTES)
-                record = file.read(tlog_reader.TIME_BYTES + tlog_reader.LARGEST)
-                raw = tlog_reader.raw_at(record, 8)
+            for place, t_us in sorted(found.items()):
+                file.seek(place)
+                raw = tlog_reader.raw_at(file.read(tlog_reader.LARGEST), 0)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
-                t_us = int.from_bytes(record[:8], "big")
                 frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
         # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
         # recorded it stands among it.
@@ -216,6 +218,11 @@ class TlogIndex:
             if block.from_s < t_s:
                 at = index
         return at
+
+
+def _placed(chunk: tlog_reader.Chunk) -> IntArray:
+    """(n, 2) of each frame its place in the file and its time in µs."""
+    return np.column_stack((chunk.begin + chunk.heads[:, AT], chunk.heads[:, T_US]))
 
 
 def _count(gaps: RecordedGaps, heads: IntArray) -> None:

@@ -150,11 +150,13 @@ def test_signed_frames_and_foreign_dialects_are_handed_out_whole(tmp_path: Path)
     assert log.problems == []
 
 
-def test_frames_without_a_time_of_their_own_have_the_one_before(tmp_path: Path) -> None:
-    raws = packed(common, 2, attitudes(4))
-    path = tmp_path / "one-time.tlog"
-    path.write_bytes(struct.pack(">Q", T0_US) + b"".join(raws))
-    assert [(t_us, frame.raw) for t_us, frame in tlog_reader.read(path)] == [(T0_US, raw) for raw in raws]
+def test_a_frame_without_a_time_of_its_own_has_the_one_before(tmp_path: Path) -> None:
+    raws = packed(common, 2, attitudes(5))
+    path = tmp_path / "one-missing.tlog"
+    records = timed(raws)
+    path.write_bytes(records[0] + records[1] + raws[2] + records[3] + records[4])
+    read = [(t_us - T0_US, frame.raw) for t_us, frame in tlog_reader.read(path)]
+    assert read == list(zip((0, STEP_US, STEP_US, 3 * STEP_US, 4 * STEP_US), raws, strict=True))
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,200 @@
+"""The walk over a recording's bytes: where its frames stand, and what each chunk of them holds.
+
+A frame counts when its checksum is right; one that the dialect lacks, where it also stands exactly between two others.
+MAVLink 1 is handed out as MAVLink 2. A frame that directly follows another has no stamp, NO_STAMP.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.kernel_files import checksum
+from gcs.kernels import inner, kernel
+from gcs.mavlink import codec, datagram, dialect, records
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.datagram import CRC_TABLE, crc_of
+from gcs.recording.recorded_clock import NO_STAMP
+
+IntArray = NDArray[np.int64]
+ByteArray = NDArray[np.uint8]
+
+TIME_BYTES = 8
+COLUMNS = 6
+T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
+"""Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
+
+SOME_SEED = np.isin(np.arange(1 << 16), CRC_TABLE[0])
+"""Which differences one unknown seed byte can make."""
+
+
+class Chunk:
+    """A stretch of a recording."""
+
+    def __init__(self, octets: ByteArray, heads: IntArray, read_share: float, begin: int) -> None:
+        self.octets = octets
+        self.begin = begin
+        """where in the file `octets` begin"""
+        self.heads = heads
+        """(n, 6) in the file's order: T_US, AT, SYSID, COMPID, SEQ, MSGID"""
+        self.read_share = read_share
+        """how much of the file has been read, 0 to 1"""
+
+    @cached_property
+    def _msgids(self) -> NDArray[np.int32]:
+        """(n,) by themselves, since `table` looks for each message among all."""
+        return self.heads[:, MSGID].astype(np.int32)
+
+    def frames(self) -> Iterator[tuple[int, Frame]]:
+        """(time in µs since the Unix epoch, frame) in the file's order."""
+        data = self.octets.tobytes()
+        for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
+            yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
+
+    def places(self, message: int | str) -> IntArray:
+        """(n,) where in the file the rows of `table` begin."""
+        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
+        return places
+
+    def table(self, message: int | str) -> NDArray[Any]:
+        """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields
+        in wire order and MAVLink's own units; a field named like one of the four comes with a `_` after it.
+
+        Raises ValueError for a message that the dialect lacks.
+        """
+        msgid = codec.layout(message).msgid
+        dtype, payload_bytes = _dtypes(msgid)
+        heads = self.heads[np.flatnonzero(self._msgids == msgid)]
+        rows = np.zeros(len(heads), dtype=dtype)
+        for name, column in (("t_us", T_US), ("sysid", SYSID), ("compid", COMPID), ("seq", SEQ)):
+            rows[name] = heads[:, column]
+        head_bytes = dtype.itemsize - payload_bytes
+        _gather(self.octets, heads[:, AT], rows.view(np.uint8).reshape(len(rows), dtype.itemsize), head_bytes)
+        return rows
+
+
+def raw_at(data: bytes, at: int) -> bytes:
+    """The frame at a place, of MAVLink 1 in the form of MAVLink 2."""
+    length = data[at + 1]
+    if data[at] == codec.MARKER:
+        signature = codec.SIGNATURE_BYTES if data[at + 2] & codec.SIGNED else 0
+        return data[at : at + codec.HEADER_BYTES + length + codec.CRC_BYTES + signature]
+    older = dialect.older_frame(data, at)
+    assert older is not None  # as the walk has found
+    return older.raw
+
+
+@lru_cache(maxsize=512)
+def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
+    """The dtype of a message's table, and how many of its bytes are payload: they come last."""
+    own = [("t_us", "<i8"), ("sysid", "u1"), ("compid", "u1"), ("seq", "u1")]
+    payload = records.dtype(codec.layout(msgid), frozenset(name for name, _ in own))
+    return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
+
+
+@kernel()
+def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int) -> None:
+    """Kernel: copies payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
+    for i in range(places.size):
+        at = places[i]
+        begin = at + 10 if data[at] == 0xFD else at + 6
+        for k in range(min(np.int64(data[at + 1]), rows.shape[1] - head_bytes)):
+            rows[i, head_bytes + k] = data[begin + k]
+
+
+@inner()
+def _frame_bytes(
+    data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
+) -> Any:
+    """Kernel: length (an integer) of the intact frame at a place; negative where only its seed is unknown; 0: none."""
+    size = data.size
+    if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
+        return 0
+    length = np.int64(data[at + 1])
+    if data[at] == 0xFD:
+        end = at + 10 + length
+        if end + 2 > size or data[at + 2] > 1:
+            return 0
+        low = np.int64(data[at + 7]) | np.int64(data[at + 8]) << 8
+        seed = seeds[low] if data[at + 9] == 0 else np.int64(-1)
+        total = end + 2 - at + (13 if data[at + 2] == 1 else 0)
+    else:
+        end = at + 6 + length
+        if end + 2 > size:
+            return 0
+        seed = seeds[np.int64(data[at + 5])]
+        total = end + 2 - at
+    if at + total > size:
+        return 0
+    crc = crc_of(data, at + 1, end, table)
+    sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
+    if seed >= 0:
+        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
+        return total if crc == sent_crc else 0
+    return -total if some_seed[sent_crc ^ crc >> 8] else 0
+
+
+def _compiled(build: int) -> Callable[..., tuple[int, int, int, int, int]]:
+    """The walk, kept by numba; `build`: checksum of the other file that it is made of."""
+
+    @kernel(nogil=True)
+    def walk_on(
+        data: ByteArray,
+        heads: IntArray,
+        last_end: int,
+        look_at: int,
+        final: bool,
+        seeds: IntArray,
+        table: NDArray[np.uint16],
+        some_seed: NDArray[np.bool_],
+    ) -> tuple[int, int, int, int, int]:
+        """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the
+        last frame, where to look next, gaps, bytes in them).
+
+        In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
+        """
+        _ = build
+        size = data.size
+        n = gaps = skipped = 0
+        while look_at < size:
+            if not final and look_at + 288 > size:
+                break
+            total = _frame_bytes(data, look_at, seeds, table, some_seed)
+            if total < 0:
+                end = look_at - total
+                follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
+                total = -total if look_at == last_end + 8 and follows else 0
+            if total == 0:
+                look_at = last_end if look_at == last_end + 8 else look_at + 1
+                if look_at == last_end + 8:  # that place has been looked at, and means `in step`
+                    look_at += 1
+                continue
+            begin, stamp_us = look_at, np.int64(NO_STAMP)
+            if look_at - last_end >= 8:
+                begin, stamp_us = look_at - 8, np.int64(0)
+                for k in range(8):
+                    stamp_us = stamp_us << 8 | np.int64(data[begin + k])
+            if begin > last_end:
+                gaps += 1
+                skipped += begin - last_end
+            heads[n, 0], heads[n, 1] = stamp_us, look_at
+            if data[look_at] == 0xFD:
+                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
+                heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
+                heads[n, 5] |= np.int64(data[look_at + 9]) << 16
+            else:
+                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
+                heads[n, 5] = data[look_at + 5]
+            n += 1
+            last_end = look_at + total
+            look_at = last_end + 8
+        return n, last_end, look_at, gaps, skipped
+
+    return walk_on
+
+
+walk = _compiled(checksum(datagram))

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 FUZZ = Path(__file__).parent / "fuzz"
-TARGETS, READERS = 6, 5
+TARGETS, READERS = 8, 10
 
 
 def test_hostile_input_harms_nothing() -> None:
@@ -19,7 +19,7 @@ def test_hostile_input_harms_nothing() -> None:
     assert all(line.endswith("  ok") for line in lines)
 
 
-@pytest.mark.parametrize(("target", "runs"), [("datagrams", 2000), ("scenario", 100)])
+@pytest.mark.parametrize(("target", "runs"), [("datagrams", 2000), ("scenario", 100), ("answers", 500), ("rows", 100)])
 def test_nor_does_input_that_coverage_finds(target: str, runs: int, tmp_path: Path) -> None:
     pytest.importorskip("atheris")
     command = [sys.executable, str(FUZZ / "guided.py"), "--target", target, "--runs", str(runs)]

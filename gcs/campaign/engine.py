@@ -298,4 +298,5 @@ class CampaignStore:
         self._lock.close()
 
     def _full(self, error: OSError) -> EngineError:
-        return EngineError(f"{self.folder} cannot be written: {error.strerror}; make room there")
+        why = os.strerror(error.errno) if error.errno else str(error)  # Arrow's own text is a longer one
+        return EngineError(f"{self.folder} cannot be written: {why}; make room there")

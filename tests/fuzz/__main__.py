@@ -2,7 +2,8 @@
 
 Each target takes so many frames or mutated files, by seed, in a process of its own. Nothing may raise, take over two
 seconds, or grow by more than 5 MB once warm. What does is told with its seed, which makes it again. After that the
-readers, and the splitting of datagrams, take as much as files again, guided by coverage where Atheris is installed.
+readers, and what takes frames, lines and answers, are attacked guided by coverage where Atheris is installed; what
+reaches something new is kept, and the next campaign begins with it.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import gc
 import importlib.util
 import re
 import resource
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -21,12 +23,16 @@ import traceback
 from pathlib import Path
 
 from hostile import Hostile
-from targets import CORPUS, FRAMES, READERS, reader
+from readers import CORPUS, READERS, reader
+from targets import FRAMES
 
 HANG_S = 2.0
 GROWTH_BYTES = 5 << 20
 AT_ONCE = 50
 WARM_SHARE = 0.2
+KEPT = Path(__file__).resolve().parents[2] / ".fuzz"
+BYTES = ("datagrams", "answers", "signed frames", "lines")
+"""Targets of guided.py that are no readers."""
 SEEDS = 20
 """A campaign is so many streams, one after the other in one process, so that what is found is made again quickly."""
 
@@ -72,12 +78,15 @@ def main() -> int:
     """Run the campaign; 0 where nothing was found."""
     says = argparse.ArgumentParser(description=__doc__)
     says.add_argument("--frames", type=int, default=1_000_000, help="for each target of datagrams")
-    says.add_argument("--files", type=int, default=10_000, help="for each reader")
+    says.add_argument("--files", type=int, default=100_000, help="for each reader")
+    says.add_argument("--runs", type=int, default=100_000, help="guided ones, for each target of these")
+    says.add_argument("--seconds", type=int, default=0, help="at most for each guided target; 0: as long as they take")
+    says.add_argument("--kept", type=Path, default=KEPT, help="folder of what the guided ones found  [default: .fuzz]")
     says.add_argument("--seed", type=int, default=1)
     says.add_argument("--within", action="store_true", help="in this process, as it is called by itself")
     says.add_argument("--only", default="", help="some targets, by name with commas")
     options = says.parse_args()
-    only = options.only.split(",") if options.only else [*FRAMES, *READERS, "datagrams"]
+    only = options.only.split(",") if options.only else [*FRAMES, *READERS, *BYTES]
     jobs = [(name, "frames", options.frames) for name in FRAMES if name in only]
     jobs += [(name, "files", options.files) for name in READERS if name in only]
     if options.within:
@@ -98,21 +107,37 @@ def main() -> int:
         return 1 if found else 0
     for name in only:
         if name not in FRAMES:
-            found += guided(name, options.files, options.seed)
+            found += guided(name, options)
     return 1 if found else 0
 
 
-def guided(name: str, runs: int, seed: int) -> int:
+def guided(name: str, options: argparse.Namespace) -> int:
     """Attack one target guided by coverage; 1 where something was found."""
-    begun_s = time.monotonic()
-    command = [sys.executable, str(Path(__file__).with_name("guided.py")), "--target", name]
-    command += ["--runs", str(runs), "--seed", str(seed)]
+    begun_s, kept = time.monotonic(), (options.kept / name.replace(" ", "-")).absolute()
+    kept.mkdir(parents=True, exist_ok=True)
+    before = len(list(kept.iterdir()))
+    command = [
+        sys.executable,
+        str(Path(__file__).resolve().with_name("guided.py")),
+        "--target",
+        name,
+        "--kept",
+        str(kept),
+    ]
+    command += ["--runs", str(options.runs), "--seconds", str(options.seconds), "--seed", str(options.seed)]
     with tempfile.TemporaryDirectory() as place:
         done = subprocess.run(command, cwd=place, capture_output=True, text=True, errors="replace", check=False)
+        for crash in Path(place).iterdir():
+            shutil.copy(crash, options.kept / f"found-{name.replace(' ', '-')}-{crash.name}")
     covered = re.findall(r"cov: (\d+)", done.stderr)
+    runs = re.findall(r"Done (\d+) runs", done.stderr) or ["0"]
     reached = f"{covered[0]} to {covered[-1]} branches" if covered else "nothing reached"
+    grown = f"{before} to {len(list(kept.iterdir()))} inputs kept"
     verdict = "ok" if done.returncode == 0 else f"FOUND\n{done.stderr[-4000:]}"
-    print(f"{time.monotonic() - begun_s:5.0f} s  {name:<16} {runs:>9} guided  {reached}  {verdict}", flush=True)
+    print(
+        f"{time.monotonic() - begun_s:5.0f} s  {name:<16} {runs[-1]:>9} guided  {reached}  {grown}  {verdict}",
+        flush=True,
+    )
     return int(done.returncode != 0)
 
 

@@ -1,6 +1,6 @@
-"""Attack one reader of files, or the splitting and decoding of datagrams, guided by coverage (libFuzzer by Atheris).
+"""Attack what takes bytes, guided by coverage (libFuzzer by Atheris): readers of files, frames, lines, answers.
 
-    python guided.py --target replay --runs 10000 [--seed 1] [--kept DIR]
+    python guided.py --target replay --runs 10000 [--seconds 60] [--seed 1] [--kept DIR]
 
 Branches of our own modules are what it looks for; what reaches a new one is kept in DIR and mutated on. It ends with
 libFuzzer's report, and at the first exception, with the input in the working directory.
@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import itertools
 import os
 import shutil
 import sys
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import atheris
 
@@ -30,27 +32,90 @@ def compiled() -> list[str]:
 
 
 with atheris.instrument_imports(include=["gcs", "simvehicle"], exclude=compiled()):
-    from targets import CORPUS, IN_MEMORY, READERS, read_once
+    from dialogues import new_clients, sent_to
+    from hostile import Hostile
+    from readers import CORPUS, IN_MEMORY, READERS, read_once
+    from targets import session_sock
 
+    from gcs.link.keys import SignatureGate, new_key
     from gcs.mavlink import codec
     from simvehicle.mavlink import codec as vehicle_codec
 
-DATAGRAMS = "datagrams"
 LARGEST = 1 << 16
 HANG_S = 20
 """On the wall clock, and so longer than what the unguided attack allows of CPU time."""
+Attack = Callable[[bytes], None]
 
 
-def datagram(data: bytes) -> None:
+def datagrams(_: Path) -> Attack:
     """Split and decode as both programs do."""
-    for frame in codec.split(data).frames:
-        with contextlib.suppress(ValueError):  # of an id that the dialect lacks, which nobody decodes
-            codec.fields(frame)
-    for received in vehicle_codec.split(data):
-        vehicle_codec.decode(received)
+
+    def attack(data: bytes) -> None:
+        for frame in codec.split(data).frames:
+            with contextlib.suppress(ValueError):  # of an id that the dialect lacks, which nobody decodes
+                codec.fields(frame)
+        for received in vehicle_codec.split(data):
+            vehicle_codec.decode(received)
+
+    return attack
 
 
-def file_of(name: str, folder: Path) -> Callable[[bytes], None]:
+def answers(_: Path) -> Attack:
+    """A vehicle's frames, in their order, to each dialogue about logs, files, parameters and plans."""
+
+    def attack(data: bytes) -> None:
+        frames = codec.split(data).frames
+        for client in new_clients():
+            for number, frame in enumerate(frames):
+                client.poll(0.5 * number)
+                sent_to(client, frame, 0.5 * number)
+
+    return attack
+
+
+def signed_frames(folder: Path) -> Attack:
+    """A gate with a key and one without, and what they let through."""
+    new_key(folder / "own.key")
+    gate, plain = SignatureGate(folder / "own.key"), SignatureGate(None)
+
+    def attack(data: bytes) -> None:
+        frames = codec.split(data).frames
+        gate.accepted(frames)
+        plain.accepted(frames)
+        for frame in frames:
+            if not frame.raw[2] & codec.SIGNED:
+                with contextlib.suppress(ValueError):
+                    codec.seed_of(frame.raw)
+                    assert gate.accepted(codec.split(gate.signed(frame.raw)).frames) or frame.msgid == 256
+
+    return attack
+
+
+def lines(_: Path) -> Attack:
+    """Lines on session.sock, whose commands a supervisor takes."""
+
+    class Given(Hostile):
+        """Hostile input that is given."""
+
+        given: itertools.cycle[bytes] = itertools.cycle([b"\n"])
+
+        def line(self) -> bytes:
+            return next(self.given) + b"\n"
+
+    given = Given(1)
+    kept = contextlib.ExitStack()
+    once = kept.enter_context(session_sock(given))
+    numbers = itertools.count()
+
+    def attack(data: bytes) -> None:
+        _ = kept
+        given.given = itertools.cycle(data.split(b"\n"))
+        once(50 * next(numbers))
+
+    return attack
+
+
+def file_of(name: str, folder: Path) -> Attack:
     """The reader on a session, one file of which, chosen by the first byte, is the rest."""
     files, read = READERS[name]
     session = CORPUS / "session"
@@ -68,30 +133,46 @@ def file_of(name: str, folder: Path) -> Callable[[bytes], None]:
     return attack
 
 
+BYTES: dict[str, Callable[[Path], Attack]] = {
+    "datagrams": datagrams,
+    "answers": answers,
+    "signed frames": signed_frames,
+    "lines": lines,
+}
+
+
 def seeds(name: str, place: Path) -> None:
     """The corpus as libFuzzer takes it: a file for each input."""
     place.mkdir(parents=True, exist_ok=True)
-    if name == DATAGRAMS:
-        for number, line in enumerate((CORPUS / "frames.hex").read_text().split()):
-            (place / f"frame-{number}").write_bytes(bytes.fromhex(line))
-        return
-    for number, file in enumerate(READERS[name][0]):
-        (place / f"file-{number}").write_bytes(bytes([number]) + (CORPUS / "session" / file).read_bytes())
+    inputs: list[Any] = []
+    if name == "lines":
+        hostile = Hostile(1)
+        inputs = [b"".join(hostile.line() for _ in range(5)) for _ in range(50)]
+    elif name in BYTES:
+        inputs = [bytes.fromhex(line) for line in (CORPUS / "frames.hex").read_text().split()]
+    else:
+        for number, file in enumerate(READERS[name][0]):
+            inputs.append(bytes([number]) + (CORPUS / "session" / file).read_bytes())
+    for number, one in enumerate(inputs):
+        (place / f"seed-{number}").write_bytes(one)
 
 
 def main() -> None:
     """Ends the process with libFuzzer's status."""
     says = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    says.add_argument("--target", choices=[DATAGRAMS, *READERS], required=True)
+    says.add_argument("--target", choices=[*BYTES, *READERS], required=True)
     says.add_argument("--runs", type=int, default=10_000)
+    says.add_argument("--seconds", type=int, default=0, help="at most; 0: as long as the runs take")
     says.add_argument("--seed", type=int, default=1)
     says.add_argument("--kept", type=Path, help="folder of inputs that reach something new  [default: a temporary one]")
     options = says.parse_args()
     place = Path(tempfile.mkdtemp(dir=IN_MEMORY))
     kept = options.kept or place / "kept"
     seeds(options.target, kept)
-    attack = datagram if options.target == DATAGRAMS else file_of(options.target, place / "session")
+    make = BYTES.get(options.target)
+    attack = file_of(options.target, place / "session") if make is None else make(place)
     limits = [f"-runs={options.runs}", f"-seed={options.seed}", f"-max_len={LARGEST}", f"-timeout={HANG_S}"]
+    limits += [f"-max_total_time={options.seconds}"] if options.seconds else []
     os.environ.setdefault("PYTHONWARNINGS", "ignore")
     with read_once():
         atheris.Setup([sys.argv[0], *limits, "-print_final_stats=1", str(kept)], attack)

@@ -1,18 +1,16 @@
-"""What is attacked: each target takes hostile input in this process, and is looked at from time to time."""
+"""Links and sockets that are attacked: each target takes hostile datagrams or lines in this process."""
 
 from __future__ import annotations
 
 import contextlib
 import json
-import os
-import shutil
 import socket
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, cast
-from unittest import mock
 
+from dialogues import dialogues, signed_link
 from hostile import Hostile
 
 from gcs.link.external import ExternalLink
@@ -21,24 +19,17 @@ from gcs.mavlink import codec
 from gcs.mavlink.frame_stream import FrameStream
 from gcs.mavlink.sequence import TickCollector
 from gcs.processes.pace import Pace
-from gcs.recording import export, series, session_folder
-from gcs.recording.recorder import DECISIONS, TLOG, Recorder
-from gcs.recording.summary import FILE as SUMMARY
-from gcs.recording.tables import tables
+from gcs.recording.recorder import Recorder
 from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.external import External
-from gcs.scenario.file import load
-from gcs.scenario.model import Scenario, ScenarioError
-from gcs.session import replay as replay_module
+from gcs.scenario.model import Scenario
 from gcs.session.client import SOCKET
 from gcs.session.commands import Clients
 from gcs.session.messages import snapshot_message
 from gcs.session.monitor import MonitorSource
-from gcs.session.replay import Replay, ReplayError
 from gcs.session.server import Publisher
-from gcs.supervisor import redecide as redecide_module
 from gcs.supervisor.forwarding import passed
-from gcs.supervisor.redecide import Comparer, RecordedLink, RedecideError, redecide
+from gcs.supervisor.redecide import Comparer, RecordedLink
 from gcs.supervisor.supervisor import Supervisor
 from gcs.supervisor.warmup import rehearse
 from simvehicle.autopilot.body import Start
@@ -53,9 +44,6 @@ from simvehicle.mavlink.lockstep import Bundle, Grants, bundles
 from simvehicle.sitl.link import Address, PlainLink
 from simvehicle.sitl.unit import VehicleUnit
 
-CORPUS = Path(__file__).parent / "corpus"
-IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-"""Where copies of the corpus are made; None: where temporary files go."""
 WHERE = ("127.0.0.1", 4242)
 KEY = (7, 1)
 
@@ -322,100 +310,8 @@ FRAMES = {
     "external link": external,
     "monitor": monitor,
     "stations": stations,
+    "dialogues": dialogues,
+    "signed link": signed_link,
     "session.sock": session_sock,
 }
 """Targets of datagrams and lines; one call of `attack` takes 50."""
-
-# files
-
-WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
-
-
-KNOWN = (CORPUS / "session" / "scenario.yaml").read_bytes()
-
-
-@contextlib.contextmanager
-def read_once() -> Iterator[None]:
-    """Readers take the scenario of the corpus as read where it is as it was: half of their time, and not attacked."""
-    known = load(CORPUS / "session" / "scenario.yaml")
-
-    def remembered(path: Path) -> Scenario:
-        return known if path.read_bytes() == KNOWN else load(path)
-
-    with contextlib.ExitStack() as patched:
-        for module in (replay_module, redecide_module, session_folder, export):
-            patched.enter_context(mock.patch.object(module, "load", remembered))
-        yield
-
-
-def _report(folder: Path) -> None:
-    recorded = session_folder.read(folder)
-    flown = series.tracks(recorded)
-    for make in (series.vehicles, series.traffic, series.attitudes, series.batteries, series.competition, series.texts):
-        make(recorded)
-    series.links(recorded, flown)
-
-
-def _replay(folder: Path) -> None:
-    with contextlib.suppress(ReplayError):
-        replay = Replay(folder)
-        for share in (0.0, 0.5, 1.0):
-            replay.seek(replay.from_s + share * (replay.to_s - replay.from_s))
-            json.dumps(replay.snapshot(speed=1.0), allow_nan=False)
-
-
-def _export(folder: Path) -> None:
-    out = folder / "tables"
-    out.mkdir()
-    written = tables("csv", out)
-    try:
-        with contextlib.suppress(export.ExportError):
-            export.export(folder, written)
-    finally:
-        written.close()
-
-
-def _redecide(folder: Path) -> None:
-    with contextlib.suppress(RedecideError, ScenarioError):
-        redecide(folder)
-
-
-def _load(folder: Path) -> None:
-    with contextlib.suppress(ScenarioError):
-        load(folder / "scenario.yaml")
-
-
-READERS: dict[str, tuple[tuple[str, ...], Callable[[Path], None]]] = {
-    "report": (WANTED, _report),
-    "replay": ((TLOG, DECISIONS, SUMMARY, "scenario.yaml"), _replay),
-    "export": ((TLOG, DECISIONS, "vehicles/1.truth"), _export),
-    "decide": ((TLOG, DECISIONS), _redecide),
-    "scenario": (("scenario.yaml",), _load),
-}
-"""By name: the files of a session of which one at a time is mutated, and what reads them."""
-
-
-@contextlib.contextmanager
-def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
-    """One reader on copies of the corpus's session, in each of which a file is mutated."""
-    files, read = READERS[name]
-    session = CORPUS / "session"
-    with tempfile.TemporaryDirectory(dir=IN_MEMORY) as place, read_once():
-        folder = Path(place) / "session"
-
-        def attack(n: int) -> None:
-            shutil.copytree(session, folder)
-            path = folder / files[n % len(files)]
-            path.write_bytes(hostile.mutated(path.read_bytes()))
-            try:
-                read(folder)
-            except OSError as error:
-                if error.errno is None:
-                    raise
-            except BaseException:
-                shutil.copytree(folder, os.environ.get("FUZZ_FOUND", tempfile.mkdtemp()), dirs_exist_ok=True)
-                raise
-            finally:
-                shutil.rmtree(folder)
-
-        yield attack

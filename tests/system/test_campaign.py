@@ -117,7 +117,7 @@ def test_a_fork_server_that_is_killed_is_replaced(reference: list[dict[str, Any]
     killed: set[int] = set()
 
     def kill(_: Progress, row: Any) -> None:
-        for server in descendants("gcs.session.forkserver") if row is not None and len(killed) < 3 else ():
+        for server in descendants("gcs sessions") if row is not None and len(killed) < 3 else ():
             killed.add(server.pid)
             server.kill()
 

@@ -1,0 +1,159 @@
+"""Readers of files that are attacked: each takes copies of the corpus's folder in which a file is not as it was."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from unittest import mock
+
+from hostile import Hostile
+
+from gcs.campaign import file as campaign_file
+from gcs.campaign import statistics, table
+from gcs.campaign.plan import make
+from gcs.cli import params
+from gcs.cli.options import Refused
+from gcs.link.keys import KeyRefused, LinkSigning
+from gcs.mavlink import codec, parameter_pack
+from gcs.recording import export, series, session_folder
+from gcs.recording.recorder import DECISIONS, TLOG
+from gcs.recording.summary import FILE as SUMMARY
+from gcs.recording.tables import tables
+from gcs.scenario.file import load
+from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session import replay as replay_module
+from gcs.session.replay import Replay, ReplayError
+from gcs.supervisor import redecide as redecide_module
+from gcs.supervisor.redecide import RedecideError, redecide
+
+CORPUS = Path(__file__).parent / "corpus"
+IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+"""Where copies of the corpus are made; None: where temporary files go."""
+WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
+KNOWN = (CORPUS / "session" / "scenario.yaml").read_bytes()
+
+
+@contextlib.contextmanager
+def read_once() -> Iterator[None]:
+    """Readers take the scenario of the corpus as read where it is as it was: half of their time, and not attacked."""
+    known = load(CORPUS / "session" / "scenario.yaml")
+
+    def remembered(path: Path) -> Scenario:
+        return known if path.read_bytes() == KNOWN else load(path)
+
+    with contextlib.ExitStack() as patched:
+        for module in (replay_module, redecide_module, session_folder, export):
+            patched.enter_context(mock.patch.object(module, "load", remembered))
+        yield
+
+
+def _report(folder: Path) -> None:
+    recorded = session_folder.read(folder)
+    flown = series.tracks(recorded)
+    for made in (series.vehicles, series.traffic, series.attitudes, series.batteries, series.competition, series.texts):
+        made(recorded)
+    series.links(recorded, flown)
+
+
+def _replay(folder: Path) -> None:
+    with contextlib.suppress(ReplayError):
+        replay = Replay(folder)
+        for share in (0.0, 0.5, 1.0):
+            replay.seek(replay.from_s + share * (replay.to_s - replay.from_s))
+            json.dumps(replay.snapshot(speed=1.0), allow_nan=False)
+
+
+def _export(folder: Path) -> None:
+    out = folder / "tables"
+    out.mkdir()
+    written = tables("csv", out)
+    try:
+        with contextlib.suppress(export.ExportError):
+            export.export(folder, written)
+    finally:
+        written.close()
+
+
+def _redecide(folder: Path) -> None:
+    with contextlib.suppress(RedecideError, ScenarioError):
+        redecide(folder)
+
+
+def _load(folder: Path) -> None:
+    with contextlib.suppress(ScenarioError):
+        load(folder / "scenario.yaml")
+
+
+def _parameters(folder: Path) -> None:
+    with contextlib.suppress(Refused):
+        params._load(folder / "vehicle.params")
+
+
+def _packed(folder: Path) -> None:
+    with contextlib.suppress(ValueError):
+        parameter_pack.unpack((folder / "param.pck").read_bytes())
+
+
+def _key(folder: Path) -> None:
+    with contextlib.suppress(KeyRefused):
+        link = LinkSigning(folder / "link.key")
+        link.sign(codec.frame(codec.message("SYSTEM_TIME"), 0, 255, 190))
+        link.close()
+
+
+def _campaign(folder: Path) -> None:
+    with contextlib.suppress(ScenarioError):
+        make(campaign_file.load(folder / "campaign.yaml"), [folder]).check()
+
+
+def _rows(folder: Path) -> None:
+    rows = table.read(folder, PLAN.campaign)
+    assert not table.broken(folder, PLAN.campaign) or rows.num_rows == 0
+    statistics.text(PLAN, rows)
+
+
+PLAN = make(campaign_file.load(CORPUS / "session" / "campaign.yaml"), [])
+READERS: dict[str, tuple[tuple[str, ...], Callable[[Path], None]]] = {
+    "report": (WANTED, _report),
+    "replay": ((TLOG, DECISIONS, SUMMARY, "scenario.yaml"), _replay),
+    "export": ((TLOG, DECISIONS, "vehicles/1.truth"), _export),
+    "decide": ((TLOG, DECISIONS), _redecide),
+    "scenario": (("scenario.yaml",), _load),
+    "parameters": (("vehicle.params",), _parameters),
+    "packed": (("param.pck",), _packed),
+    "key": (("link.key", "link.key.stamps"), _key),
+    "campaign": (("campaign.yaml",), _campaign),
+    "rows": (("rows/part-00000000-corpus.parquet",), _rows),
+}
+"""By name: the files of a session of which one at a time is mutated, and what reads them."""
+
+
+@contextlib.contextmanager
+def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
+    """One reader on copies of the corpus's session, in each of which a file is mutated."""
+    files, read = READERS[name]
+    session = CORPUS / "session"
+    with tempfile.TemporaryDirectory(dir=IN_MEMORY) as place, read_once():
+        folder = Path(place) / "session"
+
+        def attack(n: int) -> None:
+            shutil.copytree(session, folder)
+            path = folder / files[n % len(files)]
+            path.write_bytes(hostile.mutated(path.read_bytes()))
+            try:
+                read(folder)
+            except OSError as error:
+                if error.errno is None:
+                    raise
+            except BaseException:
+                shutil.copytree(folder, os.environ.get("FUZZ_FOUND", tempfile.mkdtemp()), dirs_exist_ok=True)
+                raise
+            finally:
+                shutil.rmtree(folder)
+
+        yield attack

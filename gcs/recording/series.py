@@ -349,7 +349,7 @@ def competition(recorded: Recorded, *, for_bases: bool = False) -> CompetitionSe
 
 @dataclass(frozen=True)
 class LinkSeries:
-    """Frames received from a vehicle, second by second."""
+    """Frames received from a vehicle, in bins of time: seconds, or longer ones for a long recording."""
 
     rate_hz: Series
     lost: Series
@@ -362,17 +362,18 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
     """The link of each vehicle that was received."""
     found = {}
     longest = max(map(len, recorded.traffic_count.values()), default=0)
-    # The last second is seldom whole; its rate would be a drop that never was.
-    whole = max(min(longest, int(recorded.end_s + 1e-6)), 1)
+    bin_s = recorded.traffic_bin_s
+    # The last bin is seldom whole; its rate would be a drop that never was.
+    whole = max(min(longest, int((recorded.end_s + 1e-6) / bin_s)), 1)
+    t_s: Floats = bin_s * (np.arange(whole).astype(np.float64) + 0.5)
     for sysid in sorted(sysid for sysid, counts in recorded.traffic_count.items() if counts.any()):
         counts, lost = (
             np.pad(table[sysid], (0, longest - len(table[sysid])))
             for table in (recorded.traffic_count, recorded.traffic_lost)
         )
-        t_s: Floats = np.arange(whole).astype(np.float64) + 0.5
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = LinkSeries(
-            Series(t_s, counts[:whole].astype(np.float64)),
+            Series(t_s, counts[:whole] / bin_s),
             Series(t_s, np.cumsum(lost)[:whole].astype(np.float64)),
             float(silence_s),
         )

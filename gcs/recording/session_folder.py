@@ -42,6 +42,8 @@ WANTED = {
 }
 """The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 MOST_SECONDS = 7 * 86_400
+MOST_BINS = 1 << 14
+"""Of each vehicle's traffic, ten times what a chart shows: four hours and a half by seconds, longer in longer bins."""
 FEWEST_SECONDS, SECONDS_A_FRAME = 3600, 2
 """A recording's rates and losses are counted for so long, and so much longer by each frame in it."""
 Progress = Callable[[float], object]
@@ -65,9 +67,11 @@ class Recorded:
     set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
     """(n, COLUMNS) in the order of decision"""
     traffic_count: dict[int, NDArray[np.int32]] = field(default_factory=dict)
-    """by system id: (seconds,) frames received in each second, as far as there were any"""
+    """by system id: (bins,) frames received in each bin of time, as far as there were any"""
     traffic_lost: dict[int, NDArray[np.int32]] = field(default_factory=dict)
     """the same of gaps in their sequence numbers"""
+    traffic_bin_s: int = 1
+    """length of those bins: doubled as often as it takes for MOST_BINS to hold all"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
 
@@ -196,8 +200,8 @@ class Gathering:
                 tables[name] = np.concatenate(pieces)
 
     def _count(self, heads: NDArray[np.int64], epoch_us: int) -> None:
-        """Count frames and gaps second by second; a frame that comes again, as relayed ones do, is neither. One that
-        comes late makes good its gap in the second in which it comes."""
+        """Count frames and gaps bin by bin; a frame that comes again, as relayed ones do, is neither. One that
+        comes late makes good its gap in the bin in which it comes."""
         recorded = self._recorded
         second = (heads[:, tlog_reader.T_US] - epoch_us) // 1_000_000
         # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
@@ -206,11 +210,21 @@ class Gathering:
         sender = heads[:, tlog_reader.SYSID]
         mine = (sender < STATION[0]) & (sender != self._station) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
+        while len(second) and int(second.max()) // recorded.traffic_bin_s >= MOST_BINS:
+            recorded.traffic_bin_s *= 2
+            for table in (recorded.traffic_count, recorded.traffic_lost):
+                table.update(
+                    {
+                        sysid: np.add.reduceat(known, range(0, len(known), 2), dtype=np.int32)
+                        for sysid, known in table.items()
+                    }
+                )
+        bins = second // recorded.traffic_bin_s
         sysids = heads[:, tlog_reader.SYSID]
         lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
         for sysid, own in rows_of(sysids.astype(np.uint8)).items():
             for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
-                table[sysid] = _added(table.get(sysid), second[own], values[own])
+                table[sysid] = _added(table.get(sysid), bins[own], values[own])
 
 
 def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
@@ -221,14 +235,14 @@ def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
     return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
-def _added(table: NDArray[np.int32] | None, second: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
-    """The table (n,), made longer where need be, with these values added at these seconds."""
-    length = int(second.max()) + 1
+def _added(table: NDArray[np.int32] | None, bins: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
+    """The table (n,), made longer where need be, with these values added in these bins."""
+    length = int(bins.max()) + 1
     if table is None or length > len(table):
         longer = np.zeros(length, dtype=np.int32)
         longer[: 0 if table is None else len(table)] = () if table is None else table
         table = longer
-    np.add.at(table, second, values.astype(np.int32))
+    np.add.at(table, bins, values.astype(np.int32))
     return table
 
 

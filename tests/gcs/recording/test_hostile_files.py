@@ -241,3 +241,34 @@ def test_decisions_that_hold_anything_are_tables_or_passed_over(
         rows = sum(n for name, n in written.rows.items() if not name.endswith("_by_vehicle"))
         said = re.search(r"(\d+) lines? (?:is|are) no decision", " ".join(problems))
         assert rows + int(said[1] if said else 0) == len(lines)
+
+
+def test_a_recording_of_a_week_by_254_vehicles_costs_memory_by_its_frames(tmp_path: Path) -> None:
+    """350,000 frames, one each 1.7 s from one vehicle after the other: a table by seconds would hold 300 million."""
+    count, period_us, vehicles = 350_000, 1_700_000, 254
+    beats = [
+        [codec.encode("HEARTBEAT", n, sysid, 1, type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=3)
+         for n in range(256)] for sysid in range(1, vehicles + 1)
+    ]  # fmt: skip
+    times_us = EPOCH_US + period_us * np.arange(count)
+    frames = (
+        t_us.to_bytes(8, "big") + beats[k % vehicles][k // vehicles % 256] for k, t_us in enumerate(times_us.tolist())
+    )
+    (tmp_path / "session.tlog").write_bytes(b"".join(frames))
+    session_folder.read(CORPUS)  # loads and compiles
+    tracemalloc.start()
+    try:
+        recorded = session_folder.read(tmp_path)
+        links = series.links(recorded, {})
+        _, most_bytes = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most_bytes < 250e6
+    assert recorded.traffic_bin_s == 64
+    own_s = 1e-6 * period_us * np.arange(count)
+    bins = np.arange(len(links[1].rate_hz.t_s) + 1) * 64.0
+    for sysid, link in links.items():
+        expected, _ = np.histogram(own_s[sysid - 1 :: vehicles], bins)
+        np.testing.assert_allclose(link.rate_hz.values * 64.0, expected)
+        assert link.rate_hz.t_s[0] == 32.0
+        assert not link.lost.values.any()

@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.ftp.log_file import LogFile
+from gcs.mavlink.ftp.received_ranges import ReceivedRanges
 from gcs.mavlink.ftp.requests import FileRequests
-from gcs.mavlink.received_ranges import ReceivedRanges
 
 PIECE_BYTES = 90
 REPEAT_S = 1.0

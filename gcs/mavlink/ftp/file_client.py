@@ -17,6 +17,7 @@ from enum import Enum
 from typing import Any
 
 from gcs.mavlink.codec import Message
+from gcs.mavlink.ftp.received_ranges import ReceivedRanges
 from gcs.mavlink.ftp.requests import (
     BURST,
     END_OF_FILE,
@@ -31,7 +32,6 @@ from gcs.mavlink.ftp.requests import (
     FileAnswer,
     FileRequests,
 )
-from gcs.mavlink.received_ranges import ReceivedRanges
 
 LARGEST_BYTES = 1 << 22
 """A longer file is given up where all that it has is read: that is built in memory, piece by piece."""

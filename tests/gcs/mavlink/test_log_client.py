@@ -13,8 +13,8 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4
+from gcs.mavlink.ftp.received_ranges import MOST_RANGES, ReceivedRanges
 from gcs.mavlink.log_client import TRIES, LogClient, LogEntry
-from gcs.mavlink.received_ranges import MOST_RANGES, ReceivedRanges
 
 PIECES_A_TICK = 20
 TICK_S = 0.05

@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 
 MOST_RANGES = 4096
-"""What would begin another range is not taken: it is still missing, and asked for again."""
+"""A piece that would begin another range is not taken: it is still missing, and asked for again."""
 
 
 class ReceivedRanges:

@@ -12,11 +12,12 @@ from simvehicle.sitl.autopilot_process import (
     AutopilotProcess,
     AutopilotWanted,
 )
+from simvehicle.sitl.settings import Setting, given
 
 JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
 STEP_MS = 5
 """[choice] It flew at 200, 250 and 400 Hz; each step is an exchange between two processes."""
-PARAMETERS: dict[str, float] = {
+_OF_ALL: dict[str, float] = {
     "FRAME_CLASS": 1,
     "FRAME_TYPE": 1,
     "AHRS_EKF_TYPE": 3,  # from 4.7 on it flies on the simulation's truth where its clock is its simulation's
@@ -29,8 +30,6 @@ PARAMETERS: dict[str, float] = {
     **DEFAULTS,
     "FS_THR_ENABLE": 0,
     "LOG_BACKEND_TYPE": 0,
-    "GPS_TYPE": 100,
-    "GPS1_TYPE": 100,
     "EK3_YAW_M_NSE": 0.05,
     "EK3_GPS_CHECK": 0,
     "EK3_IMU_MASK": 1,  # all its IMUs sense the same motion: a second lane of its estimator estimates nothing else
@@ -40,6 +39,11 @@ PARAMETERS: dict[str, float] = {
     **{f"RC{i}_{end}": us for i in range(1, 5) for end, us in (("MIN", 1000), ("MAX", 2000), ("TRIM", 1500))},
     "RC3_TRIM": 1000,
 }
+SETTINGS = (
+    *(Setting(name, value) for name, value in _OF_ALL.items()),
+    Setting("GPS_TYPE", 100, until="4.5"),
+    Setting("GPS1_TYPE", 100, since="4.6"),
+)
 """Parameters that it starts with [choice]: calibrated, in no want of a transmitter, thrust by the throttle squared."""
 
 
@@ -64,7 +68,7 @@ def simulation_port() -> tuple[socket.socket, int]:
 def start_ardupilot(wanted: AutopilotWanted, instance: int) -> AutopilotProcess:
     """Start it. Raises AutopilotError."""
     defaults = wanted.folder / "defaults.parm"
-    values = {**PARAMETERS, **wanted.parameters}
+    values = {**given(SETTINGS), **wanted.parameters}
     defaults.write_text("".join(f"{name} {value:g}\n" for name, value in values.items()), encoding="utf-8")
     place = ",".join(f"{number:.9g}" for number in wanted.home)
     argv = [

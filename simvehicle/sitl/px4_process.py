@@ -12,7 +12,6 @@ import contextlib
 import fcntl
 import os
 import socket
-from collections.abc import Mapping
 from pathlib import Path
 
 from simvehicle.sitl.autopilot_process import (
@@ -22,25 +21,31 @@ from simvehicle.sitl.autopilot_process import (
     AutopilotProcess,
     AutopilotWanted,
 )
+from simvehicle.sitl.settings import Setting, given
 
 SIMULATION_PORT, MAVLINK_PORT = 4560, 18570
 LOCK = "/tmp/px4_lock"
 """How the names of PX4's locks begin."""
 MODEL = "none_iris"
 """Airframe of PX4's for a simulation that it does not start: four rotors, numbered as ours."""
-PARAMETERS: Mapping[str, float] = {
-    "THR_MDL_FAC": 1.0,
-    "SIM_BAT_ENABLE": 0,
-    "COM_LOW_BAT_ACT": 0,
-    "COM_RC_IN_MODE": 4,
-    "NAV_DLL_ACT": 0,
-    "EKF2_GPS_DELAY": 0.0,
-    "EKF2_MULTI_IMU": 1,
-    "SDLOG_MODE": -1,
-    "SYS_FAILURE_EN": 1,
-}
+SETTINGS = (
+    Setting("THR_MDL_FAC", 1.0),
+    Setting("SIM_BAT_ENABLE", 0.0, until="1.17"),
+    Setting("SIM_BAT_DRAIN", 0.0, since="1.18"),
+    Setting("COM_LOW_BAT_ACT", 0.0),
+    Setting("COM_RC_IN_MODE", 4.0),
+    Setting("NAV_DLL_ACT", 0.0),
+    Setting("EKF2_GPS_DELAY", 0.0, until="1.17"),
+    Setting("SENS_GPS0_DELAY", 0.0, since="1.18"),
+    Setting("SENS_GPS1_DELAY", 0.0, since="1.18"),
+    Setting("EKF2_MULTI_IMU", 1.0),
+    Setting("SDLOG_MODE", -1.0, until="1.16"),
+    Setting("SDLOG_BACKEND", 0.0, since="1.17"),
+    Setting("SYS_FAILURE_EN", 1.0),
+)
 """Parameters that it starts with [choice]: thrust by the throttle squared, a battery that is ours and no flight home
-by itself when it is low, in no want of a transmitter, one estimator in place of three, no log on disk."""
+by itself when it is low, in no want of a transmitter, GNSS without delay, one estimator in place of three, no log on
+disk. Each version passes over names that it does not have."""
 
 
 def simulation_port() -> tuple[socket.socket, int]:
@@ -91,7 +96,7 @@ def start_px4(wanted: AutopilotWanted, instance: int, *, hover_throttle: float, 
     """Start it: its MAVLink goes from its own UDP port to `port`. `hover_throttle`: share of the greatest thrust at
     which it hovers. Raises AutopilotError."""
     program, scripts = program_of(wanted.program)
-    values = {**PARAMETERS, "MPC_THR_HOVER": hover_throttle, "MAV_SYS_ID": wanted.sysid, **wanted.parameters}
+    values = {**given(SETTINGS), "MPC_THR_HOVER": hover_throttle, "MAV_SYS_ID": wanted.sysid, **wanted.parameters}
     said = {name: f"{value:.9g}" for name, value in values.items()}
     lines = [f"param set {name} {value}\n" for name, value in said.items()]
     (wanted.folder / "px4-rc.params").write_text("".join(lines), encoding="utf-8")

@@ -3,9 +3,10 @@
 Like the real one it finds its parameters and its MAVLink by the scripts in its working directory, connects to TCP 4560
 + its instance, answers nothing to its first HIL_SENSORs and then one HIL_ACTUATOR_CONTROLS to each, lives by their time
 alone, and takes its battery from another component of its system. `--like` says which version's habits it has: 1.15 has
-its parameters from the script px4-rc.params, 1.18 from its environment, PX4_PARAM_<NAME>. It knows only what its
-sensors say: attitude by its gyros from where accelerometer and magnetometer have it at first, place and velocity by its
-GNSS and accelerometer. It flies as the scripted ArduCopter does, which it is but for modes and take-off.
+its parameters from the script px4-rc.params, 1.18 from its environment, PX4_PARAM_<NAME>; each has a battery of its own
+that it measures, unless a parameter of its version turns that off. It knows only what its sensors say: attitude by its
+gyros from where accelerometer and magnetometer have it at first, place and velocity by its GNSS and accelerometer. It
+flies as the scripted ArduCopter does, which it is but for modes and take-off.
 """
 
 from __future__ import annotations
@@ -30,6 +31,9 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 SILENT_STEPS = 10
 PREFIX = "PX4_PARAM_"
+OWN_BATTERY = {"1.15": "SIM_BAT_ENABLE", "1.18": "SIM_BAT_DRAIN"}
+"""Parameter that is 0 where it has no battery of its own, by version."""
+OWN_V = 16.2
 BATTERY = mav.MAV_COMP_ID_BATTERY
 OFFBOARD, TAKEOFF = 6 << 16, 4 << 16 | 2 << 24
 MODES = {GUIDED: OFFBOARD, LOITER: 4 << 16 | 3 << 24, RTL: 4 << 16 | 5 << 24, LAND: 4 << 16 | 6 << 24}
@@ -42,11 +46,12 @@ class HilCopter(JsonCopter):
     """Its motion, and the battery that it is told of."""
 
     said_v, said_w = 0.0, 0.0
+    own_v = 0.0
     on_truth = False
 
     @property
     def volts(self) -> float:
-        return self.said_v or 1e-3  # its battery may not have been told yet
+        return self.own_v or self.said_v or 1e-3  # its battery may not have been told yet
 
     @property
     def power_w(self) -> float:
@@ -231,6 +236,7 @@ def main() -> None:
     px4 = HilPx4(options, link)
     px4.telemetry.kind = int(float(parameters.get("KIND", px4.telemetry.kind)))
     px4.killed_at_s = float(parameters.get("KILLED_AT_S", math.inf))
+    px4.copter.own_v = OWN_V if float(parameters.get(OWN_BATTERY[given.like], 1.0)) else 0.0
     px4.lockstep = int(float(parameters.get("LOCKSTEP", 1)))
     with socket.create_connection((os.environ["PX4_SIM_HOSTNAME"], 4560 + given.instance)) as tcp:
         tcp.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -11,6 +11,7 @@ Origins are judged where frames are (`arming_external`): one that is too far awa
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
@@ -221,9 +222,10 @@ def fence_items(scenario: Scenario) -> list[PlanItem]:
 
 
 def rally_items(scenario: Scenario) -> list[PlanItem]:
-    """The scenario's rally points as items, at the height of a take-off above home."""
+    """The scenario's rally points as items, at the height of a take-off above home, in whole metres, rounded up: an
+    ArduPilot keeps no more."""
     command, frame = int(mav.MAV_CMD_NAV_RALLY_POINT), int(mav.MAV_FRAME_GLOBAL_RELATIVE_ALT)
-    height_m = max((v.takeoff_m for v in scenario.vehicles.all), default=0.0)
+    height_m = float(math.ceil(max((v.takeoff_m for v in scenario.vehicles.all), default=0.0)))
     return [PlanItem(command, frame, 0.0, *_degrees_e7(scenario, place), height_m) for place in scenario.rally_m]
 
 

@@ -24,6 +24,7 @@ from typing import Any
 
 from arducopter_files import Files, packed
 from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, RUNTIME_EVERY_S, Copter
+from arducopter_plans import RallyPoints
 from arducopter_telemetry import Telemetry
 from motion import STEP_S, ZERO, Vec3
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -88,6 +89,7 @@ class ArduCopter:
         self.interval: dict[str, float] = {}
         self.parameters_to_tell: list[int] = []
         self.files = Files({})
+        self.rally = RallyPoints()
         self.origin_told = False
         self.heartbeat_s = 0.0
         self.runtime_s = 1.0
@@ -182,8 +184,11 @@ class ArduCopter:
         for answer in self.files.hear(m):
             self.out.send(answer)
 
-    def on_mission_request_list(self, m: Any) -> None:
-        self.out.mission_count_send(m.get_srcSystem(), m.get_srcComponent(), 0, m.mission_type)
+    def on_plan(self, m: Any) -> None:
+        for answer in self.rally.hear(m):
+            self.out.send(answer)
+
+    on_mission_request_list = on_mission_count = on_mission_item_int = on_mission_request_int = on_plan
 
     def on_log_request_list(self, _: Any) -> None:
         """None yet, which an ArduCopter says while it is disarmed."""

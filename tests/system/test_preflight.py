@@ -11,6 +11,8 @@ import pymap3d
 import pytest
 import yaml
 from commands import gcs
+from hypothesis import given
+from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 from sessions import Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
@@ -106,6 +108,28 @@ def test_an_external_vehicle_that_does_not_answer_stays_on_the_ground(tmp_path: 
     listed = "fence not answered (no answer, though it was asked 6 times)"
     assert f"Check list: clock right; {listed}" in texts
     assert f"Fails its check list and is not armed: {listed}" in texts
+
+
+def test_an_autopilot_that_keeps_whole_metres_takes_rally_points_at_any_height(tmp_path: Path) -> None:
+    port = free_port()
+    external = {"connect": f"udpin:127.0.0.1:{port}", "sysid": 2, "capacity_j": 250_000}
+    made = scenario(clock={"mode": "real", "speed": 1}, fence={})
+    made["vehicles"] = {"pursuers": [{"external": external, "takeoff_m": 2.5, "waypoints_m": [[0, 4, -3]]}]}
+    file = tmp_path / "field.yaml"
+    file.write_text(yaml.safe_dump(made), encoding="utf-8")
+    with strangers(tmp_path / "said", [*ARDUCOPTER, "--sysid", "2", "--connect", f"udpout:127.0.0.1:{port}"]):
+        done = gcs("check", str(file), "--json")
+    (found,) = json.loads(done.stdout)["vehicles"]
+    rally = next(item for item in found["check_list"] if item["key"] == "rally")
+    assert (rally["passed"], rally["text"]) == (True, "rally points uploaded and read back")
+
+
+@given(takeoff_m=st.floats(0.5, 100.0))
+def test_rally_points_lie_in_whole_metres_no_lower_than_a_take_off(takeoff_m: float) -> None:
+    made = scenario(vehicles={"targets": [{**TARGET, "takeoff_m": takeoff_m}]})
+    for item in rally_items(Scenario.model_validate(made)):
+        assert takeoff_m <= item.z < takeoff_m + 1.0
+        assert item.z == int(item.z)
 
 
 def test_the_check_list_is_gone_through_without_a_flight(tmp_path: Path) -> None:

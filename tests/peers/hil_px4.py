@@ -40,6 +40,9 @@ MODES = {GUIDED: OFFBOARD, LOITER: 4 << 16 | 3 << 24, RTL: 4 << 16 | 5 << 24, LA
 BY_NUMBER = {(6, 0): GUIDED, (4, 3): LOITER, (4, 5): RTL, (4, 6): LAND}
 EVERY = {"ATTITUDE": 15.0, "LOCAL_POSITION_NED": 1.0, "GLOBAL_POSITION_INT": 5.0, "SYS_STATUS": 1.0}
 """Streams that nobody asked for, Hz."""
+LACKS = {"1.15": frozenset[int](), "1.18": frozenset({mav.MAV_CMD_GET_HOME_POSITION})}
+"""Commands that it does not know any more; it streams HOME_POSITION."""
+HOME_HZ = 0.5
 
 
 class HilCopter(JsonCopter):
@@ -86,7 +89,7 @@ class HilPx4(JsonArduCopter):
         self.quaternion = np.zeros(0)
         self.p, self.v = np.zeros(3), np.zeros(3)
         self.lockstep = 1
-        for name, hertz in EVERY.items():
+        for name, hertz in {**EVERY, "HOME_POSITION": HOME_HZ}.items():
             self._every(name, 1.0 / hertz)
 
     # what it is told
@@ -100,7 +103,7 @@ class HilPx4(JsonArduCopter):
         own = {mav.MAV_CMD_COMPONENT_ARM_DISARM: self._arm, mav.MAV_CMD_NAV_TAKEOFF: self._take_off}
         own[mav.MAV_CMD_DO_SET_MODE] = self._set_mode
         handler = own.get(m.command)
-        if handler is None and m.command in COMMANDS:
+        if handler is None and m.command in COMMANDS and m.command not in LACKS[self.options.like]:
             result = COMMANDS[m.command](self, params, place, z)
         else:
             result = mav.MAV_RESULT_UNSUPPORTED if handler is None else handler(params, z)
@@ -228,7 +231,7 @@ def main() -> None:
     options = argparse.Namespace(
         sysid=sysid, connect=f"udpout:127.0.0.1:{ports[2]}", origin=(0.0, 0.0, 0.0), start=(0.0, 0.0, 0.0), lose=0.0,
         refuse_arming_s=float(parameters.get("READY_S", 2.0)), refuse_intervals=False, battery_wh=70.0,
-        battery_told="current", lies=False, says="", param=[],
+        battery_told="current", lies=False, says="", param=[], like=given.like,
         declination_deg=float(parameters.get("DECLINATION_DEG", 0.0)),
     )  # fmt: skip
     link = Datagrams(options.connect)

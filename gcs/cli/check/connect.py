@@ -19,7 +19,7 @@ from gcs.cli.check.asking import (
     to_vehicle,
 )
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import OK, answered, leaves_alone, refuses
+from gcs.cli.check.judges import OK, always, answered, leaves_alone, refuses
 from gcs.mavlink.codec import Message, message
 
 UNKNOWN_COMMAND = 65000
@@ -91,7 +91,7 @@ CONNECT = [
         mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES,
         command_long(mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, 1.0),
         then="AUTOPILOT_VERSION",
-        may_refuse=True,
+        may_refuse=always,
     ),
     commanded(
         "message-interval",
@@ -113,13 +113,17 @@ CONNECT = [
     requested(
         "HOME_POSITION",
         "HOME_POSITION",
-        {MAVSDK: "health_all_ok never turns true, and it asks every 2 s", QGC: "draws no home"},
+        {
+            MAVSDK: "health_all_ok never turns true, and it asks every 2 s",
+            QGC: "draws no home",
+            MAVPROXY: "has no home, unless 410 brings it",
+        },
     ),
     _ping(),
     _timesync(),
     *(
         requested(
-            name, f"{name}, or its refusal", {QGC: "waits for it, three times, before it goes on"}, may_refuse=True
+            name, f"{name}, or its refusal", {QGC: "waits for it, three times, before it goes on"}, may_refuse=always
         )
         for name in ("PROTOCOL_VERSION", "AVAILABLE_MODES", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
     ),
@@ -151,12 +155,14 @@ CONNECT = [
         tries=1,
         elsewhere=True,
     ),
-    Question(
+    commanded(
         "home-position-410",
-        "HOME_POSITION the old way (410, component 0)",
+        "HOME_POSITION the old way (410, component 0), or its refusal by one that told it today's",
         {MAVPROXY: "asks again every few seconds and has no home"},
-        answered("HOME_POSITION"),
+        mav.MAV_CMD_GET_HOME_POSITION,
         command_long(mav.MAV_CMD_GET_HOME_POSITION, to_component=0),
+        then="HOME_POSITION",
+        may_refuse=lambda vehicle: vehicle.of("HOME_POSITION") is not None,
     ),
     Question(
         "ftp",

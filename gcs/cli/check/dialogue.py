@@ -62,6 +62,8 @@ class CheckedVehicle:
     """PARAM_VALUE's fields by name"""
     neighbours: dict[int, str] = field(default_factory=dict)
     """other vehicles that acknowledged a command to it, with that command's name, by system id"""
+    rates_count_from_s: float = 0.0
+    """when it was first received or, where it was waited for, when it was ready: one that boots sends less"""
     backwards: str = ""
     """the first message whose time_boot_ms was lower than the one before"""
     _boot_ms: dict[str, int] = field(default_factory=dict)
@@ -135,6 +137,8 @@ class Question:
     """asked of another system id"""
     unsigned: bool = False
     """asked without a signature, whatever the link's key"""
+    settles: bool = False
+    """what came before its end says nothing of how often a vehicle sends"""
 
 
 @dataclass(frozen=True)
@@ -198,7 +202,7 @@ class Dialogue:
             content = None
         if name == "HEARTBEAT" and content.type in VEHICLE_TYPES and content.autopilot != mav.MAV_AUTOPILOT_INVALID:
             if self.vehicle is None and self._wanted in (None, frame.sysid):
-                self.vehicle = CheckedVehicle(frame.sysid, frame.compid, self._station)
+                self.vehicle = CheckedVehicle(frame.sysid, frame.compid, self._station, rates_count_from_s=now_s)
             elif self.vehicle is not None and frame.sysid != self.vehicle.sysid:
                 self.others.add(frame.sysid)
         if self.vehicle is None:
@@ -221,7 +225,7 @@ class Dialogue:
             assert self.vehicle is not None
             if not self._asked and self._lead_until_s is None:
                 if why := question.when(self.vehicle):
-                    self._close(Verdict("skipped", why), None)
+                    self._close(Verdict("skipped", why), None, now_s)
                     continue
                 self._lead_until_s = now_s + question.lead_s
             if question.streams is not None and now_s >= self._stream_s:
@@ -236,14 +240,14 @@ class Dialogue:
                 out += self._ask(question, now_s)
                 return out
             if (verdict := question.judge(self.vehicle, self._received)) is not None:
-                self._close(verdict, self._received[-1].at_s - self._first_s if self._received else None)
+                self._close(verdict, self._received[-1].at_s - self._first_s if self._received else None, now_s)
                 continue
             if now_s < self._due_s:
                 return out
             if self._asked < question.tries:
                 out += self._ask(question, now_s)
                 return out
-            self._close(question.at_end(self.vehicle, self._received), None)
+            self._close(question.at_end(self.vehicle, self._received), None, now_s)
         return out
 
     def _ask(self, question: Question, now_s: float) -> Sequence[Message]:
@@ -255,8 +259,11 @@ class Dialogue:
             self._commands = {_fields(one).command for one in messages if one.msgid in _COMMANDS}
         return messages
 
-    def _close(self, verdict: Verdict, after_s: float | None) -> None:
+    def _close(self, verdict: Verdict, after_s: float | None, now_s: float) -> None:
+        assert self.vehicle is not None
         outcome, text = verdict
+        if self._left[0].settles:
+            self.vehicle.rates_count_from_s = now_s
         if outcome == "ok" and self._asked > 1:
             outcome, text = "late", f"came only after it was asked {self._asked} times"
         self.findings.append(CheckFinding(self._left.popleft(), outcome, text, after_s))

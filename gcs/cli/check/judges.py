@@ -24,6 +24,16 @@ def no_fault(_: CheckedVehicle, __: Any) -> str:
     return ""
 
 
+def never(_: CheckedVehicle) -> bool:
+    """A refusal is none of a vehicle's rights."""
+    return False
+
+
+def always(_: CheckedVehicle) -> bool:
+    """A refusal is as good as an answer."""
+    return True
+
+
 def _named(received: Sequence[ReceivedMessage], name: str) -> Iterator[Any]:
     return (h.fields for h in received if h.name == name)
 
@@ -62,14 +72,18 @@ def answered(
 
 
 def acknowledged(
-    command: int, *, then: str | None = None, may_refuse: bool = False, fault: Fault = no_fault
+    command: int,
+    *,
+    then: str | None = None,
+    may_refuse: Callable[[CheckedVehicle], bool] = never,
+    fault: Fault = no_fault,
 ) -> tuple[Judge, Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]]:
     """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
 
-    def refused(received: Sequence[ReceivedMessage], ack: Any) -> Verdict:
+    def refused(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage], ack: Any) -> Verdict:
         texts = "; ".join(dict.fromkeys(content.text for content in _named(received, "STATUSTEXT")))
         said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
-        return Verdict("ok" if may_refuse else "wrong", said)
+        return Verdict("ok" if may_refuse(vehicle) else "wrong", said)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
         acks = _final_acks(vehicle, received, command)
@@ -77,8 +91,8 @@ def acknowledged(
             return None
         if acks[0].result != mav.MAV_RESULT_ACCEPTED:
             acked_s = next(h.at_s for h in received if h.fields is acks[0])
-            waits = not may_refuse and received[-1].at_s - acked_s < REASONS_WITHIN_S
-            return None if waits else refused(received, acks[0])
+            waits = not may_refuse(vehicle) and received[-1].at_s - acked_s < REASONS_WITHIN_S
+            return None if waits else refused(vehicle, received, acks[0])
         if then is None:
             return OK
         if then not in _names(received):
@@ -89,7 +103,7 @@ def acknowledged(
     def at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
         if acks := _final_acks(vehicle, received, command):
             if acks[0].result != mav.MAV_RESULT_ACCEPTED:
-                return refused(received, acks[0])
+                return refused(vehicle, received, acks[0])
             return Verdict("wrong", f"accepted, but {then} never came")
         if then in _names(received):
             return Verdict("missing", f"{then} came, but no COMMAND_ACK")
@@ -119,12 +133,12 @@ def leaves_alone(what: str) -> Judge:
 
 
 def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
-    """The message has come unasked, since the vehicle was first received, about as often as is wanted."""
+    """The message has come unasked, since rates count, about as often as is wanted."""
 
     def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-        arrivals_s = vehicle.arrivals_s.get(name, [])
-        times_s = [at_s for times in vehicle.arrivals_s.values() for at_s in (times[0], times[-1])]
-        window_s = max(times_s) - min(times_s)
+        from_s = vehicle.rates_count_from_s
+        arrivals_s = [at_s for at_s in vehicle.arrivals_s.get(name, ()) if at_s >= from_s]
+        window_s = max(times[-1] for times in vehicle.arrivals_s.values()) - from_s
         if not arrivals_s:
             return Verdict("missing", f"not heard in {window_s:.1f} s")
         if len(arrivals_s) < 0.8 * at_least_hz * window_s - 1.0:

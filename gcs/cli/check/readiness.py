@@ -1,4 +1,4 @@
-"""Waiting, before the questions, until a vehicle says that it could be armed."""
+"""Waiting, before the questions, until a vehicle says that it could be armed, and where it is."""
 
 from __future__ import annotations
 
@@ -12,28 +12,34 @@ from gcs.cli.check.judges import OK
 from gcs.mavlink.codec import Message
 
 EVERY_US = 500_000.0
+PLACE = "LOCAL_POSITION_NED"
 _BIT = mav.MAV_SYS_STATUS_PREARM_CHECK
 
 
 def _ask(vehicle: CheckedVehicle) -> Sequence[Message]:
-    """SYS_STATUS, which some do not send unasked."""
+    """SYS_STATUS and the place, which some do not send unasked."""
     asked = list(command_long(mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAVLINK_MSG_ID_SYS_STATUS, EVERY_US)(vehicle))
     if vehicle.profile.streams_on_request:
-        stream = mav.MAV_DATA_STREAM_EXTENDED_STATUS
-        asked += to_vehicle("REQUEST_DATA_STREAM", req_stream_id=stream, req_message_rate=2, start_stop=1)(vehicle)
+        for stream in (mav.MAV_DATA_STREAM_EXTENDED_STATUS, mav.MAV_DATA_STREAM_POSITION):
+            asked += to_vehicle("REQUEST_DATA_STREAM", req_stream_id=stream, req_message_rate=2, start_stop=1)(vehicle)
     return asked
 
 
-def _judge(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict | None:
+def _could_be_armed(vehicle: CheckedVehicle) -> bool:
     status = vehicle.of("SYS_STATUS")
-    if vehicle.armed or (status is not None and status.onboard_control_sensors_health & _BIT):
-        return OK
-    return None
+    return vehicle.armed or (status is not None and bool(status.onboard_control_sensors_health & _BIT))
+
+
+def _judge(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict | None:
+    """Its checks may pass some time before it begins to tell its place."""
+    return OK if _could_be_armed(vehicle) and vehicle.of(PLACE) is not None else None
 
 
 def _at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
     if vehicle.of("SYS_STATUS") is None:
         return Verdict("missing", "it sends no SYS_STATUS: nobody can know")
+    if _could_be_armed(vehicle):
+        return Verdict("missing", f"its pre-arm checks pass, but it does not tell its place ({PLACE})")
     texts = [one.fields.text for one in received if one.name == "STATUSTEXT"]
     reasons = list(dict.fromkeys(text for text in texts if "arm" in text.lower()))
     return Verdict("missing", f"not ready yet: {'; '.join(reasons[-3:]) or 'its pre-arm checks do not pass'}")
@@ -41,5 +47,5 @@ def _at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Ver
 
 def readiness(within_s: float) -> Question:
     """The question whether it can be armed, which waits for so long."""
-    what = "ready: its pre-arm checks pass (SYS_STATUS)"
-    return Question("ready", what, {}, _judge, _ask, at_end=_at_end, repeat_s=within_s, tries=1)
+    what = f"ready: its pre-arm checks pass (SYS_STATUS), and it tells its place ({PLACE})"
+    return Question("ready", what, {}, _judge, _ask, at_end=_at_end, repeat_s=within_s, tries=1, settles=True)

@@ -9,7 +9,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, judged, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
-from gcs.cli.check.judges import OK, answered, leaves_alone
+from gcs.cli.check.judges import OK, always, answered, leaves_alone
 from gcs.supervisor.preflight import CLOCK_OFF_S, NO_TIME_BEFORE_S
 
 
@@ -41,7 +41,7 @@ def clock(now_unix_s: Callable[[], float]) -> Question:
 
     misses = {QGC: "dates its logs wrong", MAVPROXY: "refuses its signatures, or it ours"}
     what = f"its clock within {CLOCK_OFF_S:g} s of ours, or not told"
-    return requested("SYSTEM_TIME", what, misses, fault=fault, may_refuse=True)
+    return requested("SYSTEM_TIME", what, misses, fault=fault, may_refuse=always)
 
 
 def signing(*, signed: bool) -> Question:

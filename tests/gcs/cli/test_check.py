@@ -404,10 +404,71 @@ def test_a_vehicle_that_has_just_started_is_waited_for_and_its_reasons_are_told(
                 dialogue.receive(vehicle.frame(vehicle.heartbeat()), now_s)
                 dialogue.receive(vehicle.frame(status(step)), now_s)
                 dialogue.receive(vehicle.frame(text), now_s)
+                dialogue.receive(vehicle.frame(place(step)), now_s)
             dialogue.poll(now_s)
         ((finding,),) = (dialogue.findings,)
         assert (finding.question.key, finding.outcome) == ("ready", outcome)
         assert finding.text == ("" if outcome == "ok" else "not ready yet: PreArm: GPS: no fix")
+
+
+def place(ms: int) -> Any:
+    return mav.MAVLink_local_position_ned_message(ms, 0, 0, 0, 0, 0, 0)
+
+
+def booting(vehicle: Scripted, *, healthy_s: float, place_s: float) -> Scripted:
+    """It sends HEARTBEAT alone at first; then its checks pass, and then it sends all else, each once a second."""
+    bit = mav.MAV_SYS_STATUS_PREARM_CHECK
+    status = mav.MAVLink_sys_status_message(bit, bit, bit, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0)
+    attitude = mav.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0)
+    vehicle.streams += [
+        (1.0, lambda ms: status if ms >= 1e3 * healthy_s else vehicle.heartbeat()),
+        (1.0, lambda ms: attitude if ms >= 1e3 * place_s else vehicle.heartbeat()),
+        (1.0, lambda ms: place(ms) if ms >= 1e3 * place_s else vehicle.heartbeat()),
+    ]
+    return vehicle
+
+
+@pytest.mark.parametrize(("healthy_s", "place_s"), [(0.0, 0.0), (27.0, 39.0), (50.0, 12.0)])
+def test_rates_of_one_that_was_waited_for_count_from_when_it_was_ready_and_told_its_place(
+    healthy_s: float, place_s: float
+) -> None:
+    streams = ("stream-sys-status", "stream-attitude", "stream-local-position-ned")
+    found = examine(booting(Scripted(), healthy_s=healthy_s, place_s=place_s), "ready", *streams, ready_within_s=60.0)
+    assert {key: found[key].outcome for key in ("ready", *streams)} == dict.fromkeys(("ready", *streams), "ok")
+    assert (found["ready"].after_s or 0.0) == pytest.approx(max(healthy_s, place_s), abs=1.1)
+
+
+def test_one_that_could_be_armed_but_tells_no_place_is_named_as_that() -> None:
+    found = examine(booting(Scripted(), healthy_s=2.0, place_s=1e9), "ready", ready_within_s=10.0)
+    assert found["ready"].outcome == "missing"
+    assert found["ready"].text == "its pre-arm checks pass, but it does not tell its place (LOCAL_POSITION_NED)"
+
+
+@pytest.mark.parametrize("streams_from_s", [0.0, 0.4, 1.1, 1.9])
+@pytest.mark.parametrize(("by_request", "by_410", "outcome"), [
+    (True, True, "ok"), (True, False, "ok"), (False, True, "ok"), (False, False, "wrong"),
+])  # fmt: skip
+def test_home_the_old_way_is_judged_by_what_was_said_to_it_and_not_by_a_stream(
+    streams_from_s: float, by_request: bool, by_410: bool, outcome: str
+) -> None:
+    """A stream of it, at half a hertz as PX4 1.18's, comes before, in or after the question."""
+    vehicle = Scripted()
+    home = mav.MAVLink_home_position_message(0, 0, 0, 0.0, 0.0, 0.0, [1.0, 0.0, 0.0, 0.0], 0.0, 0.0, 0.0)
+    known = {mav.MAV_CMD_REQUEST_MESSAGE: by_request, mav.MAV_CMD_GET_HOME_POSITION: by_410}
+
+    def answer(asked: Any) -> list[Any]:
+        if known[asked.command]:
+            return [vehicle.ack(asked.command), home]
+        return [vehicle.ack(asked.command, mav.MAV_RESULT_UNSUPPORTED)]
+
+    vehicle.answers["COMMAND_LONG"] = answer
+    if by_request or by_410:
+        vehicle.streams.append((2.0, lambda ms: home if ms >= 1e3 * streams_from_s else vehicle.heartbeat()))
+    finding = examine(vehicle, "home-position", "home-position-410")["home-position-410"]
+    assert finding.outcome == outcome
+    assert finding.text == ("" if by_410 else "refused: UNSUPPORTED")
+    without = examine(vehicle, "home-position", "home-position-410", peers=["MAVProxy"])["home-position-410"]
+    assert without.outcome == outcome
 
 
 def test_logs_are_asked_for_where_the_autopilot_tells_of_them() -> None:

@@ -2,7 +2,7 @@
 
 1. A vehicle that comes down is waited for until it is disarmed: before that its log is not whole, and ArduPilot keeps
    it back. One that was told to hold is not waited for.
-   Autopilots write a log on for seconds then: its size is asked for until it stays.
+   Autopilots write a log on for seconds then: its size is asked for until it stands.
 2. The newest log of each is downloaded, all side by side, for FETCH_WITHIN_S at most. What came whole stays.
 3. Whose log did not come is named, with what to do. That changes nothing about how the session ended.
 """
@@ -27,7 +27,9 @@ from gcs.scenario.model import Scenario
 FOLDER, FILE = "logs", "logs.json"
 FIND_WITHIN_S, LAND_WITHIN_S, FETCH_WITHIN_S = 5.0, 60.0, 300.0
 SAY_EVERY_S = 5.0
-STAYS_S, STAYS_TRIES = 2.0, 8
+LIST_EVERY_S, STANDS_FOR_S, GROWS_FOR_S = 1.0, 5.0, 60.0
+"""An ArduPilot writes a log on for 15 s after it was disarmed, what it has every 2 s at least: a size that was the same
+twice in 2 s still grew."""
 
 
 def fetch_logs(
@@ -49,7 +51,13 @@ def fetch_logs(
         kept = LogFolder(folder, clients)
         stack.callback(kept.close)
         try:
-            clients += _listed(found)
+            listed, growing = _listed(found)
+            clients += listed
+            missed += [
+                f"vehicle {sysid}: its log still grew after {GROWS_FOR_S:.0f} s, so it is not whole: `gcs logs get` "
+                "fetches it later"
+                for sysid in growing
+            ]
             _download(found, clients, kept, say, fetch_within_s)
         except KeyboardInterrupt:
             missed.append("the download of logs was stopped: `gcs logs get` begins it again")
@@ -115,22 +123,28 @@ def _wait_until_down(scenario: Scenario, found: dict[int, AskedFleet], say: Call
     ]
 
 
-def _listed(found: dict[int, AskedFleet]) -> list[LogClient]:
-    """Dialogues that know the logs of each vehicle, the newest in a size that it keeps."""
-    before: list[list[LogEntry]] | None = None
-    for _ in range(STAYS_TRIES):
+def _listed(
+    found: dict[int, AskedFleet], clock: Callable[[], float] = time.monotonic
+) -> tuple[list[LogClient], list[int]]:
+    """Dialogues that know the logs of each vehicle, the newest in a size that it keeps, and the system ids of those
+    whose newest has not kept one."""
+    before: dict[int, list[LogEntry]] = {}
+    begun_s = clock()
+    stands_s = dict.fromkeys(found, begun_s)
+    while True:
         clients = [LogClient(s, AUTOPILOT, found[s].profiles[s].log_folders) for s in sorted(found)]
         for client in clients:
             client.list_logs()
         while not all(client.done for client in clients):
             _round(found.values(), clients)
-        latest = [newest(client) for client in clients]
-        if latest == before:
-            break
-        before, until_s = latest, time.monotonic() + STAYS_S
-        while any(latest) and time.monotonic() < until_s:
+        latest, now_s = {client.sysid: newest(client) for client in clients}, clock()
+        stands_s |= dict.fromkeys((sysid for sysid, log in latest.items() if log != before.get(sysid)), now_s)
+        growing = [sysid for sysid, log in latest.items() if log and now_s - stands_s[sysid] < STANDS_FOR_S]
+        if not growing or now_s - begun_s >= GROWS_FOR_S:
+            return clients, growing
+        before = latest
+        while clock() - now_s < LIST_EVERY_S:
             _round(found.values(), [])
-    return clients
 
 
 def _download(

@@ -34,6 +34,10 @@ class AutopilotProgram:
     """versions that have flown in sessions of the tests"""
     version: re.Pattern[bytes]
     """its version in its program, as the first group"""
+    header: str = ""
+    """a file of its build, beside the folder of its program, that says its version more surely; empty without one"""
+    header_version: re.Pattern[bytes] = re.compile(rb"$^")
+    """its version there"""
 
     def found(self) -> Path | None:
         """The first that there is: by the variable, on PATH, where builds leave it."""
@@ -44,6 +48,9 @@ class AutopilotProgram:
     def release(self, path: Path) -> str | None:
         """The version that it was built as, such as 4.5.7; None where it names none."""
         program = self._program(path)
+        header = program.resolve().parents[1] / self.header
+        if self.header and header.is_file() and (said := self.header_version.search(header.read_bytes())):
+            return said[1].decode()
         if not program.stat().st_size:
             return None
         with program.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
@@ -66,7 +73,7 @@ REAL_AUTOPILOTS = (
         program="build/sitl/bin/arducopter",
         inner="",
         build="the target copter of ArduPilot for the board sitl (ardupilot.org/dev says how)",
-        flown=("4.6.2", "4.6.0-dev"),
+        flown=("4.8.0-dev", "4.6.2", "4.6.0-dev"),
         version=re.compile(rb"ArduCopter V([0-9]+\.[0-9]+[0-9A-Za-z.-]*)"),
     ),
     AutopilotProgram(
@@ -79,7 +86,10 @@ REAL_AUTOPILOTS = (
         program="build/px4_sitl_default",
         inner="bin/px4",
         build="the target px4_sitl_default of PX4-Autopilot (docs.px4.io says how)",
-        flown=("1.14.0-beta2-4431-gb765769f50",),
-        version=re.compile(rb"\0v([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)\0+[0-9a-f]{40}\0"),  # its tag, then its commit
+        flown=("1.18.0-rc1", "1.14.0-beta2-4431-gb765769f50"),
+        # its tag, the name of its branch where it was built on one, and its commit
+        version=re.compile(rb"\0v([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)\0+(?:(?!v[0-9])[^\0]+\0+)?[0-9a-f]{40}\0"),
+        header="src/lib/version/build_git_version.h",
+        header_version=re.compile(rb'PX4_GIT_TAG_STR\s+"v([^"]+)"'),
     ),
 )

@@ -268,7 +268,9 @@ def _autopilots() -> Iterator[MachineFinding]:
         elif release in kind.flown:
             yield MachineFinding("ok", kind.name, f"{release} at {path}")
         else:
-            yield MachineFinding("ok", kind.name, f"{release} at {path} ({flown})")
+            newer = all(_numbers(release)[:2] > _numbers(one)[:2] for one in kind.flown)
+            said = f"newer than those {flown}" if newer else flown
+            yield MachineFinding("ok", kind.name, f"{release} at {path} ({said})")
 
 
 def _own_scenarios() -> Iterator[MachineFinding]:

@@ -299,7 +299,7 @@ def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     ("name", "content", "level", "found"),
     [
         ("ArduCopter", b"\0FreeRTOS ArduCopter V4.6.0-dev (0123abcd)\0", "ok", "4.6.0-dev at {}"),
-        ("ArduCopter", b"ArduCopter V9.9.1", "ok", "9.9.1 at {} (flown so far: "),
+        ("ArduCopter", b"ArduCopter V9.9.1", "ok", "9.9.1 at {} (newer than those flown so far: "),
         ("ArduCopter", b"ArduPlane V4.5.7", "note", "{}"),
         ("ArduCopter", b"", "note", "{}"),
         (
@@ -308,7 +308,9 @@ def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
             "ok",
             "1.14.0-beta2-4431-gb765769f50 at {}",
         ),
-        ("PX4", b"\0v1.99.0\0" + COMMIT, "ok", "1.99.0 at {} (flown so far: "),
+        ("PX4", b"\0v1.99.0\0" + COMMIT, "ok", "1.99.0 at {} (newer than those flown so far: "),
+        ("PX4", b"\0v1.13.3\0" + COMMIT, "ok", "1.13.3 at {} (flown so far: "),
+        ("PX4", b"\0v1.2.3-dirty\0v1.18.1\0release/1.18\0\0\0" + COMMIT, "ok", "1.18.1 at {}"),
         ("PX4", b"ArduCopter V4.6.0-dev", "note", "{}"),
     ],
 )
@@ -337,6 +339,20 @@ def test_the_doctor_finds_a_px4_by_the_folder_of_its_build(monkeypatch: pytest.M
             monkeypatch.setenv("SKYTENDER_PX4", str(named))
         *_, finding = doctor._autopilots()
         assert (finding.level, finding.found.partition(" (")[0]) == ("ok", f"1.99.0 at {program.parents[1]}")
+
+
+def test_a_version_is_what_the_files_of_a_build_say(monkeypatch: pytest.MonkeyPatch, bare: Path) -> None:
+    """In the program the tag may lie anywhere: where depends on its length."""
+    program = bare / "px4_sitl_default" / "bin" / "px4"
+    header = program.parents[1] / "src" / "lib" / "version" / "build_git_version.h"
+    for made in (program, header):
+        made.parent.mkdir(parents=True)
+    program.write_bytes(b"\0localhost\0v1.98.0\0Linux\0" + COMMIT)
+    program.chmod(0o755)
+    header.write_text('#define PX4_GIT_VERSION_STR "83c4"\n#define PX4_GIT_TAG_STR "v1.98.0"\n')
+    monkeypatch.setenv("SKYTENDER_PX4", str(program.parents[1]))
+    *_, finding = doctor._autopilots()
+    assert (finding.level, finding.found.partition(" (")[0]) == ("ok", f"1.98.0 at {program.parents[1]}")
 
 
 @pytest.mark.usefixtures("bare")

@@ -81,6 +81,12 @@ class Profile:
     """which of pymavlink's tables MAVProxy reads its modes by"""
     speed_setting: str
     """which setting of its simulator says how much faster than real time it runs"""
+    estimator_parameter: str
+    """parameter that says on what it flies; empty where it flies on its estimate always"""
+    estimators: Mapping[int, str]
+    """its values, but `estimator_truth`"""
+    estimator_truth: int
+    """its value for one that flies on what its simulation says"""
     names: Mapping[int, str]
     """what the autopilot itself calls its modes, for those that `modes` has no word of its own for"""
 
@@ -179,6 +185,9 @@ PX4 = Profile(
     commanded_by_peers=True,
     mode_table="main and sub",
     speed_setting="PX4_SIM_SPEED_FACTOR",
+    estimator_parameter="",
+    estimators={},
+    estimator_truth=-1,
     names={
         _px4(1): "manual",
         _px4(2): "altitude",
@@ -226,6 +235,9 @@ ARDUCOPTER = Profile(
     commanded_by_peers=True,
     mode_table="copter",
     speed_setting="SIM_SPEEDUP",
+    estimator_parameter="AHRS_EKF_TYPE",
+    estimators={0: "DCM", 2: "EKF2", 3: "EKF3", 11: "an estimator outside it"},
+    estimator_truth=10,
     names={
         0: "stabilize",
         1: "acro",

@@ -16,6 +16,7 @@ from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_i
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
+from gcs.supervisor.estimators import Estimators
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -49,6 +50,7 @@ class ExternalFleet:
         self.patience_s = max((block.arm_within_s for block in self.rules.values()), default=0.0)
         """how much longer than others their fleets wait until they are in the air"""
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
+        self._estimators = Estimators(scenario)
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -85,6 +87,8 @@ class ExternalFleet:
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
                 streams.received(frame.msgid, now_s)
+            if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
+                self._events.append(flies_on)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -123,6 +127,7 @@ class ExternalFleet:
                 continue
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
+            messages[sysid] += self._estimators.requests(sysid, view.profile, now_s)
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)

@@ -64,6 +64,7 @@ def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outc
     assert flown.summary["digest"].startswith("sha256:")
     heartbeats = [m for _, m in flown.messages("HEARTBEAT") if m.get_srcSystem() == COPTER]
     assert {m.autopilot for m in heartbeats} == {3}
+    assert "Flies on EKF3 (AHRS_EKF_TYPE 3)" in (flown.folder / "session.log").read_text()
     assert "ArduCopter" in (flown.folder / "vehicles" / str(COPTER) / "autopilot.log").read_text()
 
 

@@ -10,7 +10,7 @@ import pymap3d
 from gcs.cli.fleet_options import fleet_at
 from gcs.cli.options import Refused
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.parameter_client import ParameterClient
+from gcs.mavlink.parameters.client import ParameterClient
 from gcs.scenario.endpoint import Endpoint
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def _capacity(fleet: AskedFleet, sysid: int, messages: dict[str, Any]) -> tuple[
     client = ParameterClient(sysid, 1, fleet.profiles[sysid])
     client.read(CAPACITIES)
     fleet.converse([client])
-    known = {name: parameter.number for name, parameter in client.known.items() if math.isfinite(parameter.number)}
+    known = {name: value.number for name, value in client.known.items() if math.isfinite(value.number)}
     kind = fleet.profiles[sysid].name
     if known.get(CAPACITIES[0], 0.0) >= 1.0:
         return round(known[CAPACITIES[0]]), f"{kind}; its {CAPACITIES[0]}"

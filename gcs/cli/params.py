@@ -4,11 +4,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import fnmatch
 import json
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,21 +15,31 @@ import click
 from gcs.cli.fleet_options import fleet_at, of_the_fleet
 from gcs.cli.options import Refused
 from gcs.exit import NOT_DONE
+from gcs.mavlink.ids import AUTOPILOT
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
-    from gcs.mavlink.parameter_client import ParameterClient, ParameterResult
+    from gcs.mavlink.parameters.client import ParameterClient, ParameterResult
+    from gcs.mavlink.parameters.file import Address, Numbers
+    from gcs.mavlink.parameters.value import ParameterValue
 
 GLOB = frozenset("*?[")
 LONGEST_NAME = 16
 WELL = ("read", "kept", "would", "set")
 
 
+def _of_components(command: Callable[..., Any]) -> Callable[..., Any]:
+    """The option that names components."""
+    help = "A component of each vehicle, by its id; may be given again.  [default: 1, the autopilot]"
+    return click.option("--compid", "compids", type=click.IntRange(1, 255), multiple=True, help=help)(command)
+
+
 @click.group(short_help="Read, write, compare, save and load parameters over a fleet.")
 def params() -> None:
     """Parameters of every vehicle at an address at once, whatever its autopilot.
 
-    What is written is read back, and counts only when it reads as it was written. Names may have * and ?, in quotes.
+    What is written is read back, and counts only when it reads as it was written. What a parameter's type cannot hold,
+    or the vehicle's encoding cannot carry, is refused before it is written. Names may have * and ?, in quotes.
 
     \b
     Examples:
@@ -40,6 +48,7 @@ def params() -> None:
       gcs params diff
       gcs params save before.params
       gcs params load before.params --sysid 3
+      gcs params get --compid 154
 
     \b
     Exit status:
@@ -52,8 +61,9 @@ def params() -> None:
 
 @params.command(short_help="Show parameters.")
 @click.argument("patterns", nargs=-1, metavar="NAME...")
+@_of_components
 @of_the_fleet
-def get(patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
+def get(patterns: tuple[str, ...], compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Show the parameters named NAME..., or all, of every vehicle.
 
     \b
@@ -62,21 +72,23 @@ def get(patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
       gcs params get --sysid 3 --json > three.json
     """
     with fleet_at(**options) as fleet:
-        clients = _read(fleet, patterns or ("*",))
-    found = {client.sysid: _matching(client, patterns or ("*",)) for client in clients}
+        clients = _read(fleet, _addresses(fleet, compids), patterns or ("*",))
+    found = {_label(client): _matching(client, patterns or ("*",)) for client in clients}
     if as_json:
-        click.echo(json.dumps({"vehicles": dict(sorted(found.items()))}))
+        rows = {of: {name: value.json for name, value in values.items()} for of, values in found.items()}
+        click.echo(json.dumps({"vehicles": rows}))
     else:
-        for name in sorted({name for numbers in found.values() for name in numbers}):
-            _say(name, {sysid: numbers.get(name) for sysid, numbers in sorted(found.items())})
+        for name in sorted({name for values in found.values() for name in values}):
+            _say(name, {of: values.get(name) for of, values in found.items()})
     return _missing(clients)
 
 
 @params.command("set", short_help="Write parameters, and read them back.")
 @click.argument("settings", nargs=-1, required=True, metavar="NAME=VALUE...")
 @click.option("--dry-run", is_flag=True, help="Only say what would change.")
+@_of_components
 @of_the_fleet
-def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any) -> int:
+def set_(settings: tuple[str, ...], dry_run: bool, compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Give parameters a value on every vehicle, and verify it by reading it back.
 
     \b
@@ -86,14 +98,14 @@ def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any
     """
     wanted = dict(_setting(text) for text in settings)
     with fleet_at(**options) as fleet:
-        sysids = sorted(fleet.profiles)
         globs = [name for name in wanted if GLOB & set(name)]
-        numbers = {sysid: {n: v for n, v in wanted.items() if n not in globs} for sysid in sysids}
+        plain = {name: number for name, number in wanted.items() if name not in globs}
+        numbers = {address: dict(plain) for address in _addresses(fleet, compids)}
         if globs:
-            for client in _read(fleet, globs):
+            for client in _read(fleet, numbers, globs):
                 for pattern in globs:
                     names = fnmatch.filter(client.known, pattern)
-                    numbers[client.sysid] |= dict.fromkeys(names, wanted[pattern])
+                    numbers[client.sysid, client.compid] |= dict.fromkeys(names, wanted[pattern])
         if not any(numbers.values()):
             raise Refused(f"no vehicle has a parameter named {', '.join(globs)}")
         return _write(fleet, numbers, dry_run=dry_run, as_json=as_json)
@@ -101,32 +113,26 @@ def set_(settings: tuple[str, ...], dry_run: bool, as_json: bool, **options: Any
 
 @params.command(short_help="Compare vehicles with each other, or with a file.")
 @click.argument("file", required=False, type=click.Path(path_type=Path, dir_okay=False, exists=True))
+@_of_components
 @of_the_fleet
-def diff(file: Path | None, as_json: bool, **options: Any) -> int:
+def diff(file: Path | None, compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Show the parameters in which vehicles differ from each other, or from FILE where it is given.
 
-    Only parameters that FILE holds are compared with it; those of a file of one vehicle count for all.
+    Only parameters that FILE holds are compared with it; those of a file of one vehicle count for all. A parameter that
+    a vehicle does not know is named.
     """
-    from gcs.mavlink.parameter_client import same
-
     saved = None if file is None else _load(file)
     with fleet_at(**options) as fleet:
-        clients = _read(fleet, ("*",))
-    rows: dict[str, dict[str, float | None]] = {}
-    for name in sorted({name for client in clients for name in client.known}):
-        for client in clients:
-            mine = client.known.get(name)
-            number = None if mine is None else mine.number
-            if saved is None:
-                rows.setdefault(name, {})[str(client.sysid)] = number
-            elif (other := _of(saved, client.sysid).get(name)) is not None and (
-                number is None or not same(number, other)
-            ):
-                rows.setdefault(name, {}).update({str(client.sysid): number, "file": other})
-    if saved is None:
-        rows = {name: row for name, row in rows.items() if not _agree(list(row.values()))}
+        if saved is None:
+            clients = _read(fleet, _addresses(fleet, compids), ("*",))
+            rows = _between(clients)
+        else:
+            numbers = _of_file(saved, fleet, compids)
+            clients = _read(fleet, numbers, ("*",))
+            rows = _from_file(clients, numbers)
     if as_json:
-        click.echo(json.dumps({"differences": rows}))
+        shown = {name: {of: _json(value) for of, value in row.items()} for name, row in rows.items()}
+        click.echo(json.dumps({"differences": shown}))
     else:
         for name, row in rows.items():
             _say(name, row)
@@ -138,26 +144,28 @@ def diff(file: Path | None, as_json: bool, **options: Any) -> int:
 @params.command(short_help="Write the parameters of all vehicles to a file.")
 @click.argument("file", type=click.Path(path_type=Path, dir_okay=False))
 @click.argument("patterns", nargs=-1, metavar="[NAME...]")
+@_of_components
 @of_the_fleet
-def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -> int:
+def save(file: Path, patterns: tuple[str, ...], compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Write all parameters, or those named NAME..., to FILE, which must not exist yet.
 
     A line holds vehicle, component, name, value and type, as QGroundControl writes and reads it.
     """
+    from gcs.mavlink.parameters.file import HEAD, line
+
     if file.exists():
         raise Refused(f"{file} exists already and is left as it is; give another name")
     with fleet_at(**options) as fleet:
-        clients = _read(fleet, patterns or ("*",))
-    lines = ["# Vehicle-Id Component-Id Name Value Type"]
+        clients = _read(fleet, _addresses(fleet, compids), patterns or ("*",))
+    lines = [HEAD]
     for client in clients:
-        for name in sorted(_matching(client, patterns or ("*",))):
-            number, kind = client.known[name]
-            lines.append(f"{client.sysid}\t{client.compid}\t{name}\t{_text(number)}\t{kind}")
+        for name, value in _matching(client, patterns or ("*",)).items():
+            lines.append(line((client.sysid, client.compid), name, value))
     try:
-        file.write_text("\n".join(lines) + "\n", encoding="ascii")
+        file.write_text("\n".join(lines) + "\n", encoding="utf-8")
     except OSError as error:
         raise Refused(f"{file} cannot be written: {error.strerror}") from None
-    count, vehicles = len(lines) - 1, len(clients)
+    count, vehicles = len(lines) - 1, len({client.sysid for client in clients})
     if as_json:
         click.echo(json.dumps({"file": str(file), "vehicles": vehicles, "parameters": count}))
     else:
@@ -168,63 +176,80 @@ def save(file: Path, patterns: tuple[str, ...], as_json: bool, **options: Any) -
 @params.command(short_help="Write a file's parameters to vehicles, and read them back.")
 @click.argument("file", type=click.Path(path_type=Path, dir_okay=False, exists=True))
 @click.option("--dry-run", is_flag=True, help="Only say what would change.")
+@click.option(
+    "--compid",
+    "compids",
+    type=click.IntRange(1, 255),
+    multiple=True,
+    help="Only this component's lines.  [default: all]",
+)
 @of_the_fleet
-def load(file: Path, dry_run: bool, as_json: bool, **options: Any) -> int:
+def load(file: Path, dry_run: bool, compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Give vehicles the parameters of FILE, and verify them by reading them back.
 
-    Each vehicle gets its own lines; a file of one vehicle, or without system ids (NAME VALUE, as MAVProxy writes it),
-    counts for all. Those that have the value already are not written.
+    Each component of a vehicle gets its own lines; a file of one vehicle counts for all, and lines without ids (NAME
+    VALUE, as ArduPilot, MAVProxy and Mission Planner have them) for every autopilot. Those that have the value already
+    are not written.
     """
     saved = _load(file)
     with fleet_at(**options) as fleet:
-        numbers = {sysid: _of(saved, sysid) for sysid in sorted(fleet.profiles)}
-        if not any(numbers.values()):
-            raise Refused(f"{file} has no line for vehicle {', '.join(map(str, numbers))}")
-        return _write(fleet, numbers, dry_run=dry_run, as_json=as_json)
+        return _write(fleet, _of_file(saved, fleet, compids), dry_run=dry_run, as_json=as_json)
 
 
-def _read(fleet: AskedFleet, patterns: Sequence[str]) -> list[ParameterClient]:
-    """Read from each vehicle what these patterns may name."""
-    from gcs.mavlink.parameter_client import ParameterClient
+def _addresses(fleet: AskedFleet, compids: Sequence[int]) -> list[Address]:
+    """System and component ids of what is asked."""
+    return [(sysid, compid) for sysid in sorted(fleet.profiles) for compid in sorted(set(compids) or {AUTOPILOT})]
 
-    clients = [ParameterClient(sysid, 1, profile) for sysid, profile in sorted(fleet.profiles.items())]
+
+def _read(fleet: AskedFleet, addresses: Iterable[Address], patterns: Sequence[str]) -> list[ParameterClient]:
+    """Read from these components what these patterns may name."""
+    from gcs.mavlink.parameters.client import ParameterClient
+
+    clients = [ParameterClient(*address, fleet.profiles[address[0]]) for address in addresses]
     for client in clients:
         if any(GLOB & set(pattern) for pattern in patterns):
             client.read_all()
         else:
-            client.read(dict.fromkeys(patterns))
+            client.read(patterns)
     fleet.converse(clients)
     return clients
 
 
-def _write(fleet: AskedFleet, numbers: dict[int, dict[str, float]], *, dry_run: bool, as_json: bool) -> int:
-    from gcs.mavlink.parameter_client import ParameterClient
+def _write(fleet: AskedFleet, numbers: dict[Address, Numbers], *, dry_run: bool, as_json: bool) -> int:
+    from gcs.mavlink.parameters.client import ParameterClient
 
     clients = []
-    for sysid, wanted in numbers.items():
-        client = ParameterClient(sysid, 1, fleet.profiles[sysid], dry_run=dry_run)
+    for address, wanted in numbers.items():
+        client = ParameterClient(*address, fleet.profiles[address[0]], dry_run=dry_run)
         client.write(wanted)
         clients.append(client)
     fleet.converse(clients)
-    results = [(client.sysid, result) for client in clients for result in client.results]
+    results = [(client, result) for client in clients for result in client.results]
     if as_json:
-        rows = [{"sysid": sysid, **result._asdict()} for sysid, result in results]
+        rows = [
+            {
+                **{"sysid": client.sysid, "compid": client.compid, "name": result.name, "outcome": result.outcome},
+                **{"before": _json(result.before), "now": _json(result.now), "why": result.why},
+            }
+            for client, result in results
+        ]
         click.echo(json.dumps({"dry_run": dry_run, "results": rows}))
     else:
-        for sysid, result in results:
-            click.echo(f"{sysid:>3}  {result.name:<{LONGEST_NAME}}  {_words(result, numbers[sysid][result.name])}")
+        for client, result in results:
+            click.echo(f"{_label(client):>3}  {result.name:<{LONGEST_NAME}}  {_words(result)}")
     return 0 if all(result.outcome in WELL for _, result in results) else NOT_DONE
 
 
-def _words(result: ParameterResult, wanted: float) -> str:
-    before = "-" if result.before is None else _text(result.before)
+def _words(result: ParameterResult) -> str:
+    before = "-" if result.before is None else result.before.text
+    wanted = "-" if result.wanted is None else result.wanted.text
     match result.outcome:
         case "kept":
             return f"{before} already"
         case "would":
-            return f"{before} -> {_text(wanted)}, not written: a dry run"
+            return f"{before} -> {wanted}, not written: a dry run"
         case "set":
-            return f"{before} -> {_text(wanted)}, read back"
+            return f"{before} -> {wanted}, read back"
         case _:
             return f"{result.outcome}: {result.why}"
 
@@ -235,72 +260,102 @@ def _missing(clients: Sequence[ParameterClient]) -> int:
     for client in clients:
         for result in client.results:
             if result.outcome not in WELL:
-                click.echo(f"gcs: vehicle {client.sysid}: {result.name}: {result.why}", err=True)
+                click.echo(f"gcs: vehicle {_label(client)}: {result.name}: {result.why}", err=True)
                 status = NOT_DONE
         if client.incomplete:
-            click.echo(f"gcs: vehicle {client.sysid}: only {client.incomplete}", err=True)
+            click.echo(f"gcs: vehicle {_label(client)}: only {client.incomplete}", err=True)
             status = NOT_DONE
     return status
 
 
-def _matching(client: ParameterClient, patterns: Sequence[str]) -> dict[str, float]:
+def _between(clients: Sequence[ParameterClient]) -> dict[str, dict[str, ParameterValue | None]]:
+    """Values by name and component in which components differ."""
+    names = sorted({name for client in clients for name in client.known})
+    rows = {name: {_label(client): client.known.get(name) for client in clients} for name in names}
+    return {name: row for name, row in rows.items() if not _agree(list(row.values()))}
+
+
+def _from_file(
+    clients: Sequence[ParameterClient], numbers: dict[Address, Numbers]
+) -> dict[str, dict[str, ParameterValue | None]]:
+    """Values by name and component in which components differ from a file. Names that a component does not have are
+    added to its results."""
+    from gcs.mavlink.parameters.value import given, same_as
+
+    rows: dict[str, dict[str, ParameterValue | None]] = {}
+    for client in clients:
+        wanted = numbers[client.sysid, client.compid]
+        client.expect(wanted)
+        for name, number in wanted.items():
+            mine = client.known.get(name)
+            if mine is None or not same_as(mine, number):
+                rows.setdefault(name, {}).update({_label(client): mine, "file": given(number)})
+    return dict(sorted(rows.items()))
+
+
+def _matching(client: ParameterClient, patterns: Sequence[str]) -> dict[str, ParameterValue]:
     names = {name for pattern in patterns for name in fnmatch.filter(client.known, pattern)}
-    return {name: client.known[name].number for name in sorted(names)}
+    return {name: client.known[name] for name in sorted(names)}
 
 
-def _say(name: str, numbers: dict[Any, float | None]) -> None:
+def _say(name: str, values: dict[str, ParameterValue | None]) -> None:
     """A line of one parameter: once where all agree."""
-    values = list(numbers.values())
-    shown = {key: "-" if number is None else _text(number) for key, number in numbers.items()}
-    if _agree(values):
+    shown = {of: "-" if value is None else value.text for of, value in values.items()}
+    if _agree(list(values.values())):
         click.echo(f"{name:<{LONGEST_NAME}}  {next(iter(shown.values()))}")
     else:
-        click.echo(f"{name:<{LONGEST_NAME}}  " + "  ".join(f"{key}: {text}" for key, text in shown.items()))
+        click.echo(f"{name:<{LONGEST_NAME}}  " + "  ".join(f"{of}: {text}" for of, text in shown.items()))
 
 
-def _agree(values: Sequence[float | None]) -> bool:
-    from gcs.mavlink.parameter_client import same
+def _agree(values: Sequence[ParameterValue | None]) -> bool:
+    from gcs.mavlink.parameters.value import same
 
-    first = values[0]
-    return all(first is None if value is None else first is not None and same(first, value) for value in values)
-
-
-def _text(number: float) -> str:
-    return f"{number:.0f}" if number == int(number) and abs(number) < 1e9 else f"{number:.9g}"
+    return all(same(values[0], value) for value in values)
 
 
-def _setting(text: str) -> tuple[str, float]:
-    name, equals, value = text.partition("=")
-    with contextlib.suppress(ValueError):
-        if equals and 0 < len(name) <= LONGEST_NAME and math.isfinite(number := float(value)):
-            return name, number
+def _label(client: ParameterClient) -> str:
+    """A component's name: the vehicle's for its autopilot."""
+    return str(client.sysid) if client.compid == AUTOPILOT else f"{client.sysid}/{client.compid}"
+
+
+def _json(value: ParameterValue | None) -> int | float | str | None:
+    return None if value is None else value.json
+
+
+def _setting(text: str) -> tuple[str, int | float]:
+    from gcs.mavlink.parameters.value import parsed
+
+    name, equals, number = text.partition("=")
+    if equals and 0 < len(name) <= LONGEST_NAME:
+        try:
+            return name, parsed(number.strip())
+        except ValueError:
+            pass
     raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as RTL_ALT=2000.")
 
 
-def _of(saved: dict[int, dict[str, float]], sysid: int) -> dict[str, float]:
-    """Part of a file that a vehicle gets."""
-    return next(iter(saved.values())) if len(saved) == 1 else saved.get(sysid, {})
+def _load(file: Path) -> dict[Address, Numbers]:
+    """Numbers of a parameter file by address. Raises click.ClickException."""
+    from gcs.mavlink.parameters.file import FileRefused, read
 
-
-def _load(file: Path) -> dict[int, dict[str, float]]:
-    """Numbers of a parameter file, by system id (0: of a file without any). Raises click.ClickException."""
-    saved: dict[int, dict[str, float]] = {}
     try:
-        lines = file.read_text(encoding="ascii", errors="replace").splitlines()
-    except OSError as error:
-        raise Refused(f"{file} cannot be read: {error.strerror}") from None
-    for number, line in enumerate(lines, 1):
-        words = line.partition("#")[0].replace(",", " ").split()
-        if not words:
-            continue
-        sysid, name, value = (words[0], words[2], words[3]) if len(words) == 5 else ("0", *words[:2], "")[:3]
-        try:
-            if len(words) not in (2, 5) or not 0 <= int(sysid) <= 254 or not math.isfinite(float(value)):
-                raise ValueError
-        except ValueError:
-            text = "no parameter: write NAME VALUE, or vehicle, component, name, value and type"
-            raise Refused(f"{file}:{number}: {line.strip()[:60]!r} is {text}") from None
-        saved.setdefault(int(sysid), {})[name] = float(value)
-    if not saved:
-        raise Refused(f"{file} holds no parameter")
-    return saved
+        return read(file)
+    except FileRefused as error:
+        raise Refused(str(error)) from None
+
+
+def _of_file(saved: dict[Address, Numbers], fleet: AskedFleet, compids: Sequence[int]) -> dict[Address, Numbers]:
+    """What each component gets of a file, of these components alone where any are given. Raises
+    click.ClickException where that is nothing."""
+    from gcs.mavlink.parameters.file import of_vehicle
+
+    numbers = {
+        (sysid, compid): wanted
+        for sysid in sorted(fleet.profiles)
+        for compid, wanted in sorted(of_vehicle(saved, sysid).items())
+        if not compids or compid in compids
+    }
+    if not numbers:
+        of = f" and component {', '.join(map(str, compids))}" if compids else ""
+        raise Refused(f"the file has no line for vehicle {', '.join(map(str, sorted(fleet.profiles)))}{of}")
+    return numbers

@@ -54,6 +54,8 @@ class AskedFleet:
         self._numbers = sequence_numbers()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._where: dict[int, Where] = {}
+        self._components: dict[tuple[int, int], Where] = {}
+        """where a component that is no autopilot says HEARTBEAT from, by system and component id"""
         self.profiles: dict[int, Profile] = {}
         """by system id, of vehicles that have been heard"""
         self.armed: set[int] = set()
@@ -81,21 +83,23 @@ class AskedFleet:
 
     def exchange(self, clients: Collection[VehicleClient]) -> None:
         """Take in what has come, for POLL_S at most, and send what is due."""
-        by_sysid = {client.sysid: client for client in clients}
+        by_address = {(client.sysid, client.compid): client for client in clients}
         for frame in self._receive():
-            client = by_sysid.get(frame.sysid)
-            if client is not None and frame.compid == client.compid:
+            client = by_address.get((frame.sysid, frame.compid))
+            if client is not None:
                 try:
                     client.receive(codec.name(frame.msgid), codec.fields(frame), time.monotonic())
                 except ValueError:  # a message that no dialect of ours holds
                     continue
         for client in clients:
             for message in client.poll(time.monotonic()):
-                self.send_to(client.sysid, message)
+                self.send_to(client.sysid, message, client.compid)
 
-    def send_to(self, sysid: int, message: Message) -> None:
-        """Send a message to a vehicle that has been heard."""
-        self._send(message, self._where[sysid])
+    def send_to(self, sysid: int, message: Message, compid: int = AUTOPILOT) -> None:
+        """Send a message to a vehicle that has been heard: to where its component speaks from, else its autopilot."""
+        to = self._address(sysid, compid)
+        assert to is not None
+        self._send(message, to)
 
     def request(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
         """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields
@@ -132,16 +136,22 @@ class AskedFleet:
         received: list[Frame] = []
         for frames, sender in self.listener.receive():
             for frame in frames:
-                if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid == AUTOPILOT:
+                if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and frame.compid != AUTOPILOT:
+                    self._components.setdefault((frame.sysid, frame.compid), sender)
+                elif frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:
                     content = codec.fields(frame)
                     if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != self._station[0]:
                         self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
                         self._where.setdefault(frame.sysid, sender)
                         armed = content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED
                         (self.armed.add if armed else self.armed.discard)(frame.sysid)
-                if self._where.get(frame.sysid) == sender:
+                if self._address(frame.sysid, frame.compid) == sender:
                     received.append(frame)
         return received
+
+    def _address(self, sysid: int, compid: int) -> Where | None:
+        """Where a component speaks from, else its vehicle's autopilot; None where this has not been heard."""
+        return self._components.get((sysid, compid), self._where.get(sysid)) if sysid in self._where else None
 
     def _send(self, message: Message, to: Where) -> None:
         self.listener.send(codec.frame(message, next(self._numbers), *self._station), to)

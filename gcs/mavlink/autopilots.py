@@ -4,13 +4,15 @@ mode a number (tests/gcs/mavlink/test_one_table.py)."""
 from __future__ import annotations
 
 import math
-import struct
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Literal
 
 from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.mavlink.parameters import renames
+from gcs.mavlink.parameters.value import ParameterValue, from_wire
 
 
 class FlightMode(StrEnum):
@@ -63,6 +65,8 @@ class Profile:
     """whether MAVSDK sends it PING"""
     unknown_parameters_refused: bool
     """whether it answers the request for a parameter that it does not have"""
+    renamed_parameters: renames.Table
+    """its parameters that have changed their names"""
     parameter_file: str
     """file of all its parameters, packed, that it gives by MAVFTP; empty where it has none"""
     log_folders: tuple[str, ...] | None
@@ -105,26 +109,16 @@ class Profile:
         """MAV_CMD_NAV_TAKEOFF's altitude for a climb to `height_m` above a ground at `ground_amsl_m`."""
         return height_m + ground_amsl_m if self.takeoff_is_amsl else height_m
 
-    def parameter(self, value: float, param_type: int) -> float:
-        """PARAM_VALUE's number, whatever its type."""
-        form = _INTEGERS.get(param_type)
-        if form is None or not self.integers_bytewise:
-            return value
-        return float(struct.unpack_from(form, struct.pack("<f", value))[0])
+    def parameter(self, wire: float, param_type: int) -> ParameterValue:
+        """PARAM_VALUE's value. Raises ValueError where its encoding cannot carry the type."""
+        return from_wire(wire, param_type, bytewise=self.integers_bytewise)
 
-    def parameter_value(self, number: float, param_type: int) -> float:
-        """PARAM_SET's value for a number, the inverse of `parameter`. Raises ValueError where the type cannot hold
-        it."""
-        form = _INTEGERS.get(param_type)
-        if form is None:
-            return number
-        if number != int(number):
-            raise ValueError(f"{number:g} is no whole number")
+    def parameter_number(self, wire: float, param_type: int) -> float:
+        """PARAM_VALUE's number, nan where its encoding cannot carry the type."""
         try:
-            raw = struct.pack(form, int(number))
-        except struct.error:
-            raise ValueError(f"{number:g} does not fit") from None
-        return float(struct.unpack("<f", raw.ljust(4, b"\0"))[0]) if self.integers_bytewise else float(number)
+            return float(self.parameter(wire, param_type).number)
+        except ValueError:
+            return math.nan
 
     def ending(self, end: End) -> tuple[int, Params]:
         """The command, with its parameters, that takes a vehicle out of offboard: stand there, go home, or land."""
@@ -133,16 +127,6 @@ class Profile:
         if end == "return":
             return int(mav.MAV_CMD_NAV_RETURN_TO_LAUNCH), ()
         return int(mav.MAV_CMD_NAV_LAND), (0.0, 0.0, 0.0, *[self.not_given] * 3, 0.0)
-
-
-_INTEGERS = {
-    mav.MAV_PARAM_TYPE_UINT8: "<B",
-    mav.MAV_PARAM_TYPE_INT8: "<b",
-    mav.MAV_PARAM_TYPE_UINT16: "<H",
-    mav.MAV_PARAM_TYPE_INT16: "<h",
-    mav.MAV_PARAM_TYPE_UINT32: "<I",
-    mav.MAV_PARAM_TYPE_INT32: "<i",
-}
 
 
 def _px4(main: int, sub: int = 0) -> int:
@@ -176,6 +160,7 @@ PX4 = Profile(
     logs_while_armed=True,
     pinged=True,
     unknown_parameters_refused=False,
+    renamed_parameters=renames.PX4,
     parameter_file="",
     log_folders=("@MAV_LOG", "/fs/microsd/log", "log"),
     parameter_encoding_said=True,
@@ -226,6 +211,7 @@ ARDUCOPTER = Profile(
     logs_while_armed=False,
     pinged=False,
     unknown_parameters_refused=False,
+    renamed_parameters=renames.ARDUPILOT,
     parameter_file="@PARAM/param.pck",
     log_folders=None,
     parameter_encoding_said=False,
@@ -266,6 +252,7 @@ GENERIC = replace(
     PX4,
     name="generic",
     takeoff_is_amsl=False,
+    renamed_parameters={},
     unknown_parameters_refused=True,
     fence_in_status=True,
     setup_checked=False,

@@ -13,7 +13,7 @@ import re
 import struct
 from collections import namedtuple
 from collections.abc import Callable, Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
@@ -96,6 +96,23 @@ class WireLayout(NamedTuple):
     defaults: dict[str, Any]  # fields that a sender may leave out
 
 
+class WireFloat(float):
+    """A float field's number with its four bytes: an integer's that look like a NaN are lost in the number alone."""
+
+    __slots__ = ("raw",)
+    raw: bytes
+
+    def __new__(cls, raw: bytes) -> WireFloat:
+        """`raw`: four bytes, little-endian."""
+        number = super().__new__(cls, *struct.unpack("<f", raw))
+        number.raw = raw
+        return number
+
+
+_BYTEWISE = {common.MAVLINK_MSG_ID_PARAM_VALUE, common.MAVLINK_MSG_ID_PARAM_SET}
+"""Messages whose floats may be the bytes of integers."""
+
+
 class _Reader(NamedTuple):
     """Part of a layout that decoding needs."""
 
@@ -153,9 +170,21 @@ def _reader(msgid: int) -> _Reader:
     regroup: Callable[[Any], tuple[Any, ...]] | None = None
     if any(map(_is_array, shape.formats)):
         regroup = itemgetter(*takes) if len(takes) > 1 else lambda values: (values,)
-    wire = struct.Struct(f"<{HEADER_BYTES}x{''.join(shape.formats)}")
+    forms = _struct_formats(shape)
+    if forms != shape.formats:
+        regroup = partial(_with_bytes, tuple(index for index, form in enumerate(shape.formats) if form == "f"))
+    wire = struct.Struct(f"<{HEADER_BYTES}x{''.join(forms)}")
     text_at = tuple(index for index, form in enumerate(shape.formats) if form[-1] == "s")
     return _Reader(wire.size - HEADER_BYTES, wire, wire.unpack_from, regroup, text_at, shape.record)
+
+
+def _struct_formats(shape: WireLayout) -> tuple[str, ...]:
+    """The formats of a message's fields by which it is read and packed."""
+    return tuple("4s" if form == "f" and shape.msgid in _BYTEWISE else form for form in shape.formats)
+
+
+def _with_bytes(float_at: tuple[int, ...], values: tuple[Any, ...]) -> tuple[Any, ...]:
+    return tuple(WireFloat(value) if index in float_at else value for index, value in enumerate(values))
 
 
 def layout(message: int | str) -> WireLayout:
@@ -290,15 +319,15 @@ def _packer(msgid: int) -> Callable[..., bytes]:
     """The function `(seq, sysid, compid, *values) -> frame` of one message, its values in wire order: an array as a
     sequence, text as str. It raises ValueError, in one sentence that names the field, for a value that does not fit."""
     shape = _LAYOUTS[msgid]
-    wire = struct.Struct(_HEADER + "".join(shape.formats))
+    wire = struct.Struct(_HEADER + "".join(_struct_formats(shape)))
     pack, pack_crc, payload_bytes = wire.pack, struct.Struct("<H").pack, wire.size - HEADER_BYTES
     id_low, id_high = msgid & 0xFFFF, msgid >> 16
     _, seed = _SEEDS[msgid.to_bytes(3, "little")]
     plain = all(len(form) == 1 for form in shape.formats)
 
     def pack_frame(seq: int, sysid: int, compid: int, *values: Any) -> bytes:
-        items = values if plain else _flat(shape, values)
         try:
+            items = values if plain else _flat(shape, values)
             body = pack(MARKER, payload_bytes, 0, 0, seq, sysid, compid, id_low, id_high, *items)
         except (struct.error, OverflowError, TypeError):
             raise _refusal(shape, (seq, sysid, compid), values) from None
@@ -355,6 +384,8 @@ def _flat(shape: WireLayout, values: Sequence[Any]) -> list[Any]:
             if not isinstance(value, Sequence) or len(value) != length:
                 raise ValueError(f"{shape.name}.{field} holds {length} values, not {value!r}")
             items.extend(value)
+        elif form == "f" and shape.msgid in _BYTEWISE:
+            items.append(value.raw if isinstance(value, WireFloat) else struct.pack("<f", value))
         else:
             items.append(value)
     return items

@@ -300,7 +300,7 @@ def _kept(
         elif kind == "NAMED_VALUE_INT":
             account.counter(content.name.decode("ascii"), content.value, t_s)
         elif kind == "PARAM_VALUE":
-            value = speaks.parameter(content.param_value, content.param_type)
+            value = speaks.parameter_number(content.param_value, content.param_type)
             account.parameter(content.param_id.decode("ascii"), value)
         elif kind == "anew":
             account.begin_anew()

@@ -307,7 +307,7 @@ class Fleet:
 
     def _parameter(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.param_id in BATTERY_PARAMETERS:
-            value = track.profile.parameter(content.param_value, content.param_type)
+            value = track.profile.parameter_number(content.param_value, content.param_type)
             track.doubts(track.battery.parameter(content.param_id, value), time_s)
 
     def _battery(self, track: VehicleTrack, content: Any, time_s: float) -> None:

@@ -29,4 +29,4 @@ def same(ours: Any, theirs: Any) -> bool:
         return len(ours) == len(theirs) and all(map(same, ours, theirs))
     if isinstance(ours, float) and math.isnan(ours):
         return math.isnan(theirs)
-    return type(ours) is type(theirs) and bool(ours == theirs)
+    return isinstance(ours, type(theirs)) and bool(ours == theirs)

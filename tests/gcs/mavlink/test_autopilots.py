@@ -1,5 +1,6 @@
 """Mode numbers against pymavlink's own tables, and what autopilots want of a command."""
 
+import math
 import struct
 import warnings
 
@@ -65,8 +66,12 @@ def test_the_modes_that_are_asked_for_read_as_what_they_are_asked_for(profile: P
 def test_an_integer_parameter_reads_by_its_bytes_from_px4_and_by_its_value_from_ardupilot(profile: Profile) -> None:
     bytewise = struct.unpack("<f", struct.pack("<i", -70_000))[0]
     sent = bytewise if profile is PX4 else -70_000.0
-    assert profile.parameter(sent, mavutil.mavlink.MAV_PARAM_TYPE_INT32) == -70_000.0
-    assert profile.parameter(0.25, mavutil.mavlink.MAV_PARAM_TYPE_REAL32) == 0.25
+    int32, real32, real64 = (
+        getattr(mavutil.mavlink, f"MAV_PARAM_TYPE_{name}") for name in ("INT32", "REAL32", "REAL64")
+    )
+    assert profile.parameter(sent, int32) == (-70_000, int32)
+    assert profile.parameter(0.25, real32) == (0.25, real32)
+    assert math.isnan(profile.parameter_number(0.25, real64)) is (profile is PX4)
 
 
 def test_a_vehicle_can_be_told_to_stand_to_go_home_and_to_land() -> None:

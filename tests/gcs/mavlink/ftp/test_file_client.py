@@ -14,12 +14,13 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 from pymavlink.mavftp import MAVFTP
 
-from gcs.mavlink import codec, parameter_pack
+from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, Profile
 from gcs.mavlink.ftp import file_client
 from gcs.mavlink.ftp.file_client import FileClient
 from gcs.mavlink.ftp.requests import FIRST_TRIES, FileRequests
-from gcs.mavlink.parameter_client import ParameterClient
+from gcs.mavlink.parameters import pack
+from gcs.mavlink.parameters.client import ParameterClient
 
 OUT = mav.MAVLink(None, srcSystem=3, srcComponent=1)
 PARAMETERS = {
@@ -81,9 +82,9 @@ def test_what_does_not_come_is_said(server: Files, why: str, monkeypatch: pytest
 def test_packed_parameters_are_read_as_pymavlink_reads_them() -> None:
     raw = packed(PARAMETERS)
     theirs = {name.decode(): number for name, number, _ in MAVFTP.ftp_param_decode(raw).params}
-    assert {name: number for name, (number, _) in parameter_pack.unpack(raw).items()} == theirs
+    assert {name: number for name, (number, _) in pack.unpack(raw).items()} == theirs
     assert theirs == {name: number for name, (number, _) in PARAMETERS.items()}
-    kinds = {name: kind for name, (_, kind) in parameter_pack.unpack(raw).items()}
+    kinds = {name: kind for name, (_, kind) in pack.unpack(raw).items()}
     assert kinds["RTL_ALT"] == mav.MAV_PARAM_TYPE_INT16
     assert kinds["ACRO_BAL_ROLL"] == mav.MAV_PARAM_TYPE_REAL32
 
@@ -96,7 +97,7 @@ def test_a_pack_that_is_no_pack_is_refused_as_such(noise: bytes, at: int, value:
     hurt[at % len(whole)] = value
     for raw in (noise, whole[: at % len(whole)], bytes(hurt), whole + noise):
         try:
-            found = parameter_pack.unpack(raw)
+            found = pack.unpack(raw)
         except ValueError:
             continue
         assert len(found) == struct.unpack_from("<H", raw, 2)[0]

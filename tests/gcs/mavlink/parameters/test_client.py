@@ -8,7 +8,8 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import ARDUCOPTER, PX4, Profile
-from gcs.mavlink.parameter_client import IN_FLIGHT, MOST_PARAMETERS, TRIES, ParameterClient
+from gcs.mavlink.parameters.client import IN_FLIGHT, MOST_PARAMETERS, TRIES, ParameterClient
+from gcs.mavlink.parameters.value import ParameterValue, to_wire, typed
 
 INT32, REAL32 = mav.MAV_PARAM_TYPE_INT32, mav.MAV_PARAM_TYPE_REAL32
 
@@ -25,7 +26,7 @@ class Vehicle:
 
     def value(self, name: str, index: int = 65535) -> Any:
         number, kind = self.parameters[name]
-        raw = self.profile.parameter_value(number, kind)
+        raw = to_wire(typed(number, kind), bytewise=self.profile.integers_bytewise)
         return mav.MAVLink_param_value_message(name.encode(), raw, kind, len(self.parameters), index)
 
     def answers(self, message: codec.Message) -> list[Any]:
@@ -42,7 +43,7 @@ class Vehicle:
                 return [self.value(heard.param_id)]
             case "PARAM_SET" if heard.param_id in names:
                 if heard.param_id not in self.stubborn:
-                    number = self.profile.parameter(heard.param_value, heard.param_type)
+                    number = float(self.profile.parameter(heard.param_value, heard.param_type).number)
                     self.parameters[heard.param_id] = (number, heard.param_type)
                 return [self.value(heard.param_id)]
         return []
@@ -88,7 +89,7 @@ def test_what_is_written_is_read_back_and_what_has_its_value_is_not_written(prof
     assert vehicle.parameters["P001"] == (-7.0, INT32)
     assert vehicle.parameters["P002"][0] == pytest.approx(0.1)
     assert results["P010"].why == "it keeps -70"
-    assert results["P005"].why == "1.5 is no whole number"
+    assert results["P005"].why == "1.5 is no whole number, and its type is INT32"
 
 
 def test_a_dry_run_writes_nothing() -> None:
@@ -96,8 +97,8 @@ def test_a_dry_run_writes_nothing() -> None:
     client.write({"P001": 5.0, "P003": -91.0})
     converse(client, vehicle)
     assert [(r.name, r.outcome, r.before) for r in client.results] == [
-        ("P001", "would", -97.0),
-        ("P003", "kept", -91.0),
+        ("P001", "would", ParameterValue(-97, INT32)),
+        ("P003", "kept", ParameterValue(-91, INT32)),
     ]
     assert "PARAM_SET" not in vehicle.asked
     assert vehicle.parameters == MANY
@@ -125,4 +126,4 @@ def test_a_vehicle_that_names_parameters_without_end_is_heard_to_a_bound() -> No
         told.param_id = name
         client.receive("PARAM_VALUE", told, 0.0)
     assert len(client.known) == MOST_PARAMETERS + 1
-    assert [(result.name, result.now) for result in client.results] == [("WANTED", 1.0)]
+    assert [(result.name, result.now and result.now.number) for result in client.results] == [("WANTED", 1.0)]

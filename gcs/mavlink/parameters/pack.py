@@ -11,10 +11,11 @@ Zero bytes before a parameter fill up a piece of the transfer. A value's type is
 
 from __future__ import annotations
 
-import math
 import struct
 
 from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.mavlink.parameters.value import ParameterValue
 
 MAGIC, MAGIC_WITH_DEFAULTS = 0x671B, 0x671C
 _HEAD = struct.Struct("<HHH")
@@ -27,27 +28,27 @@ _TYPES = {
 LONGEST_NAME = 16
 
 
-def unpack(raw: bytes) -> dict[str, tuple[float, int]]:
-    """(number, MAV_PARAM_TYPE) by name. Raises ValueError where it is not whole, or no such file."""
+def unpack(raw: bytes) -> dict[str, ParameterValue]:
+    """Values by name. Raises ValueError where it is not whole, or no such file."""
     if len(raw) < _HEAD.size or _HEAD.unpack_from(raw)[0] not in (MAGIC, MAGIC_WITH_DEFAULTS):
         raise ValueError("it does not begin as packed parameters do")
     magic, count, _ = _HEAD.unpack_from(raw)
-    found: dict[str, tuple[float, int]] = {}
+    found: dict[str, ParameterValue] = {}
     at, name = _HEAD.size, b""
     while True:
         while at < len(raw) and raw[at] == 0:
             at += 1
         if at == len(raw):
             break
-        name, number, kind, at = _one(raw, at, name, with_defaults=magic == MAGIC_WITH_DEFAULTS)
-        found[name.decode("ascii")] = number, kind
+        name, value, at = _one(raw, at, name, with_defaults=magic == MAGIC_WITH_DEFAULTS)
+        found[name.decode("ascii")] = value
     if len(found) != count:
         raise ValueError(f"{len(found)} of {count} parameters are in it")
     return found
 
 
-def _one(raw: bytes, at: int, before: bytes, *, with_defaults: bool) -> tuple[bytes, float, int, int]:
-    """(name, number, type, where the next one begins) of the parameter at `at`."""
+def _one(raw: bytes, at: int, before: bytes, *, with_defaults: bool) -> tuple[bytes, ParameterValue, int]:
+    """(name, value, where the next one begins) of the parameter at `at`."""
     if at + 2 > len(raw) or raw[at] & 15 not in _TYPES:
         raise ValueError(f"byte {at} begins no parameter")
     form, kind = _TYPES[raw[at] & 15]
@@ -59,6 +60,4 @@ def _one(raw: bytes, at: int, before: bytes, *, with_defaults: bool) -> tuple[by
     if end > len(raw) or shared > len(before) or len(name) > LONGEST_NAME or not name.isascii():
         raise ValueError(f"the parameter at byte {at} is not whole")
     (value,) = struct.unpack_from(form, raw, value_at)
-    if not math.isfinite(value):
-        raise ValueError(f"{name.decode('ascii')} has no number")
-    return name, float(value), kind, end
+    return name, ParameterValue(value, kind), end

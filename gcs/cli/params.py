@@ -15,7 +15,6 @@ import click
 from gcs.cli.fleet_options import fleet_at, of_the_fleet
 from gcs.cli.options import Refused
 from gcs.exit import NOT_DONE
-from gcs.mavlink.ids import AUTOPILOT
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
@@ -198,6 +197,8 @@ def load(file: Path, dry_run: bool, compids: tuple[int, ...], as_json: bool, **o
 
 def _addresses(fleet: AskedFleet, compids: Sequence[int]) -> list[Address]:
     """System and component ids of what is asked."""
+    from gcs.mavlink.ids import AUTOPILOT
+
     return [(sysid, compid) for sysid in sorted(fleet.profiles) for compid in sorted(set(compids) or {AUTOPILOT})]
 
 
@@ -289,7 +290,7 @@ def _from_file(
         for name, number in wanted.items():
             mine = client.known.get(name)
             if mine is None or not same_as(mine, number):
-                rows.setdefault(name, {}).update({_label(client): mine, "file": given(number)})
+                rows.setdefault(name, {}).update({_label(client): mine, "file": given(number, mine)})
     return dict(sorted(rows.items()))
 
 
@@ -315,6 +316,8 @@ def _agree(values: Sequence[ParameterValue | None]) -> bool:
 
 def _label(client: ParameterClient) -> str:
     """A component's name: the vehicle's for its autopilot."""
+    from gcs.mavlink.ids import AUTOPILOT
+
     return str(client.sysid) if client.compid == AUTOPILOT else f"{client.sysid}/{client.compid}"
 
 
@@ -345,7 +348,7 @@ def _load(file: Path) -> dict[Address, Numbers]:
 
 
 def _of_file(saved: dict[Address, Numbers], fleet: AskedFleet, compids: Sequence[int]) -> dict[Address, Numbers]:
-    """What each component gets of a file, of these components alone where any are given. Raises
+    """Numbers that each component gets of a file, of these components alone where any are given. Raises
     click.ClickException where that is nothing."""
     from gcs.mavlink.parameters.file import of_vehicle
 

@@ -18,6 +18,7 @@ from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
 from fastcrc.crc16 import mcrf4xx
+from pymavlink.dialects.v20 import ardupilotmega
 
 from gcs.mavlink import dialect
 from gcs.mavlink.dialect import CLASSES, CRC_TERMS
@@ -109,7 +110,7 @@ class WireFloat(float):
         return number
 
 
-_BYTEWISE = {common.MAVLINK_MSG_ID_PARAM_VALUE, common.MAVLINK_MSG_ID_PARAM_SET}
+_BYTEWISE = {ardupilotmega.MAVLINK_MSG_ID_PARAM_VALUE, ardupilotmega.MAVLINK_MSG_ID_PARAM_SET}
 """Messages whose floats may be the bytes of integers."""
 
 

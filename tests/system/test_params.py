@@ -83,7 +83,7 @@ def test_what_cannot_be_done_is_a_sentence(params: Params, tmp_path: Path) -> No
     (tmp_path / "bad").write_text("RTL_ALT 15\nRTL_ALT high\n")
     bad = params("load", str(tmp_path / "bad"), sysids=(3,))
     assert bad.returncode == 2
-    assert "bad:2: 'RTL_ALT high' is no parameter" in bad.stderr
+    assert "bad:2: 'RTL_ALT high': 'high' is no number" in bad.stderr
     nobody = gcs("params", "get", "A", "--connect", f"udpin:127.0.0.1:{free_port()}", "--within", "0.2")
     assert nobody.returncode == 2
     assert "no HEARTBEAT of any vehicle came within 0.2 s" in nobody.stderr

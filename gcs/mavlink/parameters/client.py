@@ -50,7 +50,7 @@ _ERRORS = {
     TYPE_MISMATCH: "it expects another type (TYPE_MISMATCH)",
     READ_FAIL: "it could not read it (READ_FAIL)",
 }
-"""What a vehicle says of a parameter by PARAM_ERROR, but for one that it does not have."""
+"""Words for MAV_PARAM_ERROR, but for a parameter that a vehicle does not have."""
 
 
 class ParameterResult(NamedTuple):
@@ -232,7 +232,7 @@ class ParameterClient:
             task.stage, task.tries, task.due_s = "write", 0, 0.0
 
     def _verdict(self, task: _Task, error: int) -> tuple[Outcome, ParameterValue | None, str]:
-        """What PARAM_ERROR's code means for a task."""
+        """End of a task by PARAM_ERROR's code."""
         if error == mav.MAV_PARAM_ERROR_DOES_NOT_EXIST:
             return "unknown", None, f"it does not know it{self._newer(task.name)}"
         return "refused", task.before, _ERRORS.get(error, f"it says error {error}")
@@ -245,7 +245,7 @@ class ParameterClient:
             self.results.append(ParameterResult(name, "refused", None, None, why))
 
     def _newer(self, name: str) -> str:
-        """What the autopilot's other versions call it, behind a semicolon; empty where no table knows it."""
+        """Its name in other versions of the autopilot, behind a semicolon; empty where no table knows it."""
         advice = unknown_name(name, self.profile.renamed_parameters) if self.compid == AUTOPILOT else ""
         return f"; {advice}" if advice else ""
 

@@ -38,10 +38,11 @@ def unknown_name(name: str, table: Table) -> str:
     empty."""
     if name in table:
         return table[name].advice()
-    older = [(old, row) for old, row in table.items() if row.now == name]
+    older = [old for old, row in table.items() if row.now == name]
     if not older:
         return ""
-    return f"before {older[0][1].since.removeprefix('PX4 since ')} it was called {older[0][0]}"
+    autopilot, _, since = table[older[0]].since.partition(" ")
+    return f"{autopilot} before {since.removeprefix('since ')} calls it {older[0]}"
 
 
 def _since(since: str, scale: float, names: str, also: str = "") -> dict[str, Renamed]:

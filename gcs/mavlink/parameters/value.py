@@ -20,7 +20,8 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink.codec import WireFloat
 
 REAL32, REAL64 = int(mav.MAV_PARAM_TYPE_REAL32), int(mav.MAV_PARAM_TYPE_REAL64)
-INT64 = int(mav.MAV_PARAM_TYPE_INT64)
+NO_TYPE = 0
+"""MAV_PARAM_TYPE begins at 1."""
 WIRE_BYTES = 4
 PLAIN_BELOW = 1e15
 """Floats without a fraction are written without exponent below this."""
@@ -89,9 +90,12 @@ def typed(number: int | float, kind: int) -> ParameterValue:
     return ParameterValue(whole, kind)
 
 
-def given(number: int | float) -> ParameterValue:
-    """A number that no type was said for."""
-    return ParameterValue(number, INT64 if isinstance(number, int) else REAL64)
+def given(number: int | float, like: ParameterValue | None) -> ParameterValue:
+    """A number as another value's type holds it, where there is one that can."""
+    try:
+        return typed(number, like.kind if like is not None else NO_TYPE)
+    except ValueError:
+        return ParameterValue(number, NO_TYPE)
 
 
 def cast_keeps(number: int | float) -> bool:
@@ -100,7 +104,7 @@ def cast_keeps(number: int | float) -> bool:
 
 
 def carried(number: int | float, kind: int, *, bytewise: bool) -> ParameterValue:
-    """What a vehicle gets to know of a number for a parameter of this type. Raises ValueError, in words, where this
+    """Value that a vehicle hears of a number for a parameter of this type. Raises ValueError, in words, where this
     would be another whole number, or none."""
     value = typed(number, kind)
     return from_wire(to_wire(value, bytewise=bytewise), kind, bytewise=bytewise)

@@ -137,3 +137,27 @@ def test_all_parameters_come_by_the_file_where_there_is_one_else_by_the_list(
     assert client.incomplete == ""
     if profile is ARDUCOPTER:
         assert {name: one.number for name, one in client.known.items()} == {n: v for n, (v, _) in PARAMETERS.items()}
+
+
+def test_what_a_float_cannot_tell_apart_is_read_from_the_file_before_it_is_written() -> None:
+    """A list says 16777216 for both; the file has them whole."""
+    int32 = mav.MAV_PARAM_TYPE_INT32
+    client = ParameterClient(3, 1, ARDUCOPTER, dry_run=True)
+    client.write({"A": 2**24 + 1, "B": 2**24 + 1, "C": 2**24})
+    copter = Copter({"@PARAM/param.pck": packed({"A": (2**24 + 1, 3), "B": (2**24, 3), "C": (2**24 + 1, 3)})})
+    now_s = 0.0
+    while not client.done:
+        for message in client.poll(now_s):
+            (heard,) = mav.MAVLink(None).parse_buffer(codec.frame(message, 0, 255, 190)) or []
+            if heard.get_type() == "PARAM_REQUEST_READ":
+                told = mav.MAVLink_param_value_message(heard.param_id.encode(), 2.0**24, int32, 3, 65535)
+                answers = [told]
+            else:
+                answers = copter.hear(heard)
+            for answer in answers:
+                (frame,) = codec.split(bytes(answer.pack(mav.MAVLink(None, 3, 1)))).frames
+                client.receive(answer.get_type(), codec.fields(frame), now_s)
+        now_s += 0.05
+        assert now_s < 60.0
+    outcomes = {result.name: result.outcome for result in client.results}
+    assert outcomes == {"A": "kept", "B": "refused", "C": "would"}

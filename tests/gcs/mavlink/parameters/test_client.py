@@ -127,3 +127,64 @@ def test_a_vehicle_that_names_parameters_without_end_is_heard_to_a_bound() -> No
         client.receive("PARAM_VALUE", told, 0.0)
     assert len(client.known) == MOST_PARAMETERS + 1
     assert [(result.name, result.now and result.now.number) for result in client.results] == [("WANTED", 1.0)]
+
+
+ERRORS = {
+    1: ("unknown", "it does not know it"),
+    2: ("refused", "VALUE_OUT_OF_RANGE"),
+    3: ("refused", "PERMISSION_DENIED"),
+    4: ("refused", "COMPONENT_NOT_FOUND"),
+    5: ("refused", "READ_ONLY"),
+    6: ("refused", "TYPE_UNSUPPORTED"),
+    7: ("refused", "TYPE_MISMATCH"),
+    8: ("refused", "READ_FAIL"),
+    99: ("refused", "it says error 99"),
+}
+"""MAV_PARAM_ERROR of MAVLink's common.xml of today → what comes of it."""
+
+
+@pytest.mark.parametrize("error", ERRORS)
+@pytest.mark.parametrize("after", [0, 1])
+def test_a_parameter_error_ends_a_task_as_its_code_says(error: int, after: int) -> None:
+    """To the question what it is, and to PARAM_SET."""
+    client, vehicle = ParameterClient(3, 1, PX4), Vehicle(PX4, MANY)
+    client.write({"P001": 5})
+    if after:
+        (asked,) = client.poll(0.0)
+        (answer,) = vehicle.answers(asked)
+        client.receive("PARAM_VALUE", codec.fields(codec.split(bytes(answer.pack(vehicle.out))).frames[0]), 0.0)
+    (sent,) = client.poll(0.1)
+    assert sent.msgid == (mav.MAVLINK_MSG_ID_PARAM_SET if after else mav.MAVLINK_MSG_ID_PARAM_REQUEST_READ)
+    said = mav.MAVLink_param_error_message(255, 190, b"P001", -1, error)
+    client.receive("PARAM_ERROR", codec.fields(codec.split(bytes(said.pack(vehicle.out))).frames[0]), 0.1)
+    (result,) = client.results
+    assert client.done
+    outcome, words = ERRORS[error]
+    assert result.outcome == outcome
+    assert words in result.why
+
+
+def test_an_unknown_name_is_named_with_what_other_versions_call_it() -> None:
+    for profile, name, now in ((ARDUCOPTER, "RTL_ALT", "RTL_ALT_M"), (PX4, "EKF2_GPS_POS_X", "SENS_GPS0_OFFX")):
+        client = ParameterClient(3, 1, profile)
+        client.read([name])
+        converse(client, Vehicle(profile, MANY))
+        assert client.results[0].outcome == "unknown"
+        assert now in client.results[0].why
+        companion = ParameterClient(3, 154, profile)
+        companion.read([name])
+        converse(companion, Vehicle(profile, MANY))
+        assert now not in companion.results[0].why
+
+
+def test_a_value_whose_type_the_encoding_cannot_carry_is_named_and_not_known() -> None:
+    vehicle = Vehicle(PX4, {"A": (1.0, INT32)})
+    frame = mav.MAVLink_param_value_message(b"WIDE", 1.0, mav.MAV_PARAM_TYPE_UINT64, 2, 1).pack(vehicle.out)
+    client = ParameterClient(3, 1, PX4)
+    client.read_all()
+    client.poll(0.0)
+    for raw in (bytes(vehicle.value("A", 0).pack(vehicle.out)), bytes(frame), bytes(frame)):
+        client.receive("PARAM_VALUE", codec.fields(codec.split(raw).frames[0]), 0.1)
+    assert client.known.keys() == {"A"}
+    assert [(r.name, r.outcome) for r in client.results] == [("WIDE", "refused")]
+    assert "UINT64 does not fit into the four bytes" in client.results[0].why

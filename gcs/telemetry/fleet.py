@@ -49,13 +49,10 @@ from gcs.telemetry.readings import (
     kept_elsewhere,
     read,
 )
-from gcs.telemetry.state import ZERO, FleetSnapshot, TrafficView, Vec3
+from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
+from gcs.telemetry.traffic import KnownTraffic
 
-TRAFFIC_FORGOTTEN_S = 10.0
-"""An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
-MOST_TRAFFIC = 256
-"""Aircraft that are kept at once; of further ones nothing is."""
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
 
@@ -86,7 +83,7 @@ class Fleet:
         for track in self._tracks.values():
             if track.member.airborne:  # it holds unless it soon gets set points, which need its place
                 track.offset, track.origin_alt_m = ZERO, origin.alt_m
-        self._traffic: dict[int, tuple[str, Vec3, Vec3, float]] = {}
+        self._traffic = KnownTraffic()
         self.statustexts: list[tuple[int, int, str]] = []
         self.acks: list[tuple[int, Any]] = []
         self.facts: list[tuple[int, Fact]] = []
@@ -251,16 +248,7 @@ class Fleet:
             self._settled = settled = _Settled(self._stamps.copy(), tuple(self._statuses), self._facts.copy())
         columns = FleetColumns(self._sysids, self._rows, settled.stamps, flags, places, figures)
         instant = Instant(time_s, settled.statuses, readings.copy(), settled.facts, columns)
-        return FleetSnapshot.of_columns(time_s, columns, instant.view, self._traffic_at(time_s))
-
-    def _traffic_at(self, time_s: float) -> tuple[TrafficView, ...]:
-        if not self._traffic:
-            return ()
-        return tuple(
-            TrafficView(callsign, p_ned, v_ned, max(time_s - seen_s, 0.0))
-            for _, (callsign, p_ned, v_ned, seen_s) in sorted(self._traffic.items())
-            if time_s - seen_s <= TRAFFIC_FORGOTTEN_S
-        )
+        return FleetSnapshot.of_columns(time_s, columns, instant.view, self._traffic.at(time_s))
 
     def _global_origin(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
@@ -332,16 +320,8 @@ class Fleet:
     def _receive_traffic(self, content: Any, time_s: float) -> None:
         if plausibility.globe(content.lat, content.lon):
             return
-        if content.ICAO_address not in self._traffic and len(self._traffic) >= MOST_TRAFFIC:
-            known = self._traffic.items()
-            self._traffic = {icao: one for icao, one in known if time_s - one[3] <= TRAFFIC_FORGOTTEN_S}
-            if len(self._traffic) >= MOST_TRAFFIC:
-                return
         p_ned = _ned(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, self.origin)
-        heading_rad = math.radians(0.01 * content.heading)
-        speed_m_s = 0.01 * content.hor_velocity
-        v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
-        self._traffic[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
+        self._traffic.receive(content, p_ned, time_s)
 
 
 def _ned(lat_deg: float, lon_deg: float, alt_m: float, origin: GlobalOrigin) -> Vec3:

@@ -66,7 +66,7 @@ def vehicle_row(
     """
     lost_share = quality.lost_share(view.sysid)
     found = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)
-    received = view.last_received_s >= 0.0
+    received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
     return VehicleRow(
         sysid=view.sysid,
         role=view.role,
@@ -87,7 +87,7 @@ def vehicle_row(
         aim_ned=None,
         margin_m=None,
         age_s=view.age_s if math.isfinite(view.age_s) else None,
-        heard_s=max(now_s - view.last_received_s, 0.0) if received else None,
+        heard_s=silent_s if math.isfinite(silent_s) else None,
         lost=quality.lost(view.sysid),
         lost_share=lost_share,
         target_m=None,

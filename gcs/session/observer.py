@@ -161,6 +161,7 @@ class Observer:
             if self._origin is None and (origin := self._origin_by(adapter, frame, t_s)) is not None:
                 self._origin = self.fleet.origin = origin
                 self.changed = True
+            self.fleet.note_message(frame.sysid, t_s)
             for translated in adapter.translate(frame, t_s, self._origin):
                 self.fleet.ingest(translated, t_s)
         if frame.msgid == _TARGET:

@@ -1,4 +1,8 @@
-"""Detector of vehicle events from snapshots: mode changes, failsafes, loss and return of telemetry, and of belief."""
+"""Detector of vehicle events from snapshots: modes, failsafes, loss and return of telemetry, of places, of belief.
+
+That a vehicle is silent and that its position is old are two facts: positions may stop, or come seldom, of a vehicle
+that is heard all the time. Of one that is silent only the silence is reported.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,8 @@ from gcs.telemetry.events import Event
 from gcs.telemetry.stamps import StampWatch
 from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
+REGULAR_S = 5.0
+"""Positions come again when none has been old for so long: of a slow stream each one would begin anew."""
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
@@ -19,6 +25,8 @@ class ChangeDetector:
     def __init__(self) -> None:
         self._modes: dict[int, FlightMode] = {}
         self._silent: set[int] = set()
+        self._late_s: dict[int, float] = {}
+        """when a position was last seen old, of those whose positions do not come regularly"""
         self._doubted: set[int] = set()
         self._stamps = StampWatch()
         self._aged: set[int] = set()
@@ -39,8 +47,9 @@ class ChangeDetector:
             by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
             self._watch_mode(view, snapshot.time_s, by_order, events)
             self._watch_silence(view, snapshot.time_s, events)
+            self._watch_place(view, snapshot.time_s, events)
             self._watch_belief(view, snapshot.time_s, events)
-            if view.alive and not view.fresh:
+            if view.alive and (not view.fresh or view.sysid in self._late_s):
                 self._aged.add(view.sysid)
             else:
                 self._aged.discard(view.sysid)
@@ -72,11 +81,25 @@ class ChangeDetector:
             events.append(Event(now_s, view.sysid, "info", "Is believed again", "link"))
 
     def _watch_silence(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
-        silent = view.alive and view.last_received_s >= 0.0 and STALE_S < view.age_s < math.inf
+        silent_s = view.silent_s(now_s)
+        silent = view.alive and STALE_S < silent_s < math.inf
         if silent and view.sysid not in self._silent:
             self._silent.add(view.sysid)
-            events.append(Event(now_s, view.sysid, "warning", f"No word for {view.age_s:.1f} s", "link"))
+            events.append(Event(now_s, view.sysid, "warning", f"No word for {silent_s:.1f} s", "link"))
         elif not silent and view.sysid in self._silent:
             self._silent.discard(view.sysid)
             if view.alive:
                 events.append(Event(now_s, view.sysid, "info", "Heard again", "link"))
+
+    def _watch_place(self, view: VehicleView, now_s: float, events: list[Event]) -> None:
+        sysid, old = view.sysid, STALE_S < view.age_s < math.inf
+        if not view.alive:
+            self._late_s.pop(sysid, None)
+        elif old and (sysid in self._late_s or sysid not in self._silent):
+            if sysid not in self._late_s:
+                text = f"No position for {view.age_s:.1f} s, though it is heard"
+                events.append(Event(now_s, sysid, "warning", text, "link"))
+            self._late_s[sysid] = now_s
+        elif not old and now_s - self._late_s.get(sysid, now_s) >= REGULAR_S:
+            del self._late_s[sysid]
+            events.append(Event(now_s, sysid, "info", "Its positions come again", "link"))

@@ -35,6 +35,7 @@ from gcs.telemetry.readings import (
     END,
     FOUND,
     GIVEN_REPORTED_S,
+    MESSAGE_S,
     MESSAGES,
     MODE,
     ORIGIN_ALT,
@@ -120,10 +121,11 @@ class Fleet:
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
-        if frame.msgid not in _KEPT:
-            return
         track = self._tracks.get(frame.sysid)
-        if track is not None:
+        if frame.msgid not in _KEPT:
+            if track is not None and frame.compid == AUTOPILOT:
+                track.readings[MESSAGE_S] = time_s
+        elif track is not None:
             self._read(track, frame.raw, 0, len(frame.raw), time_s)
         elif frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
             self._receive_traffic(fields(frame), time_s)
@@ -191,6 +193,10 @@ class Fleet:
         """Add a vehicle that was unknown before; the snapshot keeps its order of system ids."""
         self._tracks[member.sysid] = VehicleTrack(member)
         self._lay_out()
+
+    def note_message(self, sysid: int, time_s: float) -> None:
+        """A message of a vehicle's autopilot came that is not for `ingest`."""
+        self._tracks[sysid].readings[MESSAGE_S] = time_s
 
     def lost(self, sysid: int) -> None:
         """A vehicle's process has died."""

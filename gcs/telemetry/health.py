@@ -5,6 +5,7 @@ Pure functions of a `VehicleView`: a session, a passive monitor and a replay all
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable
 from enum import StrEnum
 from typing import NamedTuple
@@ -16,7 +17,7 @@ WELL, LOOK, ACT = range(3)
 """Severities: nothing is wrong; look at it; do something."""
 
 SILENT_S = 3.0
-"""HEARTBEATs come every second: three in a row are missing."""
+"""Of a vehicle that sends little else three HEARTBEATs in a row are missing."""
 BATTERY_LOOK, BATTERY_ACT = 0.2, 0.1
 HELD_LOOK = 0.5
 """[choice] Charge below which it matters that who is held by an operator is not refuelled."""
@@ -59,14 +60,17 @@ def health_issues(
     """
     if not view.alive:
         return [HealthIssue("dead", ACT)]
-    if view.last_received_s < 0.0:
+    silent_s = view.silent_s(now_s)
+    if silent_s == math.inf:
         return [HealthIssue("no word yet", LOOK)] if now_s >= SILENT_S else []
     found = []
     if view.doubt:
         found.append(HealthIssue("not believed", ACT))
-    silent_s = now_s - view.last_received_s
+    beatless_s = min(now_s - view.last_received_s, now_s)
     if silent_s >= SILENT_S:
         found.append(HealthIssue(f"no word {silent_s:.0f} s", ACT))
+    elif beatless_s >= SILENT_S:
+        found.append(HealthIssue(f"no HEARTBEAT {beatless_s:.0f} s", ACT))
     if view.p_ned is None:
         found.append(HealthIssue("no position", LOOK))
     elif view.age_s > STALE_S:

@@ -25,7 +25,7 @@ from gcs.telemetry import energy, plausibility
 
 Row = NDArray[np.float64]
 
-READINGS = 28
+READINGS = 29
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -34,13 +34,14 @@ READINGS = 28
     LANDED, LANDED_REPORTED,  # 1 or 0
     EFFORT, EFFORT_S,  # NaN before the first
     AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS,  # of its last HEARTBEAT; -1 before the first
-    RECEIVED_S,
+    RECEIVED_S,  # of its last HEARTBEAT
     CLOCK_S,  # offset from its own time to the session's, NaN while that is not known
     POWER_W,
     RECEIVED_REPORTED_S, GIVEN_REPORTED_S,  # its counters of energy; -inf before the first
     EXTERNAL,  # 1 or 0
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
+    MESSAGE_S,  # when anything came from its autopilot
 ) = range(READINGS)  # fmt: skip
 
 END, ELSEWHERE, MODE, PLACE, BATTERY, UNKNOWN = range(6)
@@ -76,7 +77,7 @@ def new_readings() -> Row:
     """(READINGS,) of a vehicle that has said nothing."""
     row = np.zeros(READINGS)
     row[[NORTH, EAST, DOWN, EFFORT_S, CLOCK_S, ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = math.nan
-    row[[POSITION_S, RECEIVED_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S]] = -math.inf
+    row[[POSITION_S, RECEIVED_S, MESSAGE_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S]] = -math.inf
     row[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]] = -1.0
     return row
 
@@ -267,6 +268,8 @@ def _read_run(
         begin: Any = at + HEADER_BYTES
         msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
         own = data[at + 6] == _AUTOPILOT_1
+        if own:
+            row[MESSAGE_S] = now_s
         small = data[at + 8] == 0 and data[at + 9] == 0
         elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
         if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):

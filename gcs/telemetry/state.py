@@ -72,6 +72,8 @@ class VehicleView(NamedTuple):
     """how old `control_effort` is"""
     battery_apart: bool = False
     """whether its battery takes energy whatever its autopilot does, and no mode of its says so"""
+    last_message_s: float = -math.inf
+    """when anything came from its autopilot; `last_received_s` is of its HEARTBEAT alone"""
 
     @property
     def height_m(self) -> float | None:
@@ -110,6 +112,10 @@ class VehicleView(NamedTuple):
     def fresh(self) -> bool:
         """Lives, has reported its place lately, and is believed: only then is it led, followed, refuelled, measured."""
         return self.alive and self.age_s <= STALE_S and not self.doubt
+
+    def silent_s(self, now_s: float) -> float:
+        """For how long nothing has come from its autopilot; not how old its position is, which is `age_s`."""
+        return max(now_s - max(self.last_message_s, self.last_received_s), 0.0)
 
     @property
     def heard_s(self) -> float:

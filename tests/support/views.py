@@ -15,7 +15,7 @@ def view(sysid: int = 3, role: str = "pursuer", **changed: Any) -> VehicleView:
         landed=False, last_received_s=100.0, p_ned=(1.0, 2.0, -4.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.5,
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=488.0, capacity_j=10_000.0, initial_j=10_000.0,
         battery_reported=True, drawn_j=5_000.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0,
-        energy_source="energy_consumed", control_effort=0.0,
+        energy_source="energy_consumed", control_effort=0.0, last_message_s=100.0,
     )  # fmt: skip
     return well._replace(**changed)
 

@@ -243,6 +243,31 @@ def test_silence_is_told_and_its_end(observer: Observer) -> None:
     assert [e["text"] for e in events if e["kind"] == "link"] == ["Heard again"]
 
 
+def test_seldom_positions_of_a_vehicle_that_is_heard_are_no_silence(observer: Observer) -> None:
+    """HEARTBEAT each second, ATTITUDE each half, a place each two seconds; from 12 s on ATTITUDE alone, from 18 s
+    nothing."""
+    texts, troubles = [], set()
+    for half in range(48):
+        t_s = 0.5 * half
+        if half % 2 == 0 and t_s < 12.0:
+            observer.receive(beat(1), t_s)
+        if half % 4 == 0 and t_s < 12.0:
+            observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), t_s)
+            observer.receive(local(0.0, 0.0, 0.0), t_s)
+        if t_s < 18.0:
+            observer.receive(frame("ATTITUDE"), t_s)
+        snapshot = observer.snapshot(t_s + 0.2, speed=1.0, phase="flying")
+        texts += [event["text"] for event in snapshot["events"] if event["kind"] == "link"]
+        (row,) = snapshot["vehicles"]
+        troubles |= {(text, t_s < 12.0, t_s < 18.0) for text in map(str.rstrip, (t[:8] for t in row["trouble"]))}
+        assert row["heard_s"] == pytest.approx(0.2 + max(0.0, t_s - 17.5))
+    assert texts == ["First heard of: px4 autopilot", "No position for 1.7 s, though it is heard", "No word for 1.7 s"]
+    assert troubles == {
+        ("position", True, True), ("position", False, True), ("no HEART", False, True),
+        ("no HEART", False, False), ("position", False, False), ("no word", False, False),
+    }  # fmt: skip
+
+
 def test_numbers_that_are_none_do_no_harm(observer: Observer) -> None:
     observer.receive(beat(1), 0.0)
     observer.receive(frame("GPS_GLOBAL_ORIGIN"), 0.0)

@@ -154,8 +154,11 @@ def test_wrong_senders_are_not_believed(fleet: Fleet) -> None:
     for sender in senders:
         fleet.ingest(heartbeat(**sender), 0.0)
         fleet.ingest(position(**sender), 0.0)
-    fleet.ingest(codec.Frame(3, 1, 0, 380, b"\xfd\0\0\0\0\3\1\x7c\1\0ab"), 0.0)
     assert fleet.snapshot(0.0) == before
+    fleet.ingest(codec.Frame(3, 1, 0, 380, b"\xfd\0\0\0\0\3\1\x7c\1\0ab"), 0.0)
+    after = fleet.snapshot(0.0).vehicle(3)
+    assert after._replace(last_message_s=-math.inf) == before.vehicle(3)
+    assert after.silent_s(0.5) == 0.5
 
 
 def test_need_and_remaining_are_the_ledger_by_hand(fleet: Fleet) -> None:

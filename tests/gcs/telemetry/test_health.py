@@ -21,8 +21,11 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
     ("changed", "how", "text", "how_bad"),
     [
         ({"alive": False}, {}, "dead", ACT),
-        ({"last_received_s": -math.inf}, {}, "no word yet", LOOK),
-        ({"last_received_s": 96.0}, {}, "no word 4 s", ACT),
+        ({"last_received_s": -math.inf, "last_message_s": -math.inf}, {}, "no word yet", LOOK),
+        ({"last_received_s": 96.0, "last_message_s": 96.0}, {}, "no word 4 s", ACT),
+        ({"last_received_s": 94.0, "last_message_s": 96.0}, {}, "no word 4 s", ACT),
+        ({"last_received_s": 96.0}, {}, "no HEARTBEAT 4 s", ACT),
+        ({"last_received_s": -math.inf}, {}, "no HEARTBEAT 100 s", ACT),
         ({"p_ned": None}, {}, "no position", LOOK),
         ({"age_s": 2.0}, {}, "position old", LOOK),
         ({"drawn_j": 8_500.0}, {}, "battery 15 %", LOOK),
@@ -66,7 +69,7 @@ def test_the_worst_comes_first() -> None:
 
 
 def test_before_three_seconds_nobody_need_have_spoken() -> None:
-    assert health_issues(view(last_received_s=-math.inf), 2.9) == []
+    assert health_issues(view(last_received_s=-math.inf, last_message_s=-math.inf), 2.9) == []
 
 
 @pytest.mark.parametrize(

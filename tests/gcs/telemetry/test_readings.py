@@ -184,6 +184,7 @@ def test_a_message_that_tells_nothing_new_changes_a_fleet_as_if_it_were_read_lik
         read.clear()
         if frame.msgid in fleet._HANDLERS:
             track = each._tracks[sysid]
+            each.note_message(sysid, 0.1 * tick)
             fleet._HANDLERS[frame.msgid](each, track, codec.fields(frame), 0.1 * tick)
             each._settle(track)
             read.clear()

@@ -43,4 +43,4 @@ def test_events_are_the_same_as_when_everybody_is_looked_at_in_every_tick() -> N
         events = some.look(skipping, ordered)  # type: ignore[arg-type]
         assert events == everybody.look(all_of_them, ordered)  # type: ignore[arg-type]
         kinds |= {event.text.split()[0] if event.kind == "link" else event.kind for event in events}
-    assert kinds == {"mode", "failsafe", "No", "Heard", "Is"}
+    assert kinds == {"mode", "failsafe", "No", "Heard", "Is", "Its"}

@@ -265,7 +265,10 @@ class Fleet:
         known = track.offset if track.origin_reported and track.armed else None
         if known is not None and math.dist(offset, known) > ORIGIN_JUMP_M:
             track.doubts("its origin moves while it is armed", time_s)
+            track.origin_refused = True
+            track.readings[[ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = math.nan
             return
+        track.origin_refused = False
         track.offset, track.turn_rad = place
         track.origin_alt_m = 1e-3 * content.altitude
         track.origin_reported = True

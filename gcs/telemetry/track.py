@@ -109,6 +109,8 @@ class VehicleTrack:
         self.texts = Texts()
         self.doubt = ""
         self.doubted_s = -math.inf
+        self.origin_refused = False
+        """whether the last origin that it reported is not believed: its positions may be of that frame"""
 
     def live_in(self, readings: NDArray[np.float64], facts: NDArray[np.float64], account: NDArray[Any]) -> None:
         """Keep figures in these rows from now on: (READINGS,), (FACTS,) and (1,) of a table of the whole fleet."""
@@ -144,7 +146,7 @@ class VehicleTrack:
             *(_UNKNOWN if offset is None else offset),
             self.turn_rad, math.cos(self.turn_rad), math.sin(self.turn_rad),
             math.nan if ground_down_m is None else ground_down_m,
-            self.doubted_s,
+            math.inf if self.origin_refused else self.doubted_s,
         )  # fmt: skip
         return VehicleStatus(
             self.member, self.alive, self.profile, self.mode, self.armed, offset,

@@ -48,6 +48,13 @@ def frame_place(
     return FramePlace(offset, turn_rad)
 
 
+def origin_under(lat_deg: float, lon_deg: float, alt_m: float, at_ned: Vec3) -> tuple[float, float, float]:
+    """Origin (deg, deg, m) of the frame in which that place is at `at_ned`, m."""
+    north, east, down = at_ned
+    lat_0, lon_0, _ = pymap3d.ned2geodetic(-north, -east, 0.0, lat_deg, lon_deg, alt_m)
+    return float(lat_0), float(lon_0), alt_m + down
+
+
 def turned(vector_ned: tuple[T, T, T], turn_rad: float) -> tuple[T, T, T]:
     """A vector (of numbers, or of arrays) of a frame that is turned by so much, in the other's axes; turned back by the
     negative angle."""

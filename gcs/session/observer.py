@@ -20,7 +20,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End, profile_of
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.command_protocol import result_in_words
-from gcs.mavlink.common_frame import turned
+from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
@@ -38,6 +38,7 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
+from gcs.telemetry.place_claims import CLAIMS, HEIGHT_UNKNOWN
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 
@@ -109,6 +110,8 @@ class Observer:
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
+        self._zero_known = scenario is not None
+        """whether the common frame's height above the sea is"""
         self._adapters: dict[int, TelemetryAdapter] = {}
         # A session's own vehicles send all that the fleet reads, on its clock; those of others are unknown here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
@@ -158,12 +161,9 @@ class Observer:
         if frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:
-            if self._origin is None and (origin := self._origin_by(adapter, frame, t_s)) is not None:
-                self._origin = self.fleet.origin = origin
-                self.changed = True
-            self.fleet.note_message(frame.sysid, t_s)
-            for translated in adapter.translate(frame, t_s, self._origin):
-                self.fleet.ingest(translated, t_s)
+            adapter.receive(frame, t_s)
+            self._place_common_frame(adapter, frame.msgid, t_s)
+            adapter.feed(self.fleet, frame, t_s, framed=self._origin is not None)
         if frame.msgid == _TARGET:
             self._aim(frame.sysid, codec.fields(frame))
         elif frame.msgid in (_TEXT, _ACK):
@@ -286,10 +286,28 @@ class Observer:
         self.changed = True
         return adapter
 
-    def _origin_by(self, adapter: TelemetryAdapter, frame: Frame, t_s: float) -> GlobalOrigin | None:
-        """Origin of the common frame; a vehicle's own origin is waited for a while before its mere place."""
-        early = t_s - self._since_s.setdefault(adapter.sysid, t_s) < ORIGIN_WITHIN_S
-        return None if early and frame.msgid == _GLOBAL else adapter.origin_of(frame)
+    def _place_common_frame(self, adapter: TelemetryAdapter, msgid: int, t_s: float) -> None:
+        """Let the common frame begin where the first vehicle's does, as high as the first one that knows its height.
+
+        A vehicle's own origin is waited for a while before its mere place.
+        """
+        if msgid not in CLAIMS:
+            return
+        altitude_m = adapter.claims.altitude_m
+        if self._origin is None:
+            early = t_s - self._since_s.setdefault(adapter.sysid, t_s) < ORIGIN_WITHIN_S
+            origin = None if early and msgid == _GLOBAL else adapter.claims.common_origin(msgid)
+            if origin is not None:
+                self._origin = self.fleet.origin = origin
+                self._zero_known = altitude_m is not None
+                self.changed = True
+        elif not self._zero_known and altitude_m is not None:
+            unknown = {one.sysid for one in self.fleet.snapshot(t_s).vehicles if one.uncertain == HEIGHT_UNKNOWN}
+            zero = f"heights begin at {round(altitude_m)} m, not at {round(self._origin.alt_m)} m"
+            text = f"Knows its height above the sea: {zero}"
+            self._events.append(Event(t_s, adapter.sysid, "info", text, "link"))
+            self.fleet.move_zero(altitude_m, unknown)
+            self._origin, self._zero_known, self.changed = self.fleet.origin, True, True
 
     def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
@@ -345,13 +363,20 @@ class Observer:
             row.mode = _mode(view)
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
-            aim, offset = self._aims.get(view.sysid), view.origin_offset_ned
-            if aim is not None and offset is not None:
-                row.aim_ned = _sum(turned(aim, view.turn_rad), offset)
+            aim, frame = self._aims.get(view.sysid), self._frame(view)
+            if aim is not None and frame is not None:
+                row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)
             if adapter is not None and not math.isfinite(reported.remaining_j):
                 row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, adapter.power_w, None
             rows.append(row)
         return rows
+
+    def _frame(self, view: VehicleView) -> FramePlace | None:
+        """Where a vehicle's own frame lies in the common one."""
+        adapter = None if view.sysid in self._known else self._adapters.get(view.sysid)
+        if adapter is not None:
+            return None if self._origin is None else adapter.claims.frame(self._origin)
+        return None if view.origin_offset_ned is None else FramePlace(view.origin_offset_ned, view.turn_rad)
 
 
 def _member(vehicle: Any) -> Member:

@@ -27,6 +27,7 @@ class ChangeDetector:
         self._silent: set[int] = set()
         self._late_s: dict[int, float] = {}
         """when a position was last seen old, of those whose positions do not come regularly"""
+        self._uncertain: dict[int, str] = {}
         self._doubted: set[int] = set()
         self._stamps = StampWatch()
         self._aged: set[int] = set()
@@ -103,3 +104,11 @@ class ChangeDetector:
         elif not old and now_s - self._late_s.get(sysid, now_s) >= REGULAR_S:
             del self._late_s[sysid]
             events.append(Event(now_s, sysid, "info", "Its positions come again", "link"))
+        before = self._uncertain.get(sysid, "")
+        if view.uncertain != before:
+            self._uncertain[sysid] = view.uncertain
+            if view.uncertain:
+                text = f"Its position is uncertain: {view.uncertain}"
+                events.append(Event(now_s, sysid, "warning", text, "link"))
+            else:
+                events.append(Event(now_s, sysid, "info", "Its position is certain now", "link"))

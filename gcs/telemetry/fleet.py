@@ -9,8 +9,8 @@ for it. An external vehicle's, whose origin may be far away, is turned by the co
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import astuple, dataclass
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import astuple, dataclass, replace
 from functools import lru_cache
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import Frame, fields
-from gcs.mavlink.common_frame import FramePlace, frame_place
+from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under
 from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.telemetry import energy, plausibility
@@ -31,6 +31,8 @@ from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, FleetColumns
 from gcs.telemetry.fleet_columns import FACTS, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
+    DOWN,
+    EAST,
     ELSEWHERE,
     END,
     FOUND,
@@ -38,15 +40,20 @@ from gcs.telemetry.readings import (
     MESSAGE_S,
     MESSAGES,
     MODE,
+    NORTH,
     ORIGIN_ALT,
     ORIGIN_LAT,
     ORIGIN_LON,
     PLACE,
+    POSITION_S,
     POWER_W,
     READINGS,
     RECEIVED_REPORTED_S,
     SEVERAL_BATTERIES,
     UNKNOWN,
+    V_DOWN,
+    V_EAST,
+    V_NORTH,
     kept_elsewhere,
     read,
 )
@@ -194,6 +201,34 @@ class Fleet:
         self._tracks[member.sysid] = VehicleTrack(member)
         self._lay_out()
 
+    def take_place(self, sysid: int, at_ned: Vec3, v_ned: Vec3, uncertain: str, time_s: float) -> None:
+        """Take a vehicle's place and velocity (m, m/s, common frame) as of a session time, which somebody else has
+        worked out; and why it is uncertain, if it is."""
+        track = self._tracks[sysid]
+        row = track.readings
+        # What has become certain, or is so no more, has not moved there.
+        known = track.offset is not None and uncertain == track.uncertain
+        moved_m = math.dist(at_ned, row[[NORTH, EAST, DOWN]].tolist()) if known else math.nan
+        fault = plausibility.place_fault(0.0, 0.0, at_ned[2], *v_ned, moved_m, time_s - float(row[POSITION_S]))
+        if fault == plausibility.POSSIBLE:
+            row[[NORTH, EAST, DOWN]], row[[V_NORTH, V_EAST, V_DOWN]] = at_ned, v_ned
+            row[POSITION_S] = time_s
+        else:
+            track.doubts(plausibility.impossible_place(fault, moved_m), time_s)
+        if fault != plausibility.POSSIBLE or not known:
+            track.offset, track.uncertain = ZERO, uncertain
+            self._settle(track)
+
+    def move_zero(self, alt_m: float, keep: Collection[int]) -> None:
+        """Measure heights in the common frame from another height above the sea; places of vehicles that `keep` names
+        are not known to be above it, and stay."""
+        down_m = alt_m - self.origin.alt_m
+        self.origin = replace(self.origin, alt_m=alt_m)
+        for sysid, track in self._tracks.items():
+            if sysid not in keep:
+                track.readings[DOWN] += down_m
+        self._traffic.move(down_m)
+
     def note_message(self, sysid: int, time_s: float) -> None:
         """A message of a vehicle's autopilot came that is not for `ingest`."""
         self._tracks[sysid].readings[MESSAGE_S] = time_s
@@ -288,9 +323,7 @@ class Fleet:
         if not all(abs(axis) <= plausibility.FARTHEST_M for axis in local):
             return
         home = (1e-7 * content.latitude, 1e-7 * content.longitude, track.home_amsl_m)
-        lat_deg, lon_deg, _ = pymap3d.ned2geodetic(-local[0], -local[1], -local[2], *home)
-        alt_m = track.home_amsl_m + local[2]
-        track.offset, track.turn_rad = frame_place(float(lat_deg), float(lon_deg), alt_m, *astuple(self.origin))
+        track.offset, track.turn_rad = frame_place(*origin_under(*home, local), *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
 
     def _named_int(self, track: VehicleTrack, content: Any, time_s: float) -> None:

@@ -75,6 +75,8 @@ def health_issues(
         found.append(HealthIssue("no position", LOOK))
     elif view.age_s > STALE_S:
         found.append(HealthIssue("position old", LOOK))
+    if view.p_ned is not None and view.uncertain:
+        found.append(HealthIssue("position uncertain", LOOK))
     found += _energy(view)
     if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
         found.append(HealthIssue(str(view.mode), LOOK if ordered else ACT))

@@ -74,6 +74,8 @@ class VehicleView(NamedTuple):
     """whether its battery takes energy whatever its autopilot does, and no mode of its says so"""
     last_message_s: float = -math.inf
     """when anything came from its autopilot; `last_received_s` is of its HEARTBEAT alone"""
+    uncertain: str = ""
+    """why its place may be wrong, by what it has said so far; nothing where that is certain"""
 
     @property
     def height_m(self) -> float | None:

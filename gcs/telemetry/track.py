@@ -78,6 +78,7 @@ class VehicleStatus(NamedTuple):
     failsafe: bool
     doubt: str
     """the last one, however long ago"""
+    uncertain: str
 
 
 class VehicleTrack:
@@ -111,6 +112,7 @@ class VehicleTrack:
         self.doubted_s = -math.inf
         self.origin_refused = False
         """whether the last origin that it reported is not believed: its positions may be of that frame"""
+        self.uncertain = ""
 
     def live_in(self, readings: NDArray[np.float64], facts: NDArray[np.float64], account: NDArray[Any]) -> None:
         """Keep figures in these rows from now on: (READINGS,), (FACTS,) and (1,) of a table of the whole fleet."""
@@ -154,7 +156,7 @@ class VehicleTrack:
             battery.reported, battery.received_j, battery.given_j, str(battery.source),
             ground_down_m, self.custom_mode, self.turn_rad,
             self.armed and self.system_status in _FAILSAFE,
-            self.doubt,
+            self.doubt, self.uncertain,
         )  # fmt: skip
 
 
@@ -207,5 +209,5 @@ class Instant(NamedTuple):
             received_reported_s,
             max(now_s - effort_s, 0.0) if effort_s == effort_s else 0.0,  # noqa: PLR0124 - NaN is not
             member.battery_apart,
-            message_s,
+            message_s, status.uncertain,
         )  # fmt: skip

@@ -34,6 +34,13 @@ class KnownTraffic:
         v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
         self._known[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
 
+    def move(self, down_m: float) -> None:
+        """Let all of them lie so much lower in the common frame."""
+        self._known = {
+            icao: (callsign, (north, east, down + down_m), v_ned, seen_s)
+            for icao, (callsign, (north, east, down), v_ned, seen_s) in self._known.items()
+        }
+
     def at(self, time_s: float) -> tuple[TrafficView, ...]:
         """All of them at a session time, in order of their addresses."""
         if not self._known:

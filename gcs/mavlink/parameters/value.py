@@ -15,7 +15,7 @@ import struct
 from ctypes import c_float
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import WireFloat
 

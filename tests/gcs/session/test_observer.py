@@ -122,9 +122,9 @@ def test_a_global_position_beside_a_local_one_gives_the_origin_of_an_autopilot_t
     observer.receive(placed("HOME_POSITION", 50.0, 50.0, 0.0, 2), 0.0)  # ArduPilot's x, y, z say nothing
     observer.receive(local(1.0, 2.0, -3.0, 2), 0.1)
     assert rows(observer, 0.1)[2]["p_ned"] is None
-    observer.receive(placed("GLOBAL_POSITION_INT", 11.0, 22.0, -33.0, 2), 0.2)
-    observer.receive(local(2.0, 2.0, -3.0, 2), 0.3)
-    assert rows(observer, 0.3)[2]["p_ned"] == pytest.approx((12.0, 22.0, -33.0), abs=0.02)
+    observer.receive(placed("GLOBAL_POSITION_INT", 11.05, 22.0, -33.0, 2, vx=50), 0.2)
+    observer.receive(local(1.1, 2.0, -3.0, 2), 0.3)
+    assert rows(observer, 0.3)[2]["p_ned"] == pytest.approx((11.1, 22.0, -33.0), abs=0.02)
 
 
 def test_a_vehicle_that_tells_only_global_positions_has_a_place_and_a_speed(observer: Observer) -> None:
@@ -137,6 +137,63 @@ def test_a_vehicle_that_tells_only_global_positions_has_a_place_and_a_speed(obse
     assert row["p_ned"] == pytest.approx((6.0, 8.0, -12.0), abs=0.03)
     assert (row["speed_m_s"], row["height_m"]) == (5.0, pytest.approx(12.0, abs=0.03))
     assert row["age_s"] == pytest.approx(0.1)
+
+
+def test_a_zero_of_heights_that_was_taken_too_soon_is_decided_again_and_the_page_is_told(observer: Observer) -> None:
+    """An ArduPilot before its estimate has begun: alt is the barometer's height above where it was switched on."""
+    lat_e7, lon_e7 = round(1e7 * LAT), round(1e7 * LON)
+    early = {"lat": lat_e7, "lon": lon_e7, "alt": 420, "relative_alt": 410}
+    for t_s in (0.1, 3.5):
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), t_s)
+        observer.receive(frame("GLOBAL_POSITION_INT", **early), t_s)
+    observer.receive(
+        frame("ADSB_VEHICLE", sysid=255, ICAO_address=7, lat=lat_e7, lon=lon_e7, altitude=450_000, callsign=b"x"), 3.5
+    )
+    first = observer.snapshot(3.5, speed=1.0, phase="flying")
+    assert first["vehicles"][0]["height_m"] == pytest.approx(0.41)
+    assert first["vehicles"][0]["trouble"] == ["position uncertain"]
+    assert observer.session()["origin"] == pytest.approx((LAT, LON, 0.0), abs=0.02)
+    observer.receive(frame("GLOBAL_POSITION_INT", **early | {"alt": 400_400, "relative_alt": 400}), 4.0)
+    then = observer.snapshot(4.0, speed=1.0, phase="flying")
+    assert then["vehicles"][0]["height_m"] == pytest.approx(0.4)
+    assert then["vehicles"][0]["trouble"] == []
+    assert then["traffic"][0]["p_ned"] == pytest.approx((0.0, 0.0, -50.0), abs=0.02)
+    texts = [event["text"] for event in first["events"] + then["events"] if event["kind"] == "link"]
+    assert texts[1:] == [
+        "Its position is uncertain: it does not know its height above the sea yet",
+        "Knows its height above the sea: heights begin at 400 m, not at 0 m",
+        "Its position is certain now",
+    ]
+    assert observer.changed
+    assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT))
+
+
+def test_an_aim_in_a_frame_whose_origin_comes_later_stands_where_it_is(observer: Observer) -> None:
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
+    observer.receive(beat(2), 0.0)
+    aim = {"coordinate_frame": mav.MAV_FRAME_LOCAL_NED, "type_mask": 0, "x": 1.0, "y": 2.0, "z": -3.0}
+    observer.receive(frame("POSITION_TARGET_LOCAL_NED", 2, **aim), 0.1)
+    observer.receive(placed("GLOBAL_POSITION_INT", 40.0, 0.0, -3.0, 2), 0.1)
+    assert rows(observer, 0.1)[2]["aim_ned"] is None
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 30.0, -20.0, -5.0, 2), 0.2)
+    assert rows(observer, 0.2)[2]["aim_ned"] == pytest.approx((31.0, -18.0, -8.0), abs=0.02)
+
+
+def test_an_attitude_of_another_boot_makes_the_place_uncertain_until_the_frame_is_told(observer: Observer) -> None:
+    observer.receive(beat(1), 0.0)
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
+    observer.receive(frame("ATTITUDE", time_boot_ms=60_000), 0.0)
+    observer.receive(local(1.0, 0.0, 0.0, t_ms=60_000), 0.0)
+    assert rows(observer, 0.0)[1]["trouble"] == []
+    observer.receive(frame("ATTITUDE", time_boot_ms=1_000), 5.0)
+    observer.receive(beat(1), 5.1)
+    observer.receive(local(1.0, 0.0, 0.0, t_ms=1_100), 5.1)
+    assert rows(observer, 5.1)[1]["trouble"] == ["position uncertain"]
+    observer.receive(placed("GPS_GLOBAL_ORIGIN", 30.0, 0.0, 0.0), 5.2)
+    observer.receive(local(1.0, 0.0, 0.0, t_ms=1_300), 5.3)
+    row = rows(observer, 5.3)[1]
+    assert (row["trouble"], row["p_ned"]) == ([], pytest.approx((31.0, 0.0, 0.0), abs=0.02))
 
 
 def test_a_position_is_as_old_as_its_coming_whatever_the_vehicles_own_clock_says(observer: Observer) -> None:

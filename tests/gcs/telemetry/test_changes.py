@@ -117,5 +117,16 @@ def test_for_any_two_periods_each_fact_is_what_its_own_clock_says(message_s: flo
     assert ("No position" in texts) == (longest_old_s > STALE_S)
 
 
+def test_an_uncertain_place_is_told_with_its_reason_and_so_is_that_it_is_certain() -> None:
+    watch = ChangeDetector()
+    reasons = ["", "no height", "no height", "it has booted", "", ""]
+    events = [event for reason in reasons for event in watch.look(snapshot(view(uncertain=reason)), {})]
+    assert [(event.level, event.text) for event in events] == [
+        ("warning", "Its position is uncertain: no height"),
+        ("warning", "Its position is uncertain: it has booted"),
+        ("info", "Its position is certain now"),
+    ]
+
+
 def test_the_dead_are_not_silent() -> None:
     assert ChangeDetector().look(snapshot(view(age_s=5.0, last_message_s=95.0, alive=False)), {}) == []

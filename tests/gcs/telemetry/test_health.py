@@ -26,6 +26,7 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"last_received_s": 94.0, "last_message_s": 96.0}, {}, "no word 4 s", ACT),
         ({"last_received_s": 96.0}, {}, "no HEARTBEAT 4 s", ACT),
         ({"last_received_s": -math.inf}, {}, "no HEARTBEAT 100 s", ACT),
+        ({"uncertain": "by its own word"}, {}, "position uncertain", LOOK),
         ({"p_ned": None}, {}, "no position", LOOK),
         ({"age_s": 2.0}, {}, "position old", LOOK),
         ({"drawn_j": 8_500.0}, {}, "battery 15 %", LOOK),

@@ -20,7 +20,6 @@ import json
 import os
 import select
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -31,6 +30,7 @@ from typing import Any
 import pytest
 
 from gcs.processes.forked import await_end
+from gcs.processes.python import start_python
 
 READY_WITHIN_S = 120.0
 GONE_WITHIN_S = 20.0
@@ -129,8 +129,8 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
     with tempfile.TemporaryDirectory(prefix="gcs-fleet-") as folder:
         scenario = os.fspath(what) if not isinstance(what, int) else _row(what, Path(folder))
         with (Path(folder) / "launch.log").open("w+", encoding="utf-8") as errors:
-            process = subprocess.Popen(
-                [sys.executable, "-P", "-m", "gcs", "launch", scenario, "--json", "--until-eof"],
+            process = start_python(
+                *("gcs", "launch", scenario, "--json", "--until-eof"),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=errors,

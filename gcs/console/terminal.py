@@ -9,7 +9,6 @@ import contextlib
 import os
 import signal
 import subprocess
-import sys
 import tempfile
 import termios
 from collections.abc import Callable
@@ -20,9 +19,10 @@ from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
 from gcs.exit import INTERRUPTED
 from gcs.processes.forked import await_end
+from gcs.processes.python import start_python
 from gcs.session.plain_text import View
 
-CONSOLE = (sys.executable, "-P", "-m", "gcs.console")
+CONSOLE = "gcs.console"
 ENDS_WITHIN_S = 3.0
 RESET = "\x1b[?1000l\x1b[?1003l\x1b[?1015l\x1b[?1006l\x1b[?2004l\x1b[?1004l\x1b[?2048l\x1b[?2026l\x1b[<u\x1b[?7h"
 RESET += "\x1b[?1049l\x1b[?25h\x1b[0m"
@@ -42,7 +42,7 @@ class ConsoleView(View):
     """
 
     def __init__(self, folder: Path, title: str, plain: View, say: Callable[[str], object]) -> None:
-        self._command = [*CONSOLE, str(folder), title, str(os.getpid())]
+        self._words = [str(folder), title, str(os.getpid())]
         self._folder, self._plain, self._say = folder, plain, say
         self._process: subprocess.Popen[bytes] | None = None
         self._suspended = self._over = False
@@ -88,7 +88,7 @@ class ConsoleView(View):
         # Ctrl-C until the console has its keys in hand is ours alone: the mask is inherited, and lifted there.
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
-            self._process = subprocess.Popen(self._command, stderr=1, env=given_environment())
+            self._process = start_python(CONSOLE, *self._words, stderr=1, env=given_environment())
         except OSError as error:
             self._over = True
             self._say(f"the console cannot be started: {error.strerror}; the session goes on in lines")

@@ -12,13 +12,14 @@ import select
 import shutil
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any, Self
+
+from gcs.processes.python import beside_python
 
 READY_WITHIN_S = 120.0
 ENDED_WITHIN_S = 10.0
@@ -64,7 +65,7 @@ class Ended:
 
 def vehicle_program() -> str | None:
     """The program `simvehicle`: beside this Python, or on PATH; None where there is none."""
-    beside = Path(sys.executable).with_name("simvehicle")
+    beside = beside_python("simvehicle")
     return str(beside) if beside.exists() else shutil.which("simvehicle")
 
 

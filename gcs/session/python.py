@@ -27,7 +27,7 @@ from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot, from_message
 from gcs.session.client import NEXT, READ_BYTES, STOP
-from gcs.session.supervised import PATIENCE_S, SUPERVISOR, RunError, Supervised, make_folder, write_scenario
+from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
 
 
 class SessionError(RuntimeError):
@@ -107,7 +107,7 @@ class Session:
         with theirs:
             arguments = ["--reader", str(theirs.fileno()), "--every-ms", str(self._every_ms), *self._arguments]
             self._channel = ours
-            self._process = Supervised(self._folder, arguments, SUPERVISOR, (theirs.fileno(),))
+            self._process = Supervised(self._folder, arguments, (theirs.fileno(),))
         return self
 
     def __iter__(self) -> Iterator[Snapshot]:

@@ -23,14 +23,14 @@ from gcs.exit import BAD_INPUT, INTERNAL_ERROR
 from gcs.loading import loaded, on_one_core, uncollected
 from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
+from gcs.processes.python import start_python
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.unplugged import unplugged
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 
-SUPERVISOR = (sys.executable, "-P", "-m", "gcs.session.process")
-"""-P: what lies in the current folder is no module of ours."""
+SUPERVISOR = "gcs.session.process"
 POLL_S = 0.125
 RECONNECT_S = 0.5
 PATIENCE_S = (30.0, 10.0)
@@ -123,7 +123,7 @@ class SupervisorFork:
     def start(self, stderr: IO[bytes] | None) -> ForkedProcess:
         """Fork; the hatch is the fork's from now on."""
         keep = () if self.hatch is None else self.hatch.descriptors
-        process = ForkedProcess(self._fly, f"{SUPERVISOR[-1]} {self.folder}", stderr, keep)
+        process = ForkedProcess(self._fly, f"{SUPERVISOR} {self.folder}", stderr, keep)
         if self.hatch is not None:
             self.hatch.release()
         return process
@@ -156,18 +156,18 @@ class Supervised:
         self,
         folder: Path,
         arguments: Sequence[str],
-        supervisor: Sequence[str],
         pass_fds: Sequence[int] = (),
         stderr: IO[bytes] | None = None,
         fork: SupervisorFork | None = None,
+        supervisor: str = SUPERVISOR,
     ) -> None:
-        """`fork` is started instead of that command where it is given."""
+        """`fork` is started instead of the module `supervisor` where it is given."""
         self._folder = folder
         self._process: subprocess.Popen[bytes] | ForkedProcess = (
             fork.start(stderr)
             if fork is not None
-            else subprocess.Popen(
-                [*supervisor, str(folder), *arguments],
+            else start_python(
+                *(supervisor, str(folder), *arguments),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=stderr,
@@ -280,7 +280,7 @@ def run(
     echo: Callable[[str], object],
     *,
     arguments: Sequence[str] = (),
-    supervisor: Sequence[str] = SUPERVISOR,
+    supervisor: str = SUPERVISOR,
     fork: SupervisorFork | None = None,
     begun: Callable[[], object] = lambda: None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
@@ -290,11 +290,14 @@ def run(
     """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
 
     `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
-    `echo` prints the lines that sum it up. `fork` is the supervisor instead of a command. `stderr` takes
+    `echo` prints the lines that sum it up. `fork` is the supervisor instead of that module. `stderr` takes
     what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
     than once for the end.
     """
-    with Signals() as signals, Supervised(folder, arguments, supervisor, stderr=stderr, fork=fork) as process:
+    with (
+        Signals() as signals,
+        Supervised(folder, arguments, stderr=stderr, fork=fork, supervisor=supervisor) as process,
+    ):
         begun()
         loaded()
         try:

@@ -16,7 +16,6 @@ import pickle
 import select
 import shutil
 import subprocess
-import sys
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,6 +23,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from gcs.processes.forked import await_end
+from gcs.processes.python import start_python
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 
@@ -65,8 +65,9 @@ class WarmSessions:
     def __init__(self, core: int | None = None) -> None:
         """`core`: on which all its processes stay; otherwise on any."""
         on_core = [] if core is None else [str(core)]
-        self._process = subprocess.Popen(
-            [sys.executable, "-P", "-m", "gcs.session.forkserver", *on_core],
+        self._process = start_python(
+            "gcs.session.forkserver",
+            *on_core,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,

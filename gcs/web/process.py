@@ -7,11 +7,11 @@ import json
 import os
 import select
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 from gcs.processes.forked import await_end
+from gcs.processes.python import start_python
 
 STARTS_WITHIN_S = 30.0
 ENDS_WITHIN_S = 3.0
@@ -20,8 +20,9 @@ ENDS_WITHIN_S = 3.0
 @contextlib.contextmanager
 def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, str]]:
     """Serve the session of `folder`, which need not fly yet, in this context; its links, none if that failed."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "gcs.web", str(folder), str(os.getpid()), *([] if tiles is None else [tiles])],
+    process = start_python(
+        "gcs.web",
+        *(str(folder), str(os.getpid()), *([] if tiles is None else [tiles])),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,

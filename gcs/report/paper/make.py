@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+from gcs.processes.python import start_python
 from gcs.report.paper import (
     claims,
     examples,
@@ -156,12 +156,11 @@ def fly(name: str, folder: Path) -> Scenario:
     """Fly a shipped example by `gcs run`, the whole program, into `folder`. Raises PaperError with its last words."""
     scenario = name if name in LOOSE else f"paper/{name}"
     options = ("--lockstep", "--plain", "--no-report", "--out", str(folder))
-    done = subprocess.run(
-        [sys.executable, "-P", "-m", "gcs", "run", scenario, *options], capture_output=True, text=True, check=False
-    )
+    with start_python("gcs", "run", scenario, *options, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        said, complained = (stream.decode(errors="replace").strip() for stream in process.communicate())
     if not (folder / "summary.json").exists():
-        last = (done.stderr.strip() or done.stdout.strip() or "no words").splitlines()[-1]
-        raise PaperError(f"{scenario} was not flown to its end (status {done.returncode}): {last}")
+        last = (complained or said or "no words").splitlines()[-1]
+        raise PaperError(f"{scenario} was not flown to its end (status {process.returncode}): {last}")
     outcome = session.summary(folder)["outcome"]
     if outcome in UNFINISHED:
         raise PaperError(f"{scenario} was not flown to its end ({outcome}); {folder} has what there is")

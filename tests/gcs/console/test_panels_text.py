@@ -254,7 +254,7 @@ def test_lines_arrive_whole_however_they_are_cut() -> None:
 # A supervisor that speaks the protocol and does what its first word says; what it was told ends up in `told`.
 FAKE = """
 import json, os, signal, socket, sys, time
-behaviour, folder = sys.argv[1:3]
+folder, behaviour = sys.argv[1:3]
 signal.signal(signal.SIGINT, signal.SIG_IGN)
 say = lambda content: print(json.dumps(content), flush=True)
 snapshots = json.load(open(os.path.join(folder, "snapshots.json")))
@@ -297,8 +297,8 @@ from pathlib import Path
 from gcs.session.plain_text import PlainView
 from gcs.session.supervised import run
 write = lambda line: print(line, flush=True)
-folder, *supervisor = sys.argv[1:]
-sys.exit(run(Path(folder), PlainView(write), write, supervisor=[sys.executable, *supervisor]))
+folder, *arguments = sys.argv[1:]
+sys.exit(run(Path(folder), PlainView(write), write, supervisor="fake", arguments=arguments))
 """
 
 
@@ -315,8 +315,8 @@ def folder(tmp_path: Path) -> Path:
 
 @contextmanager
 def started(folder: Path, behaviour: str) -> Iterator[subprocess.Popen[str]]:
-    command = [sys.executable, "-c", RUN, str(folder), str(folder / "fake.py"), behaviour]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    command, path = [sys.executable, "-c", RUN, str(folder), behaviour], {**os.environ, "PYTHONPATH": str(folder)}
+    process = subprocess.Popen(command, env=path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         with process:
             yield process
@@ -365,8 +365,12 @@ def test_the_second_signal_closes_the_pipe(folder: Path) -> None:
     assert "outcome: interrupted" in out
 
 
-def test_however_often_it_is_asked_a_supervisor_has_its_time_to_save_the_session(tmp_path: Path) -> None:
-    with Supervised(tmp_path, [], [sys.executable, "-c", "import signal; signal.pause()"]) as process:
+def test_however_often_it_is_asked_a_supervisor_has_its_time_to_save_the_session(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "waiting.py").write_text("import signal\nsignal.pause()\n")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    with Supervised(tmp_path, [], supervisor="waiting") as process:
         for now_s in (100.0, 100.1, 100.2, 100.0 + SAVES_WITHIN_S - 0.01):
             process.interrupt(now_s)
         assert not process.ended

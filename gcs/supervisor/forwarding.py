@@ -2,10 +2,10 @@
 
 1. Nothing passes unless the session lets others command (`forward: {control: true}`).
 2. A message passes to the vehicle of the session that it names. One that claims to come from a vehicle does not pass,
-   nor do those over which two masters would fight without either being told: rates of streams, transfers of energy,
-   clocks, keys.
-3. A message that flies a vehicle takes it: from then on the supervisor sends it nothing but its HEARTBEAT, until an
-   operator's `rejoin`. So set points of two masters never meet.
+   nor do those over which two masters would fight without either knowing: rates of streams, transfers of energy, keys.
+3. A message that only asks for something passes, and the supervisor goes on flying the vehicle. What asks is named
+   here; every other message takes the vehicle, also one that nobody knows yet: from then on the supervisor sends it
+   nothing but its HEARTBEAT, until an operator's `rejoin`. So two masters never fly one vehicle.
 """
 
 from __future__ import annotations
@@ -30,19 +30,31 @@ if TYPE_CHECKING:  # most sessions have none
 _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
 _STOPPED = frozenset({mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM, mav.MAVLINK_MSG_ID_SETUP_SIGNING})
 _STOPPED_COMMANDS = frozenset({mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAV_CMD_USER_1})
-_FLIES = frozenset({
-    mav.MAVLINK_MSG_ID_SET_MODE, mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED,
-    mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_GLOBAL_INT, mav.MAVLINK_MSG_ID_SET_ATTITUDE_TARGET,
-    mav.MAVLINK_MSG_ID_SET_ACTUATOR_CONTROL_TARGET, mav.MAVLINK_MSG_ID_MANUAL_CONTROL,
-    mav.MAVLINK_MSG_ID_RC_CHANNELS_OVERRIDE, mav.MAVLINK_MSG_ID_MISSION_SET_CURRENT,
-})  # fmt: skip
 _ASKS = frozenset({
+    mav.MAVLINK_MSG_ID_PING, mav.MAVLINK_MSG_ID_PARAM_REQUEST_READ, mav.MAVLINK_MSG_ID_PARAM_REQUEST_LIST,
+    mav.MAVLINK_MSG_ID_PARAM_EXT_REQUEST_READ, mav.MAVLINK_MSG_ID_PARAM_EXT_REQUEST_LIST,
+    mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST, mav.MAVLINK_MSG_ID_MISSION_REQUEST_PARTIAL_LIST,
+    mav.MAVLINK_MSG_ID_MISSION_REQUEST, mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT, mav.MAVLINK_MSG_ID_MISSION_ACK,
+    mav.MAVLINK_MSG_ID_LOG_REQUEST_LIST, mav.MAVLINK_MSG_ID_LOG_REQUEST_DATA, mav.MAVLINK_MSG_ID_LOG_REQUEST_END,
+})  # fmt: skip
+"""Messages that ask for something and change nothing."""
+_ASKING_COMMANDS = frozenset({
     mav.MAV_CMD_REQUEST_MESSAGE, mav.MAV_CMD_GET_MESSAGE_INTERVAL, mav.MAV_CMD_GET_HOME_POSITION,
     mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, mav.MAV_CMD_REQUEST_PROTOCOL_VERSION,
-    mav.MAV_CMD_REQUEST_CAMERA_INFORMATION, mav.MAV_CMD_REQUEST_FLIGHT_INFORMATION, mav.MAV_CMD_PREFLIGHT_STORAGE,
-    mav.MAV_CMD_RUN_PREARM_CHECKS,
+    mav.MAV_CMD_REQUEST_CAMERA_INFORMATION, mav.MAV_CMD_REQUEST_CAMERA_SETTINGS,
+    mav.MAV_CMD_REQUEST_CAMERA_CAPTURE_STATUS, mav.MAV_CMD_REQUEST_STORAGE_INFORMATION,
+    mav.MAV_CMD_REQUEST_VIDEO_STREAM_INFORMATION, mav.MAV_CMD_REQUEST_VIDEO_STREAM_STATUS,
+    mav.MAV_CMD_REQUEST_FLIGHT_INFORMATION, mav.MAV_CMD_RUN_PREARM_CHECKS,
 })  # fmt: skip
-"""Commands that ask for something and fly nothing; every other one takes the vehicle."""
+"""Commands that do the same."""
+_FTP_OPCODE = 3
+"""Place of the opcode in a MAVFTP payload."""
+_FTP_ASKS = frozenset({
+    mav.MAV_FTP_OPCODE_NONE, mav.MAV_FTP_OPCODE_TERMINATESESSION, mav.MAV_FTP_OPCODE_RESETSESSION,
+    mav.MAV_FTP_OPCODE_LISTDIRECTORY, mav.MAV_FTP_OPCODE_OPENFILERO, mav.MAV_FTP_OPCODE_READFILE,
+    mav.MAV_FTP_OPCODE_CALCFILECRC, mav.MAV_FTP_OPCODE_BURSTREADFILE,
+})  # fmt: skip
+"""Requests of MAVFTP that write nothing."""
 
 
 MOST_AT_ONCE = 32
@@ -60,7 +72,7 @@ class Passed(NamedTuple):
     name: str
     """of the message, or of the command in it"""
     takes: bool
-    """whether it flies the vehicle"""
+    """whether the supervisor leaves the vehicle to who sent it"""
 
 
 def passed(
@@ -77,17 +89,19 @@ def passed(
     sysid = getattr(content, "target_system", getattr(content, "target", 0))
     if sysid not in vehicles:
         return None
-    name, takes = codec.name(frame.msgid), frame.msgid in _FLIES
+    name, asks = codec.name(frame.msgid), frame.msgid in _ASKS
     if frame.msgid in _COMMANDS:
         if content.command in _STOPPED_COMMANDS:
             return None
         known = mav.enums["MAV_CMD"].get(content.command)
         name = known.name.removeprefix("MAV_CMD_") if known is not None else f"command {content.command}"
-        takes = content.command not in _ASKS
+        asks = content.command in _ASKING_COMMANDS
+    elif frame.msgid == mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL:
+        asks = content.payload[_FTP_OPCODE] in _FTP_ASKS
     # One with our own id goes out as ours: a vehicle counts our sequence numbers.
     own = (frame.sysid, frame.compid) == (stations or {}).get(sysid, STATION)
     message = Message(frame.msgid, tuple(content)) if own else Relay(frame.raw)
-    return Passed(sysid, message, name, takes)
+    return Passed(sysid, message, name, takes=not asks)
 
 
 class ForwardedControl:

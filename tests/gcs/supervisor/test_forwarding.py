@@ -38,7 +38,7 @@ def point(sysid: int = 1) -> Any:
         (point(), "SET_POSITION_TARGET_LOCAL_NED", True),
         (mav.MAVLink_manual_control_message(1, 0, 0, 500, 0, 0), "MANUAL_CONTROL", True),
         (mav.MAVLink_param_request_list_message(1, 1), "PARAM_REQUEST_LIST", False),
-        (mav.MAVLink_param_set_message(1, 1, b"RTL_ALT", 3.0, 9), "PARAM_SET", False),
+        (mav.MAVLink_param_set_message(1, 1, b"RTL_ALT", 3.0, 9), "PARAM_SET", True),
     ],
 )
 def test_a_message_that_names_a_vehicle_passes_and_takes_it_if_it_flies(message: Any, name: str, takes: bool) -> None:

@@ -130,7 +130,7 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
         scenario = os.fspath(what) if not isinstance(what, int) else _row(what, Path(folder))
         with (Path(folder) / "launch.log").open("w+", encoding="utf-8") as errors:
             process = start_python(
-                *("gcs", "launch", scenario, "--json", "--until-eof"),
+                *("gcs", "launch", scenario, "--json", "--until-eof", "--trust"),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=errors,

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import tempfile
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -16,6 +17,9 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 # OpenBLAS starts a thread per core in every process that imports NumPy, a quarter of what starting a session costs; a
 # session's matrices are far too small for them, and the tests start hundreds of processes.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+# What tests let scenarios use is no answer of whoever runs them.
+os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="skytender-tests-")
 
 # The two longest, and one on the real clock with little to spare, beside which MAVSDK's only wait.
 FIRST = ("tests/peers/test_mavsdk.py", "tests/system/test_external.py", "tests/system/test_readme.py")

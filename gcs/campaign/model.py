@@ -11,6 +11,7 @@ from pydantic import AfterValidator, ConfigDict, Field, model_validator
 from gcs.campaign import measures
 from gcs.scenario import keys
 from gcs.scenario.document import Conflict, conflict_error, did_you_mean
+from gcs.scenario.parts.reach import Asks, Shown, is_foreign_code
 from gcs.scenario.rules import OWN
 from gcs.scenario.types import Count, Flag, NotNegative, Number, Part, Positive
 
@@ -150,11 +151,11 @@ class CampaignRules(Part):
     """version of the file format; 1"""
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
     """also the folder's"""
-    description: str = ""
+    description: Annotated[str, Shown()] = ""
     """free text, shown in the report"""
     scenario: str | None = None
     """a shipped scenario's name, or a file, as seen from the campaign's folder"""
-    generate: str | None = None
+    generate: Annotated[str, Asks("code", is_foreign_code)] | None = None
     """MODULE:FUNCTION, which returns a scenario as plain data for `seed` and `arguments`; instead of `scenario`"""
     arguments: dict[str, Any] = {}  # noqa: RUF012 - pydantic copies it
     """further arguments of that function; `vary` and `draw` change them as `arguments.NAME`"""

@@ -21,10 +21,19 @@ from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
 from gcs.scenario.file import GROUPS, find, resolve
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.reach import Reached, reached
 
 
 class RowError(Exception):
     """A row that cannot be flown; the text says why."""
+
+
+class NotAllowed(RowError):
+    """A row that names code, programs or addresses that are not to be used unasked: `named`."""
+
+    def __init__(self, named: Sequence[Reached]) -> None:
+        super().__init__(f"it names {', '.join(one.text for one in named)}: let it use them with --trust")
+        self.named = named
 
 
 @dataclass(frozen=True)
@@ -49,6 +58,8 @@ class Plan:
     """the scenario as YAML; empty where it is generated"""
     modules: tuple[str, ...] = ()
     """folders in which planners, policies and generators are looked for"""
+    trusted: bool = False
+    """whether what its scenarios name beyond a session may be used"""
 
     @property
     def rows(self) -> int:
@@ -71,6 +82,8 @@ class Plan:
         """Scenario of a row, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
         try:
             return self._resolved(row)
+        except NotAllowed:
+            raise
         except ScenarioError as error:
             raise RowError(" / ".join(problem.message for problem in error.problems)) from None
         except ValueError as error:
@@ -88,6 +101,7 @@ class Plan:
                 values[key] = [draws.value(draw, rng) for _ in places]
                 settings |= dict(zip(places, values[key], strict=True))
         scenario = resolve(document, settings)
+        self._allowed(scenario)
         drawn = campaign.draw.get("obstacles")
         if drawn is not None and drawn.random is not None:
             rng = draws.stream(campaign.seed, row.session, "obstacles")
@@ -107,11 +121,17 @@ class Plan:
         plugins.check(scenario, None)
         return scenario.flown(lockstep=True), values
 
+    def _allowed(self, part: CampaignRules | Scenario) -> None:
+        """Raises NotAllowed where a part names something that may not be used."""
+        if not self.trusted and (named := reached(part)):
+            raise NotAllowed(named)
+
     def _document(self, row: PlannedRow) -> Document:
         """The scenario's data before anything is set, grids written out."""
         if self.campaign.generate is None:
             document: Document = pickle.loads(_parsed(self.text, self.file))
             return document
+        self._allowed(self.campaign)
         arguments = dict(self.campaign.arguments)
         for key, value in row.values.items():
             if key.startswith(ARGUMENTS):
@@ -127,12 +147,16 @@ class Plan:
         return _written_out(parse(emit(data), self.campaign.generate))
 
     def check(self) -> None:
-        """See that the first session of every combination can be flown. Raises ScenarioError."""
-        problems = []
+        """See that the first session of every combination can be flown. Raises ScenarioError, or NotAllowed with all
+        that they name."""
+        problems: list[Problem] = []
+        named: dict[Reached, None] = {}
         for combination in range(min(self.campaign.combinations, 64)):
             row = self.row(combination)
             try:
                 self.resolved(row)
+            except NotAllowed as asks:
+                named |= dict.fromkeys(asks.named)
             except RowError as error:
                 listed = ", ".join(f"{key}={row.values[key]}" for key in self.campaign.vary)
                 problems.append(
@@ -140,6 +164,8 @@ class Plan:
                 )
         if problems:
             raise ScenarioError(problems[:1])
+        if named:
+            raise NotAllowed(list(named))
 
     def write(self, folder: Path) -> None:
         """Put the campaign into its folder, from which `read` makes the same plan; raises OSError."""

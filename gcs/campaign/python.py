@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gcs.campaign import file, table
-from gcs.campaign.engine import EngineError, Progress
+from gcs.campaign.cluster import EngineError, check_scheduler
+from gcs.campaign.engine import Progress
 from gcs.campaign.plan import make, read
 from gcs.campaign.runner import Runner, make_folder
 
@@ -25,9 +27,11 @@ class Campaign:
 
     campaign: a file, the name of a shipped one, or its content as plain data. sessions, seed: instead of its own.
     out: a new folder, or one to go on with, which then needs to be of this campaign; `campaigns/NAME-TIME` without it.
-    scheduler: address of a Dask scheduler; otherwise so many `workers` here, one per core by default.
+    scheduler: address of a Dask scheduler, by mutual TLS (docs/how-to/campaigns.md); otherwise so many `workers` here,
+    one per core by default.
 
-    Raises ScenarioError where it cannot be flown.
+    Code and programs that it names are used unasked: whoever calls has chosen it.
+    Raises ScenarioError where it cannot be flown, EngineError for a scheduler without TLS.
     """
 
     def __init__(
@@ -40,6 +44,8 @@ class Campaign:
         scheduler: str | None = None,
         workers: int | None = None,
     ) -> None:
+        if scheduler is not None:
+            check_scheduler(scheduler)
         beside: list[Path] = []
         if isinstance(campaign, Mapping):
             loaded = file.from_data(dict(campaign))
@@ -47,7 +53,7 @@ class Campaign:
             path = file.find(os.fspath(campaign))
             loaded, beside = file.load(path), [path.parent]
         changes = {key: value for key, value in (("sessions", sessions), ("seed", seed)) if value is not None}
-        self.plan = make(loaded.model_copy(update=changes), beside)
+        self.plan = replace(make(loaded.model_copy(update=changes), beside), trusted=True)
         self.plan.check()
         self._scheduler, self._workers = scheduler, workers
         self._out = None if out is None else Path(out)

@@ -16,7 +16,7 @@ from gcs.campaign.plan import Plan, PlannedRow
 from gcs.extras import require
 
 DEFAULT_FOLDER = "campaigns"
-NEEDED = {"dask": "Dask", "distributed": "Dask", "pyarrow": "pyarrow"}
+NEEDED = {"pyarrow": "pyarrow"}
 
 
 def make_folder(plan: Plan, out: Path | None) -> Path:

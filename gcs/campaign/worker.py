@@ -1,4 +1,4 @@
-"""One row of a campaign flown in this process's warm sessions (gcs/session/warm.py); runs on Dask's workers.
+"""One row of a campaign flown in this process's warm sessions (gcs/session/warm.py); runs on a campaign's workers.
 
 A worker thread keeps its warm process from row to row. Whatever goes wrong with a session becomes its row's error.
 """
@@ -10,7 +10,6 @@ import io
 import tarfile
 import threading
 import time
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -87,13 +86,13 @@ def close() -> None:
         _all.clear()
 
 
-def take_core(cores: Sequence[int], dask_worker: Any = None) -> None:
-    """Let the sessions of a worker of Dask stay on one core of these, by the worker's name, a number.
+def take_core(core: int | None) -> None:
+    """Let the sessions of this process stay on a core, if on one.
 
     The processes of a session in lockstep take turns: on one core they find its caches warm, and wake each other
     without waking a core.
     """
-    _own_core[:] = [cores[int(dask_worker.name) % len(cores)]]
+    _own_core[:] = [] if core is None else [core]
 
 
 def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:

@@ -8,13 +8,14 @@ import json
 import re
 import shlex
 import shutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from gcs.cli.options import STATION_OPTION, connect_option
+from gcs.cli.trust import TRUST
 from gcs.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
     from gcs.scenario.endpoint import Endpoint
     from gcs.scenario.model import Scenario
+    from gcs.scenario.parts.reach import Reached
 
 
 class ScenarioName(click.ParamType[str]):
@@ -72,12 +74,17 @@ def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> 
         raise ScenarioRefused("\n".join(lines))
 
 
-def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: bool = True) -> Scenario:
+def load_scenario(
+    scenario: str, settings: Sequence[str] = (), *, trust: bool | None = None, plans: bool = True, quiet: bool = True
+) -> Scenario:
     """The scenario of that name or file, with `KEY=VALUE` settings.
 
-    runs_code: whether code that it names, which anybody may have written, is imported to see that it is there.
-    Raises ScenarioRefused, once what is wrong has gone to stderr line by line.
+    trust: whether what it names beyond the session may be used, which is asked for where it is False
+    (gcs/cli/trust.py); None: nothing of it is used. plans: whether code that it names is then imported to see that it
+    is there. quiet: do not list what it names.
+    Raises ScenarioRefused, once what is wrong has gone to stderr line by line; Refused where it may not be used.
     """
+    from gcs.cli.trust import allow, digest_of, text
     from gcs.scenario import plugins
     from gcs.scenario.file import find, load
     from gcs.scenario.keys import read_settings
@@ -90,16 +97,33 @@ def load_scenario(scenario: str, settings: Sequence[str] = (), *, runs_code: boo
         with unplugged():
             loaded = load(file, set=given)
         folders = [file.parent, Path.cwd()]
-        if not runs_code:
+        named = named_by_file(loaded, file, given)
+        if named and trust is not None:
+            allow(scenario, named, digest_of(file), trust=trust)
+        if plans and trust is None:
             plugins.check_sources(loaded, file, folders)
-        elif any(plugins.named(loaded)):
+        elif plans and any(plugins.named(loaded)):
             plugins.look_in(folders)
             plugins.check(loaded, file)
+        if named and not quiet:
+            click.echo(f"gcs: {scenario} names {text(named)}", err=True)
         return loaded
     except ScenarioError as error:
         nowhere = all(problem.line is None for problem in error.problems)
         click.echo(f"gcs: {error}" if nowhere else str(error), err=True)  # else FILE:LINE:COLUMN, for editors
         raise ScenarioRefused(str(error)) from None
+
+
+def named_by_file(scenario: Scenario, file: Path, given: Mapping[str, Any]) -> list[Reached]:
+    """Things that a scenario names beyond its session, but for what the caller has set. Raises ScenarioError."""
+    from gcs.scenario.file import load
+    from gcs.scenario.parts.reach import reached
+
+    named = reached(scenario)
+    if not named or not given:
+        return named
+    own = {(one.reach, one.value) for one in reached(load(file))}
+    return [one for one in named if (one.reach, one.value) in own]
 
 
 def module_arguments(scenario: str) -> list[str]:
@@ -119,7 +143,7 @@ def module_arguments(scenario: str) -> list[str]:
 )
 @SET
 @STRICT
-@click.option("--trust", is_flag=True, help="Import the code that the scenario names, to see that it can be used.")
+@TRUST
 @click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
 def validate(
     scenario: str, image: Path | None, settings: tuple[str, ...], strict: bool, trust: bool, quiet: bool
@@ -128,8 +152,10 @@ def validate(
 
     Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
     on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring, and
-    figures that look like slips; --strict makes them errors. The source of a planner or policy that the scenario names
-    is looked for and read; only with --trust is it imported, which runs it.
+    figures that look like slips; --strict makes them errors.
+
+    Code, programs, key files, devices and addresses beyond this machine that the scenario names are listed on stderr,
+    and not used: gcs run asks for them. The source of code is looked for and read; with --trust it is imported, too.
 
     \b
     Examples:
@@ -142,12 +168,9 @@ def validate(
       1    the image could not be written
       2    it cannot be flown, or with --strict is warned of; each reason is a line on stderr
     """
-    from gcs.scenario import plot, plugins
+    from gcs.scenario import plot
 
-    checked = load_scenario(scenario, settings, runs_code=trust)
-    code = ", ".join(plugins.listed(checked))
-    if code and not trust:
-        click.echo(f"{scenario}: names code, which is not looked at without --trust: {code}", err=True)
+    checked = load_scenario(scenario, settings, trust=True if trust else None, quiet=False)
     if image is not None:
         try:
             plot.image(checked, image)

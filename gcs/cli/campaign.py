@@ -16,6 +16,7 @@ import click
 from gcs.cli.author import SET, load_scenario
 from gcs.cli.campaign_progress import ProgressLine
 from gcs.cli.options import Refused, out_option
+from gcs.cli.trust import TRUST, allow, digest
 from gcs.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
@@ -27,8 +28,25 @@ if TYPE_CHECKING:
 SEED = click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
 OUT = out_option("A new folder.  [default: campaigns/NAME-TIME]")
 FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
+
+
+def _scheduler(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
+    """The callback of --scheduler: an address that has TLS, with certificates for it."""
+    if value is not None:
+        from gcs.campaign.cluster import EngineError, check_scheduler
+
+        try:
+            check_scheduler(value)
+        except EngineError as error:
+            raise click.BadParameter(f"{error}.", ctx, param) from None
+    return value
+
+
 SCHEDULER = click.option(
-    "--scheduler", metavar="ADDRESS", help="Fly on the workers of this Dask scheduler, such as tcp://HOST:8786."
+    "--scheduler",
+    callback=_scheduler,
+    metavar="ADDRESS",
+    help="Fly on the workers of this Dask scheduler, by mutual TLS, such as tls://HOST:8786.",
 )
 WORKERS = click.option(
     "--workers", type=click.IntRange(1, 1024), metavar="N", help="Workers on this machine.  [default: one per core]"
@@ -39,7 +57,7 @@ QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wro
 
 def flown(command: Callable[..., Any]) -> Callable[..., Any]:
     """The options of every command that flies a campaign's sessions."""
-    return SCHEDULER(WORKERS(PLAIN(QUIET(command))))
+    return SCHEDULER(WORKERS(PLAIN(QUIET(TRUST(command)))))
 
 
 @click.group(short_help="Fly a scenario many times, varied, and see what comes of it.")
@@ -68,6 +86,7 @@ def run(
     sessions: int | None,
     seed: int | None,
     out: Path | None,
+    trust: bool,
     **how: Any,
 ) -> int:
     """Fly FILE, a campaign's file or the name of a shipped one; a row per session, written as rows come.
@@ -85,7 +104,7 @@ def run(
     from gcs.campaign.engine import EngineError
     from gcs.campaign.runner import make_folder
 
-    plan = _planned(file, sessions, seed)
+    plan = _planned(file, sessions, seed, trust=trust)
     try:
         folder = make_folder(plan, out)
     except EngineError as error:
@@ -96,13 +115,13 @@ def run(
 @campaign.command(short_help="Fly what a campaign lacks.")
 @FOLDER
 @flown
-def resume(folder: Path, **how: Any) -> int:
+def resume(folder: Path, trust: bool, **how: Any) -> int:
     """Go on with the campaign in DIR: only sessions without a row are flown.
 
     \b
     Exit status: as of `gcs campaign run`.
     """
-    return _fly(folder, _found(folder), **how)
+    return _fly(folder, _found(folder, trust=trust), **how)
 
 
 @campaign.command(short_help="How far a campaign is.")
@@ -132,7 +151,8 @@ def status(folder: Path) -> int:
 @out_option("The session's folder.")
 @click.option("--scenario", "only", is_flag=True, help="Print the scenario instead of flying it.")
 @QUIET
-def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> int:
+@TRUST
+def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool, trust: bool) -> int:
     """Fly session ROW of the campaign in DIR as `gcs run` would; its digest is the row's.
 
     \b
@@ -152,7 +172,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool) -> in
     from gcs.session import supervised
     from gcs.session.plain_text import PlainView, View
 
-    plan = _found(folder)
+    plan = _found(folder, trust=trust)
     if row >= plan.rows:
         raise click.UsageError(f"there is no row {row}: {plan.campaign.name} has rows 0 to {plan.rows - 1}")
     try:
@@ -218,6 +238,7 @@ def search(
     workers: int | None,
     plain: bool,
     quiet: bool,
+    trust: bool,
 ) -> int:
     """Search what FILE, a campaign with `search:`, draws for the worst value of a measure, and write that scenario.
 
@@ -238,7 +259,7 @@ def search(
     from gcs.extras import require
     from gcs.scenario.file import dump
 
-    plan = _planned(file, None, seed)
+    plan = _planned(file, None, seed, trust=trust)
     rules = plan.campaign.search
     if rules is None:
         raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
@@ -289,7 +310,10 @@ def search(
 )
 @click.option("--out", type=click.Path(path_type=Path, dir_okay=False), default=Path("small.yaml"), show_default=True)
 @QUIET
-def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], out: Path, quiet: bool) -> int:
+@TRUST
+def shrink(
+    scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], out: Path, quiet: bool, trust: bool
+) -> int:
     """Take vehicles, obstacles and digits from SCENARIO while its session still fails, and write what is left.
 
     \b
@@ -306,7 +330,7 @@ def shrink(scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], ou
     from gcs.scenario.file import dump
     from gcs.session.warm import WarmError, WarmSessions
 
-    loaded = load_scenario(scenario, settings).flown(lockstep=True)
+    loaded = load_scenario(scenario, settings, trust=trust, quiet=quiet).flown(lockstep=True)
     wanted = dict(_expectation(text) for text in expect)
     try:
         with WarmSessions() as sessions:
@@ -342,7 +366,7 @@ def _expectation(text: str) -> tuple[str, Expectation]:
     return name, Limit(at_least=limit) if sign == ">=" else Limit(at_most=limit)
 
 
-def _planned(file: str, sessions: int | None = None, seed: int | None = None) -> Plan:
+def _planned(file: str, sessions: int | None, seed: int | None, *, trust: bool) -> Plan:
     """The plan of a campaign's file or name, its first sessions checked."""
     from gcs.campaign import file as files
     from gcs.campaign.plan import make
@@ -353,15 +377,27 @@ def _planned(file: str, sessions: int | None = None, seed: int | None = None) ->
         loaded = files.load(path)
         changes: dict[str, Any] = {} if sessions is None else {"sessions": sessions}
         changes |= {} if seed is None else {"seed": seed}
-        plan = make(loaded.model_copy(update=changes), [path.parent])
-        plan.check()
+        return _allowed(file, make(loaded.model_copy(update=changes), [path.parent]), trust=trust)
     except ScenarioError as error:
         raise Refused(str(error)) from None
+
+
+def _allowed(name: str, plan: Plan, *, trust: bool) -> Plan:
+    """The plan, its first sessions checked, once it may use what it names. Raises ScenarioError, Refused."""
+    from gcs.campaign.file import dump
+    from gcs.campaign.plan import NotAllowed
+
+    try:
+        plan.check()
+    except NotAllowed as asks:
+        allow(name, asks.named, digest(*plan.modules, dump(plan.campaign), plan.text), trust=trust)
+        plan = replace(plan, trusted=True)
+        plan.check()
     return plan
 
 
-def _found(folder: Path) -> Plan:
-    """The plan of a campaign's folder; broken parts of its table are named."""
+def _found(folder: Path, *, trust: bool | None = None) -> Plan:
+    """The plan in a campaign's folder, broken parts of its table named; with `trust`, once it may use what it names."""
     from gcs.campaign import table
     from gcs.campaign.plan import read
     from gcs.scenario.model import ScenarioError
@@ -371,11 +407,14 @@ def _found(folder: Path) -> Plan:
         for path in table.broken(folder, plan.campaign):
             why = f"no rows can be read from it; gcs campaign resume {folder} sets it aside and flies them again"
             click.echo(f"gcs: {path}: {why}", err=True)
-        return plan
     except (OSError, ValueError, KeyError):
         raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
     except ScenarioError as error:
         raise Refused(str(error)) from None
+    try:
+        return plan if trust is None else _allowed(str(folder), plan, trust=trust)
+    except ScenarioError:  # its rows say why they cannot be flown
+        return plan
 
 
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:

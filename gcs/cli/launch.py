@@ -12,6 +12,7 @@ import click
 
 from gcs.cli.author import ScenarioName, load_scenario
 from gcs.cli.options import endpoint, out_option
+from gcs.cli.trust import TRUST
 from gcs.scenario.endpoint import Endpoint
 
 
@@ -39,8 +40,11 @@ def _checked_address(ctx: click.Context, param: click.Parameter, value: str | No
 )
 @out_option("Keep parameters and logs in this new folder.")
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
+@TRUST
 @click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")
-def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, until_eof: bool) -> int:
+def launch(
+    scenario: str, connect: Endpoint | None, out: Path | None, as_json: bool, trust: bool, until_eof: bool
+) -> int:
     """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
 
     They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
@@ -66,7 +70,7 @@ def launch(scenario: str, connect: Endpoint | None, out: Path | None, as_json: b
     """
     from gcs.session.launch import launch as start
 
-    resolved = load_scenario(scenario, runs_code=False)  # vehicles plan nothing
+    resolved = load_scenario(scenario, trust=trust, plans=False)
     for sysid, external in resolved.vehicles.external.items():
         click.echo(f"vehicle {sysid} is not launched: it is expected at {external.where}", err=True)
     if not resolved.vehicles.launched:

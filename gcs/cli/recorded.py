@@ -17,6 +17,7 @@ import click
 
 from gcs.cli import page
 from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
+from gcs.cli.trust import TRUST, allow, digest_of
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 @page.TILES
 @page.FOXGLOVE
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
-@click.option("--trust", is_flag=True, help="With --decide: run the code that the session's scenario names.")
+@TRUST
 def replay(
     session: Path,
     speed: float | None,
@@ -77,7 +78,7 @@ def replay(
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
     of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
-    names is somebody's code, found in the current folder or in the session's: it runs only with --trust.
+    names is somebody's code, found in the current folder or in the session's: it is asked for once.
 
     \b
     Examples:
@@ -144,6 +145,7 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     from gcs.scenario import plugins
     from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
+    from gcs.scenario.parts.reach import reached
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.exists():
@@ -151,10 +153,10 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
     try:
-        code = ", ".join(plugins.listed(load(session / SCENARIO))) if (session / SCENARIO).exists() else ""
-        if code and not trust:
-            raise click.UsageError(f"--decide: the scenario of {session} names code: {code}; --trust runs it.")
-        if code:
+        scenario = session / SCENARIO
+        named = reached(load(scenario)) if scenario.exists() else []
+        if code := [one for one in named if one.reach == "code"]:
+            allow(str(scenario), code, digest_of(scenario), trust=trust)
             plugins.look_in([Path.cwd(), session])
         # What a user's planner or policy prints must not stand among the verdict's lines.
         with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):

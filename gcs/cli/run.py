@@ -17,6 +17,7 @@ import click
 from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments, show_warnings
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
+from gcs.cli.trust import TRUST
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.loading import uncollected
 
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 )
 @author.SET
 @author.STRICT
+@TRUST
 @out_option("The session's folder, which must not exist yet.  [default: sessions/NAME-TIME]")
 @key_file_option(
     "MAVLink 2 signing: the key of all external vehicles, instead of what the scenario says (gcs key new)."
@@ -97,6 +99,7 @@ def run(
     seed: int | None,
     settings: tuple[str, ...],
     strict: bool,
+    trust: bool,
     out: Path | None,
     key_file: Path | None,
     forwards: tuple[str, ...],
@@ -132,6 +135,9 @@ def run(
       gcs run demo --forward udpout:127.0.0.1:14550
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
+    Code, programs, key files, devices and addresses beyond this machine that SCENARIO names are listed, and asked for
+    once; where nobody can be asked, --trust lets it use them.
+
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
     with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result
     (summary.json) and a page that shows it all (report.html).
@@ -160,14 +166,14 @@ def run(
 
     lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
     hatch = click.get_current_context().with_resource(early(lines and can_fork()))
-    from gcs.scenario.plugins import listed, named
+    from gcs.scenario.plugins import named
     from gcs.session.plain_text import logged, mute_stdout
     from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
     from gcs.session.supervised import run as fly
 
     try:
         key_path = None if key_file is None else str(key_file.resolve())
-        resolved = load_scenario(scenario, settings).flown(
+        resolved = load_scenario(scenario, settings, trust=trust, quiet=quiet).flown(
             lockstep=lockstep,
             speed=speed,
             seed=seed,
@@ -197,9 +203,6 @@ def run(
     if seed is not None and not quiet and not (by_chance or any(named(resolved))):
         why = "without loss and the like in radio: and faults:, turbulence and sensors nothing here is random"
         click.echo(f"gcs: --seed changes nothing: {why}", err=True)
-    code = ", ".join(listed(resolved))
-    if code and not quiet:
-        click.echo(f"gcs: the scenario names code, which the session runs as you: {code}", err=True)
     if not quiet:
         try:
             click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
@@ -209,7 +212,7 @@ def run(
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
     fork = None
     own = bool(resolved.vehicles.launched or resolved.traffic)
-    forks = can_fork() and not code
+    forks = can_fork() and not any(named(resolved))
     if hatch is not None and not (own and forks):
         hatch.discard()
     if forks:

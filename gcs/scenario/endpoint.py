@@ -7,6 +7,7 @@
 A host of IPv6 stands in brackets: udpin:[::1]:14550.
 """
 
+import ipaddress
 import re
 from typing import NamedTuple
 
@@ -38,6 +39,17 @@ class Endpoint(NamedTuple):
         """The endpoint as it is written."""
         host = f"[{self.host}]" if ":" in self.host and self.way != "serial" else self.host
         return f"{self.way}:{host}:{self.port}"
+
+
+def beyond_this_machine(text: str) -> bool:
+    """Whether an address is a device, or one that others than this machine's users can reach or be reached at."""
+    at = address(text)
+    if at is None or at.way == "serial":
+        return True
+    try:
+        return not ipaddress.ip_address(at.host).is_loopback
+    except ValueError:
+        return at.host != "localhost"
 
 
 def address(text: str, *ways: str) -> Endpoint | None:

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import AfterValidator, Field, WithJsonSchema
 
 from gcs.scenario.document import Conflict, KeyPath
-from gcs.scenario.endpoint import EXAMPLE, address
+from gcs.scenario.endpoint import EXAMPLE, address, beyond_this_machine
+from gcs.scenario.parts.reach import Asks
 from gcs.scenario.types import Exact, Joules, Part, SysId
 
 RealKind = Literal["ardupilot", "px4"]
@@ -49,14 +50,19 @@ if TYPE_CHECKING:
     Connect = str | tuple[str, ...]
 else:
     _LIST = {"type": "array", "items": {"type": "string"}, "minItems": 1, "maxItems": MOST_LINKS}
-    Connect = Annotated[Any, AfterValidator(_checked), WithJsonSchema({"anyOf": [{"type": "string"}, _LIST]})]
+    Connect = Annotated[
+        Any,
+        Asks("address", beyond_this_machine),
+        AfterValidator(_checked),
+        WithJsonSchema({"anyOf": [{"type": "string"}, _LIST]}),
+    ]
 Wait = Annotated[float, Exact(gt=0, le=3600)]
 
 
 class SigningKey(Part):
     """Signs what goes to a vehicle, and takes from it only what is signed with the same key."""
 
-    key_file: Annotated[str, Field(min_length=1, max_length=4096)]
+    key_file: Annotated[str, Asks("key file"), Field(min_length=1, max_length=4096)]
     """file with the key, as `gcs key new` writes it; a relative path counts from the scenario's folder"""
 
 

@@ -16,6 +16,7 @@ from gcs.scenario.faults import Fault, fault_conflicts
 from gcs.scenario.fence import NO_FENCE, FenceRules, fence_conflicts
 from gcs.scenario.parts.bases import Base, base_conflicts
 from gcs.scenario.parts.radio import PERFECT, Blackout, Radio
+from gcs.scenario.parts.reach import Shown
 from gcs.scenario.parts.session import STEP_S, Clock, Goal, Origin, Pursue, Record, known_axes
 from gcs.scenario.parts.surroundings import Attractor, Mover, Obstacle
 from gcs.scenario.parts.vehicles import Battery, Pursuer, Tanker, Target, VehicleBase, Vehicles
@@ -86,7 +87,7 @@ class Scenario(Part):
     """version of the file format; 1"""
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]{0,63}$")]
     """also the session folder's"""
-    description: str = ""
+    description: Annotated[str, Shown()] = ""
     """free text, shown in reports"""
     axes: Annotated[Literal["paper", "ned"], AfterValidator(known_axes)]
     """of all geometry in the file; `ned` once loaded"""

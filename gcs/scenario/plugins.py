@@ -28,11 +28,6 @@ def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
         yield "competition.policy", scenario.competition.policy, "choose"
 
 
-def listed(scenario: Scenario) -> list[str]:
-    """Code that a scenario names, a few words each: one from elsewhere may name code that it brings along."""
-    return [f"{name} ({key})" for key, name, _ in named(scenario)]
-
-
 def look_in(folders: Iterable[str | Path]) -> None:
     """Let modules in these folders be found, after all others."""
     for folder in [str(Path(folder).resolve()) for folder in folders]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import AfterValidator, WithJsonSchema, model_validator
 
 from gcs.scenario.document import did_you_mean
+from gcs.scenario.parts.reach import Asks, is_foreign_code
 from gcs.scenario.types import (
     Coordinate,
     Exact,
@@ -33,7 +34,9 @@ def _one_of(*known: str) -> Any:
         return value
 
     schema = {"anyOf": [{"enum": list(known)}, {"pattern": f"^{OWN.pattern}$"}]}
-    return Annotated[str, AfterValidator(check), WithJsonSchema({"type": "string", **schema})]
+    return Annotated[
+        str, Asks("code", is_foreign_code), AfterValidator(check), WithJsonSchema({"type": "string", **schema})
+    ]
 
 
 SURFACE_FLOOR_M = 0.01

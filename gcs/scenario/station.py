@@ -6,7 +6,8 @@ from typing import Annotated
 from pydantic import AfterValidator, Field
 
 from gcs.scenario.document import Conflict
-from gcs.scenario.endpoint import EXAMPLE, FORM, address
+from gcs.scenario.endpoint import EXAMPLE, FORM, address, beyond_this_machine
+from gcs.scenario.parts.reach import Asks
 from gcs.scenario.types import Exact, Flag, Part
 
 TRAFFIC = (255, 156)
@@ -45,7 +46,10 @@ def _is_address(text: str) -> str:
 class Forward(Part):
     """Other ground stations beside this one (docs/protocol.md#forwarding)."""
 
-    to: Annotated[tuple[Annotated[str, AfterValidator(_is_address)], ...], Field(max_length=MOST_FORWARDED)] = ()
+    to: Annotated[
+        tuple[Annotated[str, Asks("address", beyond_this_machine), AfterValidator(_is_address)], ...],
+        Field(max_length=MOST_FORWARDED),
+    ] = ()
     """addresses to which everything goes that vehicles say, such as udpout:127.0.0.1:14550 for QGroundControl"""
-    control: Flag = False
+    control: Annotated[Flag, Asks("control")] = False
     """whether what is said there reaches the vehicles; a vehicle that somebody flies there is left to them"""

@@ -19,6 +19,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, core_schema
 
 from gcs.scenario.described import Described
+from gcs.scenario.parts.reach import Shown
 
 MOST_M = 1e5
 
@@ -68,7 +69,7 @@ else:
 Flag = Annotated[bool, Exact()]
 Count = Annotated[int, Exact(ge=0, lt=1 << 63)]
 SysId = Annotated[int, Exact(ge=1, le=254)]
-Label = Annotated[str, Field(pattern=r"^[^\x00-\x1f\x7f-\x9f]{1,32}$")]
+Label = Annotated[str, Shown(), Field(pattern=r"^[^\x00-\x1f\x7f-\x9f]{1,32}$")]
 ParamName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,15}$")]
 Number = Annotated[float, Exact()]
 Positive = Annotated[float, Exact(gt=0)]

@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import AfterValidator, Field, model_validator
 
 from gcs.scenario.external import REAL_KINDS, RealKind, Wait
+from gcs.scenario.parts.reach import Asks
 from gcs.scenario.types import Coordinate, Exact, NotNegative, Part, Positive, Seconds
 
 
@@ -106,7 +107,7 @@ class Wind(Part):
 
 CALM = Wind.model_construct()
 
-ProgramPath = Annotated[str, Field(min_length=1, max_length=4096)]
+ProgramPath = Annotated[str, Asks("program"), Field(min_length=1, max_length=4096)]
 
 
 class RealAutopilot(Part):

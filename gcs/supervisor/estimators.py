@@ -62,7 +62,7 @@ class Estimators:
             if content.param_id == profile.estimator_parameter:
                 del self._asked[sysid]
                 return self._said(
-                    sysid, profile, int(profile.parameter(content.param_value, content.param_type)), now_s
+                    sysid, profile, int(profile.parameter(content.param_value, content.param_type).number), now_s
                 )
         return None
 

@@ -20,7 +20,7 @@ def launched(scenario: Mapping[str, Any], folder: Path) -> Iterator[dict[int, tu
     """The vehicles of a scenario, by system id where each listens; they end with the block."""
     path = folder / "fleet.yaml"
     path.write_text(yaml.safe_dump(dict(scenario)), encoding="utf-8")
-    argv = [*GCS, "launch", str(path), "--json", "--until-eof"]
+    argv = [*GCS, "launch", str(path), "--json", "--until-eof", "--trust"]
     with subprocess.Popen(argv, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         vehicles = json.loads(process.stdout.readline())["vehicles"]

@@ -192,7 +192,17 @@ class Running:
 
         limit = [] if file_limit is None else ["prlimit", f"--fsize={file_limit}"]
         self.process = subprocess.Popen(
-            [*limit, *GCS, "run", str(name), "--out", str(self.folder), *([] if report else ["--no-report"]), *options],
+            [
+                *limit,
+                *GCS,
+                "run",
+                str(name),
+                "--trust",
+                "--out",
+                str(self.folder),
+                *([] if report else ["--no-report"]),
+                *options,
+            ],
             stdout=subprocess.PIPE if stdout is None else os.open(stdout, os.O_WRONLY),
             stderr=subprocess.PIPE,
             text=True,

@@ -14,9 +14,11 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+import dask
 import psutil
 import pytest
 import yaml
+from distributed.security import Security
 from sessions import GCS
 
 from gcs.campaign import table
@@ -41,6 +43,7 @@ CAMPAIGN: dict[str, Any] = {
     "draw": {"radio.loss": {"uniform": [0.0, 0.3]}},
     "keep": "none",
 }
+ROLES = ("client", "scheduler", "worker")
 RESULT = ("row", "session", "combination", "seed", "radio.loss", "min_clearance_m", "ok", "error", "digest")
 
 
@@ -194,10 +197,53 @@ def test_an_interrupted_campaign_is_resumed(reference: list[dict[str, Any]], tmp
     assert {path: path.stat().st_mtime_ns for path in before} == before
 
 
-def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(reference: list[dict[str, Any]], tmp_path: Path) -> None:
+def test_no_other_user_can_reach_a_campaign_that_flies_here(tmp_path: Path) -> None:
+    """Pickles are read from pipes alone: what listens is files in folders that are closed to others."""
+    listening: list[Any] = []
+
+    def look(_: Progress, __: Any) -> None:
+        for process in (psutil.Process(), *psutil.Process().children(recursive=True)):
+            with suppress(psutil.NoSuchProcess):
+                listening.extend(one for one in process.net_connections("tcp") if one.status == psutil.CONN_LISTEN)
+                paths = {one.laddr for one in process.net_connections("unix")} - {""}
+                listening.extend(one for one in paths if not closed(Path(str(one))))
+
+    def closed(at: Path) -> bool:
+        return any(folder.exists() and not folder.stat().st_mode & 0o077 for folder in at.parents)
+
+    flown = plan(sessions=1)
+    folder = make_folder(flown, tmp_path / "campaign")
+    fly(folder, flown, look, workers=2)
+    assert not listening
+    assert [row["error"] for row in rows(folder, flown)] == [None, None]
+
+
+@pytest.fixture
+def secured(tmp_path: Path) -> Iterator[Path]:
+    """Dask's configuration with certificates of one authority, for processes; it holds in this one too."""
+    made = tmp_path / "tls"
+    made.mkdir()
+    for words in (
+        "req -x509 -newkey rsa:2048 -nodes -keyout ca.key -out ca.pem -days 2 -subj /CN=ca",
+        "req -newkey rsa:2048 -nodes -keyout us.key -out us.csr -subj /CN=us",
+        "x509 -req -in us.csr -CA ca.pem -CAkey ca.key -CAcreateserial -out us.pem -days 2",
+    ):
+        subprocess.run(["openssl", *words.split()], cwd=made, check=True, capture_output=True)
+    ours = {"cert": str(made / "us.pem"), "key": str(made / "us.key")}
+    tls = {"ca-file": str(made / "ca.pem"), **{role: dict(ours) for role in ROLES}}
+    (made / "dask.yaml").write_text(json.dumps({"distributed": {"comm": {"tls": tls, "require-encryption": True}}}))
+    given = {f"{role}.{name}": at for role in ROLES for name, at in ours.items()} | {"ca-file": str(made / "ca.pem")}
+    with dask.config.set({f"distributed.comm.tls.{name}": at for name, at in given.items()}):
+        assert Security().get_tls_config_for_role("client")["ca_file"] == str(made / "ca.pem")  # over Dask's defaults
+        yield made / "dask.yaml"
+
+
+def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(
+    reference: list[dict[str, Any]], tmp_path: Path, secured: Path
+) -> None:
     flown = plan()
     folder = make_folder(flown, tmp_path / "campaign")
-    with Cluster(tmp_path / "first") as first:
+    with Cluster(tmp_path / "first", secured) as first:
 
         def kill(progress: Progress, row: Any) -> None:
             if progress.done == 3 and row is not None:
@@ -206,17 +252,18 @@ def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(reference: list[dic
         with pytest.raises(EngineError, match="the scheduler is lost"):
             fly(folder, flown, kill, scheduler=first.address)
     assert 3 <= len(rows(folder, flown)) < 12
-    with Cluster(tmp_path / "second") as second:
+    with Cluster(tmp_path / "second", secured) as second:
         fly(folder, flown, scheduler=second.address)
     assert rows(folder, flown) == reference
 
 
+@pytest.mark.usefixtures("secured")
 def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("gcs.campaign.engine.CONNECT_WITHIN_S", 1.0)
+    monkeypatch.setattr("gcs.campaign.cluster.CONNECT_WITHIN_S", 1.0)
     flown = plan()
     folder = make_folder(flown, tmp_path / "campaign")
-    with pytest.raises(EngineError, match="no scheduler can be reached at tcp:"):
-        fly(folder, flown, scheduler="tcp://127.0.0.1:9")
+    with pytest.raises(EngineError, match="no scheduler can be reached at tls:"):
+        fly(folder, flown, scheduler="tls://127.0.0.1:9")
 
 
 def test_a_session_that_cannot_be_flown_or_takes_too_long_is_a_row(tmp_path: Path) -> None:
@@ -296,14 +343,14 @@ def network(machines: Sequence[str]) -> Iterator[str]:
 
 
 def test_machines_that_share_nothing_but_a_network_fly_the_same_rows(
-    reference: list[dict[str, Any]], tmp_path: Path
+    reference: list[dict[str, Any]], tmp_path: Path, secured: Path
 ) -> None:
     """A scheduler and two workers, each in a network namespace and a folder of its own."""
     machines = [f"gcs{os.getpid()}{letter}" for letter in "abc"]
     flown = plan()
     folder = make_folder(flown, tmp_path / "campaign")
-    with network(machines), Cluster(tmp_path / "cluster", machines) as cluster:
-        assert cluster.address == "tcp://10.89.7.2:8786"
+    with network(machines), Cluster(tmp_path / "cluster", secured, machines) as cluster:
+        assert cluster.address == "tls://10.89.7.2:8786"
         fly(folder, flown, scheduler=cluster.address)
     assert rows(folder, flown) == reference
 
@@ -311,11 +358,16 @@ def test_machines_that_share_nothing_but_a_network_fly_the_same_rows(
 class Cluster:
     """A scheduler and two workers of Dask, started by hand; here, or in three network namespaces."""
 
-    def __init__(self, folder: Path, machines: Sequence[str] = ()) -> None:
+    def __init__(self, folder: Path, secured: Path, machines: Sequence[str] = ()) -> None:
         folder.mkdir()
         self._processes: list[subprocess.Popen[str]] = []
         self._machines = list(machines)
-        here = ("--host", "10.89.7.2", "--port", "8786") if machines else ("--host", "127.0.0.1", "--port", "0")
+        self._environment = {**os.environ, "DASK_CONFIG": str(secured)}
+        here = (
+            ("--protocol", "tls", "--host", "10.89.7.2", "--port", "8786")
+            if machines
+            else ("--protocol", "tls", "--port", "0")
+        )
         self.scheduler = self._start(folder, "dask_scheduler", *here, "--no-dashboard")
         assert self.scheduler.stderr is not None
         said = next(line for line in self.scheduler.stderr if "Scheduler at:" in line)
@@ -329,6 +381,7 @@ class Cluster:
         local = ["--local-directory", str(folder / f"worker{count}")] if module == "dask_worker" else []
         process = subprocess.Popen(
             [*inside, sys.executable, "-m", f"distributed.cli.{module}", *arguments, *local],
+            env=self._environment,
             stderr=subprocess.PIPE if module == "dask_scheduler" else subprocess.DEVNULL,
             text=True,
         )

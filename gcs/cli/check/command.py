@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import click
 
 from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
+from gcs.cli.trust import TRUST
 from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 
@@ -50,6 +51,7 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
 @STATION_OPTION
 @click.option("--all", "everyone", is_flag=True, help="Every vehicle behind the address, one after the other.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for CI.")
+@TRUST
 @click.pass_context
 def check(
     context: click.Context,
@@ -64,6 +66,7 @@ def check(
     station: tuple[int, int],
     everyone: bool,
     as_json: bool,
+    trust: bool,
 ) -> int:
     """Ask a vehicle what MAVSDK, QGroundControl and MAVProxy ask, and name each reply that does not come.
 
@@ -105,7 +108,7 @@ def check(
     from gcs.cli.check.wire import check as run
 
     if scenario is not None:
-        return _check_scenario(context, scenario, wait_ready or 0.0, as_json=as_json)
+        return _check_scenario(context, scenario, wait_ready or 0.0, as_json=as_json, trust=trust)
     if everyone and sysid is not None:
         raise click.UsageError("--all and --sysid exclude each other.")
     names = [PEER_NAMES[peer] for peer in peers] or list(PEER_NAMES.values())
@@ -142,7 +145,7 @@ def check(
     return 0 if passed else NOT_DONE
 
 
-def _check_scenario(context: click.Context, name: str, ready_within_s: float, *, as_json: bool) -> int:
+def _check_scenario(context: click.Context, name: str, ready_within_s: float, *, as_json: bool, trust: bool) -> int:
     """Go through a scenario's check list; the exit status."""
     from gcs.cli.author import load_scenario
     from gcs.cli.check import scenario as lists
@@ -154,7 +157,7 @@ def _check_scenario(context: click.Context, name: str, ready_within_s: float, *,
         if context.get_parameter_source(option) is given:
             flag = {"peers": "peer", "everyone": "all"}.get(option, option).replace("_", "-")
             raise click.UsageError(f"--{flag} is for a check without a scenario: the scenario says who and where.")
-    loaded = load_scenario(name, runs_code=False)  # nothing is planned
+    loaded = load_scenario(name, trust=trust, plans=False)
     if not loaded.vehicles.external:
         raise click.UsageError(f"{name} has no external vehicle to check; `gcs validate` checks the scenario itself.")
     try:

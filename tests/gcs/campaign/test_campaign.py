@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -16,7 +17,7 @@ from distributed.client import FutureCancelledError
 from distributed.comm.core import CommClosedError
 
 from gcs.campaign import draws, file, report, statistics, table
-from gcs.campaign.engine import EngineError, _result
+from gcs.campaign.cluster import EngineError, check_scheduler, result
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, PlannedRow, make, read
 from gcs.campaign.statistics import Interval
@@ -45,7 +46,7 @@ def plan(**changes: Any) -> Plan:
 
 def told(**changes: Any) -> str:
     with pytest.raises(ScenarioError) as refused:
-        plan(**changes).check()
+        replace(plan(**changes), trusted=True).check()
     return str(refused.value)
 
 
@@ -192,13 +193,15 @@ def test_the_shipped_campaigns_can_be_flown() -> None:
         make(file.load(path), [path.parent]).check()
 
 
-@pytest.mark.parametrize("module", ["distributed", "pyarrow"])
+@pytest.mark.parametrize(
+    ("module", "options"), [("distributed.security", ["--scheduler", "tls://a:1"]), ("pyarrow", [])]
+)
 def test_a_campaign_without_its_extra_is_refused_before_it_leaves_a_folder(
-    module: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    module: str, options: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setitem(sys.modules, module, None)
     out = tmp_path / "campaign"
-    said = CliRunner().invoke(campaign, ["run", "policies", "--out", str(out)], standalone_mode=False)
+    said = CliRunner().invoke(campaign, ["run", "policies", "--out", str(out), *options], standalone_mode=False)
     assert isinstance(said.exception, MissingExtra)
     assert "pip install '.[campaign]'" in str(said.exception)
     assert not out.exists()
@@ -223,6 +226,23 @@ def test_the_report_says_which_is_better_where_an_interval_shows_it(
     assert report._better(measure, Interval((low + high) / 2, low, high), "a", "b") == better
 
 
+@pytest.mark.parametrize(
+    ("address", "why"),
+    [
+        ("tcp://127.0.0.1:8786", "is no address of a scheduler with TLS"),
+        ("127.0.0.1:8786", "is no address of a scheduler with TLS"),
+        ("tls://127.0.0.1:8786", r"needs certificates on both sides: .*ca_file and cert and key is missing"),
+    ],
+)
+def test_no_scheduler_is_spoken_to_without_certificates(address: str, why: str, tmp_path: Path) -> None:
+    with pytest.raises(EngineError, match=why):
+        check_scheduler(address)
+    said = CliRunner().invoke(campaign, ["run", "policies", "--out", str(tmp_path / "out"), "--scheduler", address])
+    assert said.exit_code == 2
+    assert "--scheduler" in said.output
+    assert not (tmp_path / "out").exists()
+
+
 @pytest.mark.parametrize("error", [CommClosedError("connection reset by peer"), FutureCancelledError("row-3", "lost")])
 @pytest.mark.parametrize("status", ["finished", "error"])
 def test_a_scheduler_that_goes_while_a_result_is_on_its_way_is_lost(status: str, error: Exception) -> None:
@@ -232,4 +252,4 @@ def test_a_scheduler_that_goes_while_a_result_is_on_its_way_is_lost(status: str,
     future = SimpleNamespace(status=status, result=fetch, exception=fetch)
     plan = cast(Plan, None)  # nothing of it is asked where there is no row
     with pytest.raises(EngineError, match=r"^the scheduler is lost$"):
-        _result(plan, future, cast(PlannedRow, None))
+        result(plan, future, cast(PlannedRow, None))

@@ -156,7 +156,7 @@ def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old
     Path("lacking.py").write_text("import no_such_package\n")
     path = Path("my-scenario.yaml")
     path.write_text(path.read_text().replace(f": {old} ", f": {new} "))
-    done = gcs("run", str(path))
+    done = gcs("run", str(path), "--trust")
     assert done.exit_code == 2
     assert sentence in done.output
     line = path.read_text()[: path.read_text().index(f": {new} ")].count("\n") + 1

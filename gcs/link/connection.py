@@ -10,6 +10,7 @@ import contextlib
 import os
 import select
 import socket
+import time
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
@@ -149,8 +150,8 @@ class ByteStream:
         """close: called once, at the end. is_there: asked where a read gives nothing, which of a device is no end."""
         self.descriptor = descriptor
         self.frames = FrameStream()
-        self.received = 0
-        """bytes so far"""
+        self.heard_s: float | None = None
+        """when it last completed a frame; None before the first"""
         self._close = close
         self._is_there = is_there
         self._unsent = b""
@@ -166,7 +167,6 @@ class ByteStream:
                 if self._is_there():
                     return
                 raise OSError
-            self.received += len(data)
             yield data
 
     def send(self, raw: bytes) -> None:
@@ -225,7 +225,12 @@ class StreamConnection(Channel):
 
     def split(self, data: bytes, sender: Where) -> Split:
         stream = self._streams.get(sender)
-        return codec.split(data) if stream is None else stream.frames.feed(data)
+        if stream is None:
+            return codec.split(data)
+        found = stream.frames.feed(data)
+        if found.frames:
+            stream.heard_s = time.monotonic()
+        return found
 
     def send(self, raw: bytes, to: Where) -> None:
         stream = self._streams.get(to)

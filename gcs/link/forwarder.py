@@ -21,6 +21,8 @@ MOST_STATIONS = 8
 """A udpin sends to so many."""
 SILENT_S = 10.0
 """A station at a udpin that has been silent for so long is sent nothing more."""
+YIELDS_S = 3.0
+"""One that has been silent for so long makes room for another, where all places are taken."""
 READ_AT_ONCE = 256
 """Pieces of one address that are looked into at a tick; the rest of what has come waits."""
 
@@ -105,5 +107,9 @@ class Forwarder:
         self._gate.close()
 
     def _note(self, place: int, sender: Where, now_s: float) -> None:
-        if (place, sender) in self._stations or len(self._stations) < MOST_STATIONS:
-            self._stations[place, sender] = now_s
+        if (place, sender) not in self._stations and len(self._stations) >= MOST_STATIONS:
+            idle = min(self._stations, key=self._stations.__getitem__)
+            if now_s - self._stations[idle] < YIELDS_S:
+                return
+            del self._stations[idle]
+        self._stations[place, sender] = now_s

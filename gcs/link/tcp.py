@@ -15,7 +15,9 @@ from gcs.scenario.endpoint import Endpoint
 
 CONNECT_WITHIN_S = 5.0
 MOST_CONNECTIONS = 16
-"""A tcpin has so many at once; the one that has never sent anything, or else nobody, makes room for a newcomer."""
+"""A tcpin has so many at once; for a newcomer one makes room that has never sent a frame, or none for YIELDS_S."""
+YIELDS_S = 5.0
+"""A station or a vehicle sends a HEARTBEAT every second."""
 _PATIENT = frozenset({errno.EINPROGRESS, errno.EWOULDBLOCK})
 
 
@@ -129,11 +131,12 @@ class TcpListener(StreamConnection):
             except OSError:
                 return
             if len(self._streams) >= MOST_CONNECTIONS:
-                silent = next((other for other, stream in self._streams.items() if not stream.received), None)
-                if silent is None:
+                idle = min(self._streams, key=lambda other: self._streams[other].heard_s or 0.0)
+                heard_s = self._streams[idle].heard_s
+                if heard_s is not None and time.monotonic() - heard_s < YIELDS_S:
                     made.close()
                     continue
-                self._drop(silent)
+                self._drop(idle)
             made.setblocking(False)
             made.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self._add(sender, ByteStream(made.fileno(), made.close))

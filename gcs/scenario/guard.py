@@ -1,13 +1,16 @@
 """Guard of a user's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
 
-A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps (not a call
-into compiled code that never comes back). Who has been cut off is not asked again: ten of them in a row would end
-the patience that vehicles have with a silent supervisor.
+A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps. A call into
+compiled code that never comes back cannot be cut: after HANGS_S the process ends, and says where it hung, so that its
+vehicles end too, whether or not anybody still waits for it. Who has been cut off is not asked again: ten of them in a
+row would end the patience that vehicles have with a silent supervisor.
 """
 
 from __future__ import annotations
 
+import faulthandler
 import signal
+import sys
 import threading
 import time
 import traceback
@@ -19,6 +22,7 @@ from types import FrameType
 from typing import Any, TypeVar
 
 LIMIT_S = 1.0
+HANGS_S = 10.0
 AGAIN_S = 0.05
 """A call that swallows the cut is cut again."""
 MAX_TEXT = 200
@@ -123,11 +127,13 @@ def _cut_off_after(limit_s: float) -> Iterator[None]:
         return
     handler = signal.signal(signal.SIGALRM, _cut)
     begun_s = time.monotonic()
+    faulthandler.dump_traceback_later(HANGS_S, exit=True, file=sys.__stderr__ or 2)
     left_s, every_s = signal.setitimer(signal.ITIMER_REAL, limit_s, AGAIN_S)
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
+        faulthandler.cancel_dump_traceback_later()
         signal.signal(signal.SIGALRM, handler)
         if left_s:
             signal.setitimer(signal.ITIMER_REAL, max(left_s - (time.monotonic() - begun_s), 1e-3), every_s)

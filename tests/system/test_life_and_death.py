@@ -88,6 +88,31 @@ def test_nothing_outlives_a_killed_process(running: Running, victim: Callable[[R
     assert not all_gone(family)
 
 
+@pytest.mark.parametrize("killed", [False, True])
+def test_a_planner_that_hangs_in_compiled_code_holds_no_process(killed: bool, tmp_path: Path) -> None:
+    """Whether the command still waits for its supervisor or has been killed meanwhile."""
+    code = "class Hangs:\n    def __init__(self, scenario):\n        pass\n\n    def plan(self, vehicle, situation):\n"
+    code += "        open('asked', 'w').close()\n        return sum(range(10**13))\n"
+    (tmp_path / "hanging.py").write_text(code)
+    scenario = tmp_path / "scenario.yaml"
+    scenario.write_text(yaml.safe_dump(small(planner="hanging:Hangs")))
+    command = [*GCS, "run", scenario.name, "--trust", "--lockstep", "--plain", "--out", "session"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run:
+        family = [psutil.Process(run.pid)]
+        while not (tmp_path / "asked").exists():
+            assert run.poll() is None
+            family = [psutil.Process(run.pid), *psutil.Process(run.pid).children(recursive=True)]
+            all_gone(family[:1], within_s=0.1)
+        if killed:
+            run.kill()
+        assert not all_gone(family, within_s=30.0)
+        assert run.stderr is not None
+        said = run.stderr.read()
+    assert "line 7 in plan" in said
+    if not killed:
+        assert run.returncode == 70
+
+
 def test_the_supervisor_saves_the_session_when_its_parent_is_killed(running: Running) -> None:
     supervisor = the_supervisor(running)
     running.process.send_signal(signal.SIGKILL)

@@ -6,6 +6,7 @@ import socket
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import serial
@@ -26,7 +27,7 @@ SENDER = mav.MAVLink(None, srcSystem=4, srcComponent=1)
 FRAME = bytes(mav.MAVLink_heartbeat_message(2, 12, 0x81, 6 << 16, 4, 3).pack(SENDER))
 
 
-def opened(text: str) -> Channel:
+def opened(text: str) -> Any:
     at = address(text)
     assert at is not None
     return open_connection(at)
@@ -104,6 +105,34 @@ def test_of_too_many_who_connect_and_say_nothing_the_next_takes_a_place() -> Non
     assert len(one.senders) == tcp.MOST_CONNECTIONS
     idle[-1].sendall(FRAME)
     assert read(one, 1) == [FRAME]
+    for other in idle:
+        other.close()
+    one.close()
+
+
+@pytest.mark.parametrize("first", [b"no MAVLink at all", FRAME])
+def test_who_has_sent_something_once_and_then_nothing_holds_no_place(
+    first: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Strangers hold every place; those that have sent a frame lately keep theirs."""
+    one = opened("tcpin:127.0.0.1:0")
+    idle = []
+    for _ in range(tcp.MOST_CONNECTIONS):
+        idle.append(socket.create_connection(("127.0.0.1", one.port)))
+        idle[-1].sendall(first)
+        until(one, lambda: idle[-1].getsockname() in one.senders)
+    if first == FRAME:
+        until(one, lambda: all(stream.heard_s for stream in one._streams.values()))
+        with socket.create_connection(("127.0.0.1", one.port)) as refused:
+            refused.settimeout(5.0)
+            assert not list(one.receive())
+            assert refused.recv(1) == b""
+        monkeypatch.setattr(tcp, "YIELDS_S", 0.0)
+    with socket.create_connection(("127.0.0.1", one.port)) as station:
+        station.sendall(FRAME)
+        heard = station.getsockname()
+        until(one, lambda: heard in one.senders and one._streams[heard].heard_s is not None)
+        assert len(one.senders) == tcp.MOST_CONNECTIONS
     for other in idle:
         other.close()
     one.close()

@@ -1,5 +1,6 @@
 """Forwarding to stations that are there, that are not, and that do not read."""
 
+import contextlib
 import select
 import socket
 import time
@@ -80,6 +81,31 @@ def test_of_many_who_ask_a_few_are_answered_and_those_who_go_make_room(monkeypat
     assert not out._stations
     for one in many:
         one.close()
+    out.close()
+
+
+def test_strangers_that_fall_silent_shut_no_station_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They hold every place with a HEARTBEAT each now and then; a station's comes every second."""
+    out = Forwarder(["udpin:127.0.0.1:0"])
+    port = int(out.addresses[0].rpartition(":")[2])
+    with contextlib.ExitStack() as stack:
+        strangers = [stack.enter_context(station()) for _ in range(MOST_STATIONS)]
+        ours = stack.enter_context(station())
+
+        def says(one: socket.socket) -> None:
+            one.sendto(HEARTBEAT, ("127.0.0.1", port))
+            assert select.select([out._channels[0]], [], [], 5.0)[0]
+            assert len(out.receive()) == 1
+
+        for one in strangers:
+            says(one)
+        says(ours)
+        assert (0, ours.getsockname()) not in out._stations
+        monkeypatch.setattr(forwarder, "YIELDS_S", 0.0)
+        says(ours)
+        assert (0, ours.getsockname()) in out._stations
+        assert (0, strangers[0].getsockname()) not in out._stations
+        assert len(out._stations) == MOST_STATIONS
     out.close()
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import signal
+import subprocess
+import sys
 import time
 
 import pytest
@@ -93,3 +95,23 @@ def test_a_timer_that_was_running_goes_on() -> None:
     after = signal.getitimer(signal.ITIMER_REAL)[0]
     assert 0.0 < after <= before
     assert after > before - 5.0
+
+
+HANGS = """
+from gcs.scenario import guard
+guard.HANGS_S = 0.3
+guard.Guard("planner a:B", limit_s=0.1).call(1, lambda: sum(range(10**13)))
+"""
+
+
+def test_a_call_into_compiled_code_that_never_comes_back_ends_the_process_and_names_its_line() -> None:
+    done = subprocess.run([sys.executable, "-c", HANGS], capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 1
+    assert "Timeout (0:00:00.300000)!" in done.stderr
+    assert 'File "<string>", line 4 in <lambda>' in done.stderr
+
+
+def test_a_call_that_comes_back_leaves_nothing_that_could_end_the_process() -> None:
+    code = HANGS.replace("sum(range(10**13))", "5") + "import time\ntime.sleep(0.6)\n"  # longer than a hang may be
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (0, "")

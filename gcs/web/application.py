@@ -70,8 +70,15 @@ def policy(tiles: str | None) -> str:
     return POLICY.format(tiles="" if tiles is None else f" {server(tiles)}")
 
 
-def application(hub: Hub, tokens: Tokens, send: Send, tiles: str | None = None) -> Starlette:
-    """The ASGI application; `send` takes the commands of pages that may command."""
+def application(
+    hub: Hub,
+    tokens: Tokens,
+    send: Send,
+    tiles: str | None = None,
+    admit: Callable[[tuple[str, int] | None], object] = lambda _: None,
+) -> Starlette:
+    """The ASGI application; `send` takes the commands of pages that may command, `admit` the address of each client
+    that has shown a token."""
 
     async def stream(socket: WebSocket) -> None:
         if not _own(socket.headers.get("origin"), socket.headers.get("host")):
@@ -84,6 +91,7 @@ def application(hub: Hub, tokens: Tokens, send: Send, tiles: str | None = None) 
         if commands is None:
             await socket.close(NO_TOKEN, "the token is missing, or of another session")
             return
+        admit(None if socket.client is None else (socket.client.host, socket.client.port))
         await _serve(socket, hub, commands, send)
 
     routes = [

@@ -15,6 +15,8 @@ import msgspec
 
 PAST_BYTES = 16 << 20
 """Kept of the past for late pages."""
+PIECE_BYTES = 64 << 10
+"""The past goes to a page in pieces of this size, each made when the page has room for it."""
 PAST_EVERY_S = 0.5
 MOST_EVENTS = 4000
 MOST_WAITING = 400
@@ -26,13 +28,23 @@ Message = Mapping[str, Any]
 class PageListener:
     """One page: the lines that wait for it. `wake` is called when there is one, or when it is let go of."""
 
-    def __init__(self, number: int, commands: bool, wake: Callable[[], object]) -> None:
+    def __init__(
+        self,
+        number: int,
+        commands: bool,
+        wake: Callable[[], object],
+        greeting: bytes | None = None,
+        past: Iterable[bytes] = (),
+    ) -> None:
+        """greeting, past: for it to have first; lines of the past are all pages', and copied only when they go."""
         self.number = number
         self.commands = commands
         """whether it may command"""
         self.slow = False
         """whether it has been let go of"""
         self._wake = wake
+        self._greeting = greeting
+        self._past = deque(past)
         self._waiting: deque[tuple[bytes, bool]] = deque()
 
     def put(self, line: bytes, *, replaceable: bool = False) -> None:
@@ -41,13 +53,24 @@ class PageListener:
             self._waiting[-1] = (line, True)
         elif len(self._waiting) >= MOST_WAITING:
             self.slow = True
+            self._greeting = None
+            self._past.clear()
             self._waiting.clear()
         elif not self.slow:
             self._waiting.append((line, replaceable))
         self._wake()
 
     def take(self) -> bytes | None:
-        """The next line for it; None where none waits."""
+        """The next line for it; None where none waits. The past comes as lists, a piece at a time."""
+        if (line := self._greeting) is not None:
+            self._greeting = None
+            return line
+        if self._past:
+            piece, size = [], 0
+            while self._past and size < PIECE_BYTES:
+                piece.append(self._past.popleft())
+                size += len(piece[-1])
+            return b"[" + b",".join(piece) + b"]"
         return self._waiting.popleft()[0] if self._waiting else None
 
 
@@ -79,7 +102,7 @@ class Hub:
             if kind == "session":
                 self._session = {key: value for key, value in message.items() if key not in ("events", "told")}
                 for listener in self._listeners.values():
-                    listener.put(self._greeting(listener, events=False))
+                    listener.put(self._greeting(listener.commands, events=False))
             elif kind == "snapshot":
                 self._take_snapshot(message)
             elif kind == "reply":
@@ -92,11 +115,10 @@ class Hub:
     def join(self, commands: bool, wake: Callable[[], object]) -> PageListener:
         """A page that has come; what it is told first waits for it already."""
         self._number += 1
-        listener = self._listeners[self._number] = PageListener(self._number, commands, wake)
-        if self._session is not None:
-            listener.put(self._greeting(listener))
-        if self._past:
-            listener.put(b"[" + b",".join(line for _, line in self._past) + b"]")
+        greeting = None if self._session is None else self._greeting(commands)
+        listener = PageListener(self._number, commands, wake, greeting, (line for _, line in self._past))
+        self._listeners[self._number] = listener
+        wake()
         if self._newest is not None:
             listener.put(self._newest, replaceable=True)
         if self._end is not None:
@@ -122,10 +144,10 @@ class Hub:
             return None
         return {**content, "id": f"{listener.number}/{given}"}
 
-    def _greeting(self, listener: PageListener, *, events: bool = True) -> bytes:
+    def _greeting(self, commands: bool, *, events: bool = True) -> bytes:
         assert self._session is not None
         told: dict[str, Any] = {"events": list(self._events), "told": self._event_count} if events else {}
-        control = bool(self._session.get("control")) and listener.commands
+        control = bool(self._session.get("control")) and commands
         return self._encoder.encode({**self._session, "control": control, **told})
 
     def _take_snapshot(self, message: Message) -> None:

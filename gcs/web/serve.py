@@ -13,6 +13,7 @@ import uvicorn
 from gcs.session.client import MessageSource
 from gcs.web.application import Tokens, application
 from gcs.web.hub import Hub
+from gcs.web.places import Places, protocol
 
 LOOK_EVERY_S = 0.05
 GRACE_S = 1
@@ -30,10 +31,11 @@ def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], t
 
     tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it.
     """
-    tokens, hub = Tokens.fresh(), Hub()
+    tokens, hub, places = Tokens.fresh(), Hub(), Places()
     orders: deque[Mapping[str, Any]] = deque()
     config = uvicorn.Config(
-        application(hub, tokens, orders.append, tiles),
+        application(hub, tokens, orders.append, tiles, places.admit),
+        http=protocol(places),
         log_level="critical",
         access_log=False,
         lifespan="off",

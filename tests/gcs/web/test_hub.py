@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import itertools
 import json
+import tracemalloc
 from typing import Any
 
-from gcs.web.hub import MOST_WAITING, READ_ONLY, Hub, PageListener
+from gcs.web.hub import MOST_WAITING, PIECE_BYTES, READ_ONLY, Hub, PageListener
 
 SESSION = {"type": "session", "name": "one", "control": True}
 
@@ -111,3 +112,19 @@ def test_what_is_no_command_is_passed_over() -> None:
         assert hub.command(page, text) is None
     hub.take([{"type": "reply", "id": "99/x", "ok": True, "text": ""}, {"type": "reply", "id": None, "ok": True}])
     assert told(page) == []
+
+
+def test_a_page_that_reads_nothing_keeps_no_copy_of_the_past() -> None:
+    """16 MB of it, as 20 pages are to have it: each takes it in pieces, the lines are shared."""
+    hub = Hub()
+    hub.take([SESSION, *(snapshot(float(k), size=40_000) for k in range(390))])
+    tracemalloc.start()
+    try:
+        deaf = [joined(hub) for _ in range(20)]
+        assert tracemalloc.get_traced_memory()[1] < 2 << 20
+    finally:
+        tracemalloc.stop()
+    session, *pieces, newest = told(deaf[0])
+    assert (session["type"], newest["t_s"]) == ("session", 389.0)
+    assert [line["t_s"] for piece in pieces for line in piece] == [float(k) for k in range(390)]
+    assert max(len(json.dumps(piece)) for piece in pieces) < PIECE_BYTES + 50_000

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import http.client
 import json
+import socket
 from collections.abc import Iterator
+from types import SimpleNamespace
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -16,6 +20,7 @@ from websockets.typing import Origin, Subprotocol
 
 from gcs.web.application import MOST_COMMAND, NO_TOKEN, policy
 from gcs.web.document import as_json
+from gcs.web.places import MOST_WITHOUT_TOKEN, Places
 from gcs.web.tiles import checked
 
 SESSION = {"type": "session", "name": "one", "control": True}
@@ -164,3 +169,45 @@ def test_data_in_a_page_cannot_end_its_element() -> None:
     told = as_json({"name": "</script><script>alert(1)</script><!--"})
     assert "<" not in told
     assert json.loads(told)["name"] == "</script><script>alert(1)</script><!--"
+
+
+def test_idle_connections_without_a_token_shut_no_page_out(links: dict[str, str]) -> None:
+    """Half have sent nothing, half a part of their headers; the operator's page comes last."""
+    at = urlsplit(links["command"])
+    with contextlib.ExitStack() as stack:
+        idle = []
+        for k in range(300):
+            idle.append(stack.enter_context(socket.create_connection((at.hostname or "", at.port or 0), timeout=20)))
+            if k % 2:
+                idle[-1].sendall(b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\n")
+        assert get(links["command"])[0] == 200
+        with stream(links["command"]) as page:
+            assert said(page)["control"] is True
+            for one in idle[: 300 - MOST_WITHOUT_TOKEN]:  # the oldest made room
+                with contextlib.suppress(ConnectionResetError):
+                    assert one.recv(1) == b""
+            page.send('{"command": "hold", "sysid": 3, "id": 8}')
+            assert said(page)["ok"] is True
+
+
+def test_a_connection_has_a_while_for_its_headers_and_a_page_with_a_token_as_long_as_it_likes() -> None:
+    loop = asyncio.new_event_loop()
+    ended: list[str] = []
+
+    def transport(name: str) -> Any:
+        return SimpleNamespace(abort=lambda: ended.append(name))
+
+    async def come() -> None:
+        places = Places(within_s=0.05, most=2)
+        for k, name in enumerate(("first", "page", "idle", "late")):
+            places.come(("127.0.0.1", k), transport(name))
+            if name == "page":
+                places.admit(("127.0.0.1", k))
+        assert ended == ["first"], "of too many without a token the oldest"
+        done = asyncio.Event()
+        asyncio.get_running_loop().call_later(0.2, done.set)
+        await done.wait()
+
+    loop.run_until_complete(come())
+    loop.close()
+    assert ended == ["first", "idle", "late"]

@@ -7,6 +7,7 @@ dies in between costs nothing but the sessions that were in the air.
 from __future__ import annotations
 
 import fcntl
+import os
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field

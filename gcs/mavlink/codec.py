@@ -2,9 +2,8 @@
 
 The table comes from pymavlink's generated message classes (gcs/mavlink/dialect.py: id, CRC seed, wire format, field
 names) and is built per message when it is first met. Frames are those of MAVLink 2; what comes in MAVLink 1 is read in
-that form. A message is a named tuple with its fields in *wire order*, values in
-MAVLink's own units: arrays are tuples, character arrays are str up to the first NUL. Nothing that a network sends makes
-`split` raise.
+that form. A message is a named tuple with its fields in *wire order*, values in MAVLink's own units: arrays are tuples,
+character arrays are str, of UTF-8 up to the first NUL. Nothing that a network sends makes `split` raise.
 """
 
 from __future__ import annotations
@@ -313,7 +312,7 @@ def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, 
 
 @lru_cache(maxsize=4096)  # names recur: of counters, of parameters
 def _text(characters: bytes) -> str:
-    return characters.partition(b"\0")[0].decode("ascii", "replace")
+    return characters.partition(b"\0")[0].decode("utf-8", "replace")
 
 
 def _packer(msgid: int) -> Callable[..., bytes]:
@@ -377,9 +376,9 @@ def _flat(shape: WireLayout, values: Sequence[Any]) -> list[Any]:
     for field, form, value in zip(shape.record._fields, shape.formats, values, strict=False):
         length = int(form[:-1]) if len(form) > 1 else 1
         if form[-1] == "s" and isinstance(value, str | bytes):
-            text = value.encode("ascii", "replace") if isinstance(value, str) else value
+            text = value.encode("utf-8", "replace") if isinstance(value, str) else value
             if len(text) > length:
-                raise ValueError(f"{shape.name}.{field} holds {length} characters, not the {len(text)} of {value!r}")
+                raise ValueError(f"{shape.name}.{field} holds {length} bytes of text, not the {len(text)} of {value!r}")
             items.append(text)
         elif _is_array(form):
             if not isinstance(value, Sequence) or len(value) != length:

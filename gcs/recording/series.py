@@ -24,6 +24,7 @@ from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
 from gcs.mavlink.battery import BatteryReports, battery_statuses, sys_statuses
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.statustext import TextChunk
 from gcs.recording.session_folder import Recorded, rows_of
 from gcs.telemetry.batteries import together
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount
@@ -384,8 +385,9 @@ def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str
     """(time in s, system id, severity, text) of the texts at least as severe as this, MAV_SEVERITY, put together."""
     found = []
     for sysid, rows in by_vehicle(recorded, "STATUSTEXT").items():
-        senders = ((one.t_s, one._replace(text=one.text.decode("ascii", "replace"))) for one in _contents(rows))
-        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(senders)]
+        chunks = zip(*(rows[name].tolist() for name in TextChunk._fields), strict=True)
+        timed = zip(rows["t_s"].tolist(), map(TextChunk._make, chunks), strict=True)
+        found += [(t_s, sysid, severity, text) for t_s, severity, text in statustext.recorded(timed)]
     return sorted(one for one in found if one[2] <= worst)
 
 

@@ -15,6 +15,7 @@ from gcs.link.external import ExternalLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT
+from gcs.mavlink.statustext import Texts, chunk_of
 from gcs.mavlink.stream_requests import CHECK_S
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming_external import FAR_M
@@ -49,6 +50,7 @@ class GroundCheck:
         self._ready_since_s = 0.0
         """when the last that could not be armed could"""
         self._texts: dict[int, list[str]] = {}
+        self._chunks: dict[int, Texts] = {}
         self._received = {sysid for sysid, _ in link.joined}
         self._now_s = 0.0
 
@@ -121,12 +123,17 @@ class GroundCheck:
                 if ready and self._ready.get(frame.sysid) is False:
                     self._ready_since_s = self._now_s
                 self._ready[frame.sysid] = ready
-            elif frame.msgid == _STATUSTEXT:
-                texts = self._texts.setdefault(frame.sysid, [])
-                text = codec.fields(frame).text
-                if "arm" in text.lower() and text not in texts:
-                    del texts[: -MOST_TEXTS + 1]
-                    texts.append(text)
+            elif frame.msgid == _STATUSTEXT and frame.compid == AUTOPILOT:
+                self._keep(frame.sysid, self._chunks.setdefault(frame.sysid, Texts()).add(chunk_of(frame), self._now_s))
+        for sysid, chunks in self._chunks.items():
+            self._keep(sysid, chunks.overdue(self._now_s))
+
+    def _keep(self, sysid: int, whole: Sequence[tuple[int, str]]) -> None:
+        texts = self._texts.setdefault(sysid, [])
+        for _, text in whole:
+            if "arm" in text.lower() and text not in texts:
+                del texts[: -MOST_TEXTS + 1]
+                texts.append(text)
 
     def _readiness(self, sysid: int) -> CheckItem:
         ready = self._ready.get(sysid)

@@ -24,6 +24,7 @@ from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under
 from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.statustext import chunk_of
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.batteries import VehicleBattery
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
@@ -183,7 +184,8 @@ class Fleet:
         if why == ELSEWHERE:
             frame = frame_at(data, at)
             at += len(frame.raw)
-            _HANDLERS[frame.msgid](self, track, fields(frame), time_s)
+            content = chunk_of(frame) if frame.msgid == mav.MAVLINK_MSG_ID_STATUSTEXT else fields(frame)
+            _HANDLERS[frame.msgid](self, track, content, time_s)
         elif why == MODE:
             track.take_mode()
         elif why == PLACE:

@@ -115,7 +115,7 @@ def _encoder(msgid: int, seed: bytes, packer: struct.Struct, arrays: Arrays, tex
         if not plain:
             values = list(content)
             for slot in text:
-                values[slot] = values[slot].encode("ascii", "replace")
+                values[slot] = as_bytes(values[slot])
             for slot, _ in reversed(arrays):
                 values[slot : slot + 1] = values[slot]
         body = pack(MAGIC, size, 0, 0, seq, sysid, compid, low, high, *values)
@@ -125,6 +125,11 @@ def _encoder(msgid: int, seed: bytes, packer: struct.Struct, arrays: Arrays, tex
         return body + pack_crc(mcrf4xx(body[1:] + seed))
 
     return encode_message
+
+
+def as_bytes(text: str | bytes) -> bytes:
+    """A text field on the wire: UTF-8."""
+    return text.encode("utf-8", "replace") if isinstance(text, str) else text
 
 
 def decode(frame: ReceivedFrame) -> Any | None:
@@ -139,7 +144,7 @@ def decode(frame: ReceivedFrame) -> Any | None:
         for slot, length in row.arrays:
             values[slot : slot + length] = [tuple(values[slot : slot + length])]
         for slot in row.text:
-            values[slot] = values[slot].split(b"\0", 1)[0].decode("ascii", "replace")
+            values[slot] = values[slot].split(b"\0", 1)[0].decode("utf-8", "replace")
     return row.make._make(values)
 
 

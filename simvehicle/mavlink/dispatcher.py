@@ -26,7 +26,7 @@ from simvehicle.mavlink import (
     offboard,
     parameter_protocol,
 )
-from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from simvehicle.mavlink.codec import ReceivedFrame, as_bytes, decode, message
 from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
@@ -35,7 +35,7 @@ from simvehicle.mavlink.fleet_messages import FleetService
 COMPID = 1
 TRANSFER_RATE_HZ = 10.0
 COUNTERS_STAY_FAST_S = 2.0
-TEXT_CHARACTERS = 50
+TEXT_BYTES = 50
 _SEVERITY = {
     Severity.INFO: mav.MAV_SEVERITY_INFO,
     Severity.WARNING: mav.MAV_SEVERITY_WARNING,
@@ -150,7 +150,7 @@ class Services:
         self._planning.report()
         self._pace_counters()
         for severity, text in vehicle.announcements:
-            self._long_texts += len(text) > TEXT_CHARACTERS
+            self._long_texts += len(as_bytes(text)) > TEXT_BYTES
             for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
                 for connection in self.connections:
                     connection.put(content)
@@ -185,9 +185,10 @@ class Services:
 
 def _status_texts(severity: int, text: str, number: int) -> list[Any]:
     """STATUSTEXT, in chunks that share an id where one cannot hold the text; an empty part ends a full last chunk."""
-    if len(text) <= TEXT_CHARACTERS:
+    raw = as_bytes(text)
+    if len(raw) <= TEXT_BYTES:
         return [message("STATUSTEXT")(severity=severity, text=text)]
-    parts = [text[at : at + TEXT_CHARACTERS] for at in range(0, len(text) + 1, TEXT_CHARACTERS)]
+    parts = [raw[at : at + TEXT_BYTES] for at in range(0, len(raw) + 1, TEXT_BYTES)]
     return [
         message("STATUSTEXT")(severity=severity, text=part, id=1 + number % 65535, chunk_seq=seq)
         for seq, part in enumerate(parts)

@@ -30,3 +30,11 @@ def same(ours: Any, theirs: Any) -> bool:
     if isinstance(ours, float) and math.isnan(ours):
         return math.isnan(theirs)
     return isinstance(ours, type(theirs)) and bool(ours == theirs)
+
+
+def value_of(message: Any, field: str) -> Any:
+    """A field of a message of pymavlink's, which reads characters as ASCII: here as UTF-8, which texts are."""
+    value = getattr(message, field)
+    if isinstance(value, str):
+        return bytes(getattr(message, f"_{field}_raw")).partition(b"\0")[0].decode("utf-8", "replace")
+    return tuple(value) if isinstance(value, list) else value

@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 from fastcrc.crc16 import mcrf4xx
 from pymavlink.dialects.v20 import ardupilotmega
 
-NAME: str = ardupilotmega.DIALECT
-CLASSES: Mapping[int, Any] = ardupilotmega.mavlink_map
+MODULE: Any = ardupilotmega
+NAME: str = MODULE.DIALECT
+CLASSES: Mapping[int, Any] = MODULE.mavlink_map
 """pymavlink's message classes by id."""
 MARKER, HEADER_BYTES = 0xFD, 10
 MARKER_1, HEADER_1_BYTES = 0xFE, 6

@@ -3,7 +3,7 @@
 The units are those that MAVLink's definitions give (pymavlink's classes carry them). A conversion is one division or
 multiplication of the number that was sent, so that a decimal stays one: 473977420 degE7 is 47.397742. Angles are in
 rad; latitude and longitude stay in degrees, temperatures in °C, shares in percent, and nanoseconds whole numbers. What
-MAVLink writes for "not known" (65535 mV, -1 %) becomes NaN.
+MAVLink sends for "not known" (65535 mV, -1 %, 255 satellites) is NaN, or masked.
 
 `x` of a message whose name says LOCAL_NED is called `x_ned_m`. Where such a message has a `coordinate_frame` other than
 1, that column is right and the name is not.
@@ -11,16 +11,19 @@ MAVLink writes for "not known" (65535 mV, -1 %) becomes NaN.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections.abc import Mapping
 from functools import cache
-from typing import Any, NamedTuple, TypeVar
+from importlib import resources
+from typing import Any, Literal, NamedTuple, TypeVar
+from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.mavlink import codec
+from gcs.mavlink import codec, dialect
 from gcs.mavlink.dialect import CLASSES
 
 T = TypeVar("T")
@@ -100,39 +103,69 @@ def _by_field(tables: Mapping[T, Mapping[str, str]]) -> dict[tuple[str, str], T]
     }
 
 
-_U8, _U16, _U32, _I8, _I16, _I32 = 255, 65535, 4294967295, 127, 32767, 2147483647
-UNKNOWN: Mapping[tuple[str, str], float] = _by_field(
-    {
-        -1: {
-            "SYS_STATUS": "current_battery battery_remaining",
-            "BATTERY_STATUS": "current_battery current_consumed energy_consumed battery_remaining",
-            "HIGH_LATENCY2": "battery",
-            "CONTROL_SYSTEM_STATE": "airspeed",
-            "HIL_OPTICAL_FLOW": "distance",
-        },
-        _U8: {
-            "DISTANCE_SENSOR": "covariance",
-            "LOGGING_DATA": "first_message_offset",
-            "LOGGING_DATA_ACKED": "first_message_offset",
-        },
-        _U16: {
-            "SYS_STATUS": "voltage_battery",
-            "BATTERY_STATUS": "voltages",
-            **dict.fromkeys(("GPS_RAW_INT", "GPS2_RAW", "HIL_GPS"), "vel cog"),
-            "GLOBAL_POSITION_INT": "hdg",
-            "OBSTACLE_DISTANCE": "distances",
-        },
-        _U32: {
-            "ONBOARD_COMPUTER_STATUS": "ram_usage ram_total storage_usage storage_total "
-            "link_tx_rate link_rx_rate link_tx_max link_rx_max"
-        },
-        _I8: {"ONBOARD_COMPUTER_STATUS": "temperature_board temperature_core"},
-        _I16: {"BATTERY_STATUS": "temperature", "WINCH_STATUS": "temperature", "ONBOARD_COMPUTER_STATUS": "fan_speed"},
-        _I32: {"CAMERA_FOV_STATUS": "lat_camera lon_camera alt_camera lat_image lon_image alt_image"},
-    }
-)
-"""Value that MAVLink's definitions give a field when it is not known (their attribute `invalid`), where that is a
-number that would pass for a measurement and the field has a unit. 0 is left as it is: it may be one."""
+class Unknown(NamedTuple):
+    """Value that MAVLink's definitions send in a field that is not known (their attribute `invalid`)."""
+
+    value: float
+    of: Literal["element", "array by its first", "array"] = "element"
+    """what is not known where an element, the first one, or each has this value"""
+
+    def mask(self, sent: NDArray[Any], element: int | None) -> NDArray[np.bool_]:
+        """(n,) whether the field, (n,) or of an array (n, elements) this element, is not known."""
+        if element is None or self.of != "array":
+            one = sent if element is None else sent[:, 0 if self.of == "array by its first" else element]
+            return np.isnan(one) if math.isnan(self.value) else np.asarray(one == self.value)
+        return np.asarray((sent == self.value).all(axis=1))
+
+
+_LIMIT = re.compile(r"(U?)INT(\d+)_(MAX|MIN)")
+
+
+def _sent_value(text: str) -> float:
+    """A value of `invalid`: a number, a limit of a type, or an entry of an enumeration. Raises ValueError."""
+    if limit := _LIMIT.fullmatch(text):
+        info = np.iinfo(f"{limit[1].lower()}int{limit[2]}")
+        return int(info.max if limit[3] == "MAX" else info.min)
+    if hasattr(dialect.MODULE, text):
+        return int(getattr(dialect.MODULE, text))
+    return int(text, 0) if re.fullmatch(r"-?\d+|0[xX][0-9a-fA-F]+", text) else float(text)
+
+
+def unknown_of(invalid: str) -> Unknown | None:
+    """Meaning of the attribute; None where it has none, or a NaN that is one in a table as well. Raises ValueError.
+
+    `[x]`: an element that is x; `[x:]`: the array whose first element is x. Of `[0]` it is the array of zeros, for a
+    quaternion has some.
+    """
+    inner = re.fullmatch(r"\[([^:,]+)(:?)\]", invalid)
+    if not invalid:
+        return None
+    value = _sent_value(inner[1] if inner else invalid)
+    of: Literal["element", "array by its first", "array"] = "element"
+    if inner:
+        of = "array by its first" if inner[2] else "element" if value else "array"
+    return None if math.isnan(value) and of == "element" else Unknown(value, of)
+
+
+@cache
+def _unknown() -> Mapping[tuple[str, str], Unknown]:
+    """By (message, field), from the definitions that pymavlink ships."""
+    found: dict[tuple[str, str], Unknown] = {}
+    folder, waiting, read = resources.files("pymavlink.dialects.v20"), [f"{dialect.NAME}.xml"], set[str]()
+    while waiting:
+        name = waiting.pop()
+        if name in read:
+            continue
+        read.add(name)
+        root = ElementTree.fromstring(folder.joinpath(name).read_bytes())
+        waiting += [include.text or "" for include in root.iter("include")]
+        for message in root.iter("message"):
+            for field in message.findall("field"):
+                with contextlib.suppress(ValueError):  # a notation to come: the field is as it was sent
+                    if unknown := unknown_of(field.get("invalid", "")):
+                        found[message.get("name", ""), field.get("name", "")] = unknown
+    return found
+
 
 _NED = {
     "LOCAL_POSITION_NED": "x y z vx vy vz",
@@ -170,25 +203,25 @@ class FieldColumn(NamedTuple):
     field: str
     element: int | None
     scale: Scale | None
-    unknown: float | None
+    unknown: Unknown | None
     kind: str
     """`number`, `text` or `bytes`"""
 
     def values(self, sent: NDArray[Any]) -> Values:
-        """This column of what was sent in `field`, (n,) or (n, elements): SI, unknown values NaN."""
-        if self.element is not None:
-            sent = sent[:, self.element]
+        """This column of what was sent in `field`, (n,) or (n, elements), in SI; a value that is not known is NaN, of
+        whole numbers masked."""
         if self.kind == "text":
             return [bytes(text).partition(b"\0")[0].decode("utf-8", "replace") for text in sent.tolist()]
         if self.kind == "bytes":
             return [row.tobytes().hex() for row in sent]
         _, times, over = self.scale or Scale("")
-        if self.unknown is None and times == over == 1.0:
-            return np.ascontiguousarray(sent)
-        si = sent.astype(np.float64) * times / over
-        if self.unknown is not None:
-            si[sent == self.unknown] = np.nan
-        return si
+        column = np.ascontiguousarray(sent if self.element is None else sent[:, self.element])
+        if times != 1.0 or over != 1.0:
+            column = column.astype(np.float64) * times / over
+        if self.unknown is None:
+            return column
+        mask = self.unknown.mask(sent, self.element)
+        return np.where(mask, np.nan, column) if column.dtype.kind == "f" else np.ma.masked_array(column, mask)
 
 
 class MessageTable(NamedTuple):
@@ -210,7 +243,7 @@ def layout(msgid: int) -> MessageTable | None:
     taken = set(OWN)
     for name in cls.fieldnames:
         scale = _scale(cls.fieldunits_by_name.get(name, ""))
-        unknown = UNKNOWN.get((cls.msgname, name))
+        unknown = _unknown().get((cls.msgname, name))
         title = _title(cls.msgname, name, scale, taken)
         taken.add(title)
         elements = int(form[name][:-1] or 1) if form[name][-1] != "s" and len(form[name]) > 1 else 0

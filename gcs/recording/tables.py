@@ -1,6 +1,6 @@
 """Tables that grow while they are written, one file each: CSV, or Parquet where pyarrow is installed.
 
-A column is a numpy array or a list of text. NaN is an empty cell, in Parquet a null.
+A column is a numpy array or a list of text. NaN, or what is masked, is an empty cell, in Parquet a null.
 """
 
 from __future__ import annotations

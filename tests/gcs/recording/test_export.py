@@ -10,7 +10,6 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
 
 import duckdb
 import numpy as np
@@ -163,26 +162,6 @@ def test_duckdb_reads_both(csv: Path, parquet: Path) -> None:
         heights = dict(rows.fetchall())
         assert heights.keys() == {1, 101, 201}
         assert all(2.0 < height < 8.0 for height in heights.values())
-
-
-def test_unknown_is_an_empty_cell_as_mavlinks_definitions_say() -> None:
-    """The table of what unknown looks like, against the attribute `invalid` of the definitions that pymavlink ships."""
-    limits = {"UINT8_MAX": 255, "UINT16_MAX": 65535, "UINT32_MAX": 4294967295,
-              "INT8_MAX": 127, "INT16_MAX": 32767, "INT32_MAX": 2147483647}  # fmt: skip
-    said = {}
-    for name in ("common", "minimal", "standard"):
-        for message in ElementTree.parse(Path(mav.__file__).with_name(f"{name}.xml")).getroot().iter("message"):
-            for field in message.findall("field"):
-                mark = (field.get("invalid") or "").strip("[]:")
-                said[message.get("name"), field.get("name")] = limits.get(mark, mark)
-    for key, mark in field_units.UNKNOWN.items():
-        assert float(said[key]) == mark, key
-    telemetry = {"SYS_STATUS", "BATTERY_STATUS", "GPS_RAW_INT", "GLOBAL_POSITION_INT"}
-    classes = {cls.msgname: cls for cls in field_units.CLASSES.values()}
-    for (message, field), mark in said.items():
-        whole = isinstance(mark, int) or mark == "-1"
-        if message in telemetry and whole and field in classes[message].fieldunits_by_name:
-            assert (message, field) in field_units.UNKNOWN
 
 
 def test_every_unit_of_every_message_has_a_conversion() -> None:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,16 +13,24 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli.options import STATION_OPTION, Refused, connect_option, connecting, key_file_option
+from gcs.exit import NOT_DONE
 from gcs.scenario.endpoint import Endpoint
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet
 
 FIND_WITHIN_S = 10.0
+LEFT_OUT = "gcs.left_out"
 
 
 def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
-    """The options of every command that asks a fleet."""
+    """The options of every command that asks a fleet; it ends with NOT_DONE where it had to leave a vehicle out."""
+
+    @functools.wraps(command)
+    def of_all(*arguments: Any, **options: Any) -> int:
+        return max(int(command(*arguments, **options)), _left_out())
+
+    asked: Callable[..., Any] = of_all
     for option in (
         connect_option(
             "Where the vehicles are: udpin, udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD.",
@@ -45,8 +54,16 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
         STATION_OPTION,
         click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout, for other programs."),
     ):
-        command = option(command)
-    return command
+        asked = option(asked)
+    return asked
+
+
+def _left_out() -> int:
+    """Name the vehicles that a command for all could not speak to; NOT_DONE where there are some."""
+    found: dict[int, str] = click.get_current_context().meta.get(LEFT_OUT, {})
+    for sysid, why in sorted(found.items()):
+        click.echo(f"gcs: vehicle {sysid} is left out: its messages are refused: {why}", err=True)
+    return NOT_DONE if found else 0
 
 
 @contextlib.contextmanager
@@ -69,5 +86,7 @@ def fleet_at(
             why = fleet.listener.silence or "is it running, and is that its address?"
             raise Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
         yield fleet
+        if not sysids and (context := click.get_current_context(silent=True)) is not None:
+            context.meta[LEFT_OUT] = fleet.not_understood
     finally:
         fleet.close()

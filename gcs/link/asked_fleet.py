@@ -50,7 +50,7 @@ class AskedFleet:
     def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:
         """`station`: our system and component id."""
         self._station = station
-        self.listener = Listener(at, key_file)
+        self.listener = Listener(at, key_file, older=True)
         self._numbers = sequence_numbers()
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._where: dict[int, Where] = {}
@@ -74,6 +74,14 @@ class AskedFleet:
         if wanted:
             self.profiles = {sysid: profile for sysid, profile in self.profiles.items() if sysid in wanted}
         return bool(self.profiles) and set(wanted) <= self.profiles.keys()
+
+    @property
+    def not_understood(self) -> dict[int, str]:
+        """Reasons why those are not among the vehicles whose frames are refused for their signatures, by system id."""
+        reasons = self.listener.gate.reasons.items()
+        return {
+            sysid: str(why) for sysid, why in reasons if sysid not in {*self.profiles, *STATION[:1], *self._station[:1]}
+        }
 
     def converse(self, clients: Collection[VehicleClient], progress: Callable[[], object] = lambda: None) -> None:
         """Have all dialogues to their ends, side by side."""

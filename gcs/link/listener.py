@@ -1,7 +1,13 @@
-"""Any address without a fleet that is known before: split into frames, with their senders; sends only when asked to."""
+"""Any address without a fleet that is known before: split into frames, with their senders; sends only when asked to.
+
+Each is spoken to as it speaks. An autopilot may begin with MAVLink 1 and change when it hears MAVLink 2, or know no
+other: what is for all, as our HEARTBEAT, goes out in MAVLink 2, and to an address where somebody speaks MAVLink 1 also
+in that; what is for one vehicle in the version of its last frame.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import select
 import time
 from collections.abc import Iterator
@@ -11,8 +17,12 @@ from gcs.link.addresses import open_connection
 from gcs.link.diagnosis import Diagnosis
 from gcs.link.keys import SignatureGate
 from gcs.link.socket import Where
-from gcs.mavlink.codec import Frame
+from gcs.mavlink import dialect
+from gcs.mavlink.codec import Frame, target_of
 from gcs.scenario.endpoint import Endpoint
+
+MOST_OLDER = 1024
+"""Senders of MAVLink 1 that are known at once."""
 
 
 class Listener:
@@ -21,6 +31,8 @@ class Listener:
     def __init__(self, at: Endpoint, key_file: Path | None = None, *, older: bool = False) -> None:
         """older: read MAVLink 1 too. Raises AddressRefused, KeyRefused."""
         self._older = older
+        self._speaks_older: set[tuple[Where, int]] = set()
+        """addresses and system ids of those whose last frame was MAVLink 1"""
         self.gate = SignatureGate(key_file)
         self.connection = open_connection(at)
         self._diagnosis = Diagnosis(at)
@@ -43,14 +55,34 @@ class Listener:
         self.connection.tend(time.monotonic())
         for data, sender in self.connection.receive():
             split = self.connection.split(data, sender)
+            self._speaks_older -= {(sender, frame.sysid) for frame in split.frames}
+            if len(self._speaks_older) < MOST_OLDER:
+                self._speaks_older |= {(sender, frame.sysid) for frame in split.older}
+            if self._older:
+                split = split._replace(frames=[*split.frames, *split.older], older=[])
             self._diagnosis.count(data, split)
-            frames = [*split.frames, *split.older] if self._older else split.frames
-            yield self.gate.accepted(frames), sender
+            yield self.gate.accepted(split.frames), sender
         self.connection.pop_gone()
 
     def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:
-        """Send a frame to a known sender, or to the one address that it speaks to; signed, where there is a key."""
-        self.connection.send(raw if unsigned else self.gate.signed(raw), self.connection.to or peer)
+        """Send a MAVLink 2 frame to a known sender, or to the one address that it speaks to; signed, where there is a
+        key. Who speaks MAVLink 1 is sent it in that, if it can be."""
+        to = self.connection.to or peer
+        here = {sysid for address, sysid in self._speaks_older if address == peer}
+        for_all = (target := target_of(raw)) == 0
+        older = None
+        if (for_all and here) or target in here:
+            with contextlib.suppress(ValueError):  # it has no such message
+                older = dialect.older_form(raw)
+        if for_all or older is None:
+            self.connection.send(raw if unsigned else self.gate.signed(raw), to)
+        if older is not None:
+            self.connection.send(older, to)
+
+    @property
+    def older_senders(self) -> set[Where]:
+        """Addresses from which MAVLink 1 comes."""
+        return {address for address, _ in self._speaks_older}
 
     def close(self) -> None:
         """Close the connection."""

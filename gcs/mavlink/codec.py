@@ -293,6 +293,13 @@ def fields(frame: Frame) -> Any:
     return _new(record, values)
 
 
+def target_of(raw: bytes) -> int:
+    """System id that a frame is for; 0 for all, and of a message that names none. Raises ValueError for an id that the
+    dialect lacks."""
+    frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
+    return int(getattr(fields(frame), "target_system", 0))
+
+
 def sent_by(frame: Frame, compid: int) -> Frame:
     """The frame as if another component had sent it, unsigned; as it is where the dialect lacks its id."""
     raw = frame.raw

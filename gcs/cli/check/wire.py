@@ -47,10 +47,11 @@ class Wire:
     def send(self, messages: Sequence[codec.Message], sysid: int | None, *, unsigned: bool = False) -> None:
         """Send each message by itself, to the vehicle or to the address that was given."""
         to = self.listener.connection.to or (self._peers.get(sysid) if sysid is not None else None)
-        if to is None:
-            return
-        for message in messages:
-            self.listener.send(codec.frame(message, next(self._numbers), *self._station), to, unsigned=unsigned)
+        # Some that speak MAVLink 1 change when they hear MAVLink 2.
+        for address in [to] if to is not None else sorted(self.listener.older_senders, key=str):
+            for message in messages:
+                raw = codec.frame(message, next(self._numbers), *self._station)
+                self.listener.send(raw, address, unsigned=unsigned)
 
     def close(self) -> None:
         """Close the connection."""

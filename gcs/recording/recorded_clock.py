@@ -46,13 +46,13 @@ LATEST_US = 1 << 61
 
 
 class VehicleClock(NamedTuple):
-    """What one sender said of its time since its start: at which frames, (k,) ascending, and the times, (k,) µs."""
+    """One sender's times since its start: at which frames, (k,) ascending, and the times, (k,) µs."""
 
     rows: IntArray
     boot_us: IntArray
 
 
-class Judged(NamedTuple):
+class JudgedTimes(NamedTuple):
     """Times that hold, (n,) µs, and what was found: sentences without the recording's name."""
 
     times_us: IntArray
@@ -75,7 +75,7 @@ def suspicious(stamps_us: IntArray) -> bool:
     return bool(still or (stamps_us == NO_STAMP).any() or passed.min() < -FALL_US or passed.max() > SILENCE_US)
 
 
-def judged(stamps_us: IntArray, clocks: Sequence[VehicleClock]) -> Judged:
+def judged(stamps_us: IntArray, clocks: Sequence[VehicleClock]) -> JudgedTimes:
     """The times of frames by their stamps, (n,) µs, NO_STAMP where a frame has none, and the clocks in them."""
     n = len(stamps_us)
     if 2 * int((stamps_us != NO_STAMP).sum()) < n or (n > FEW and (stamps_us == stamps_us[0]).all()):
@@ -91,13 +91,13 @@ def judged(stamps_us: IntArray, clocks: Sequence[VehicleClock]) -> Judged:
     return _joined(stamps_us, runs, clocks, notes)
 
 
-def _by_clocks(n: int, clocks: Sequence[VehicleClock]) -> Judged:
+def _by_clocks(n: int, clocks: Sequence[VehicleClock]) -> JudgedTimes:
     """Times by the vehicle that said the most of its clock; from 0 on where none did."""
     clock = max(clocks, key=lambda one: len(one.rows), default=None)
     if clock is None or not len(clock.rows):
-        return Judged(np.zeros(n, dtype=np.int64), ["its frames have no times, and no vehicle in it says its own"])
+        return JudgedTimes(np.zeros(n, dtype=np.int64), ["its frames have no times, and no vehicle in it says its own"])
     times_us = _by_clock(clock, 0, n)
-    return Judged(times_us - times_us[0], ["its frames have no times: they have those of the vehicle's own clock"])
+    return JudgedTimes(times_us - times_us[0], ["its frames have no times: they have those of the vehicle's own clock"])
 
 
 def _by_clock(clock: VehicleClock, begin: int, end: int) -> IntArray:
@@ -185,7 +185,7 @@ def _longest_chain(stamps_us: IntArray, runs: Sequence[_Run]) -> list[int]:
     return chain[::-1]
 
 
-def _joined(stamps_us: IntArray, runs: Sequence[_Run], clocks: Sequence[VehicleClock], notes: list[str]) -> Judged:
+def _joined(stamps_us: IntArray, runs: Sequence[_Run], clocks: Sequence[VehicleClock], notes: list[str]) -> JudgedTimes:
     """Times of runs, one behind the other."""
     times_us = np.empty(len(stamps_us), dtype=np.int64)
     steps: list[tuple[int, int]] = []
@@ -221,7 +221,7 @@ def _joined(stamps_us: IntArray, runs: Sequence[_Run], clocks: Sequence[VehicleC
     if silences:
         told = [f"for {_span(length)} until {since_us[row] / 1e6:.1f} s" for row, length in silences]
         notes.append(f"nothing was recorded {_few(told)}")
-    return Judged(times_us, notes)
+    return JudgedTimes(times_us, notes)
 
 
 def _within(stamps_us: IntArray, run: _Run, clocks: Sequence[VehicleClock]) -> tuple[IntArray, bool]:

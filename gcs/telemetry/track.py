@@ -175,7 +175,7 @@ class Instant(NamedTuple):
         (
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
-            power_w, received_reported_s, given_reported_s, _, _, _, _, message_s,
+            power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s,
         ) = self.readings[row].tolist()  # fmt: skip
         doubted_s = float(self.facts[row, of.DOUBTED])
         age_s, _, remaining_j, drawn_j, initial_j, capacity_j = columns.figures[:, row].tolist()

@@ -12,8 +12,8 @@ import uvicorn
 
 from gcs.session.client import MessageSource
 from gcs.web.application import Tokens, application
+from gcs.web.connection_limit import ConnectionLimit, protocol
 from gcs.web.hub import Hub
-from gcs.web.places import Places, protocol
 
 LOOK_EVERY_S = 0.05
 GRACE_S = 1
@@ -31,7 +31,7 @@ def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], t
 
     tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it.
     """
-    tokens, hub, places = Tokens.fresh(), Hub(), Places()
+    tokens, hub, places = Tokens.fresh(), Hub(), ConnectionLimit()
     orders: deque[Mapping[str, Any]] = deque()
     config = uvicorn.Config(
         application(hub, tokens, orders.append, tiles, places.admit),

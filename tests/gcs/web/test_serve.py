@@ -19,8 +19,8 @@ from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin, Subprotocol
 
 from gcs.web.application import MOST_COMMAND, NO_TOKEN, policy
+from gcs.web.connection_limit import MOST_WITHOUT_TOKEN, ConnectionLimit
 from gcs.web.document import as_json
-from gcs.web.places import MOST_WITHOUT_TOKEN, Places
 from gcs.web.tiles import checked
 
 SESSION = {"type": "session", "name": "one", "control": True}
@@ -198,7 +198,7 @@ def test_a_connection_has_a_while_for_its_headers_and_a_page_with_a_token_as_lon
         return SimpleNamespace(abort=lambda: ended.append(name))
 
     async def come() -> None:
-        places = Places(within_s=0.05, most=2)
+        places = ConnectionLimit(within_s=0.05, most=2)
         for k, name in enumerate(("first", "page", "idle", "late")):
             places.come(("127.0.0.1", k), transport(name))
             if name == "page":

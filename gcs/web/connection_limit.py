@@ -1,4 +1,4 @@
-"""Places of the page's server: whoever has shown a token keeps one, all others share a few for a short while.
+"""ConnectionLimit of the page's server: whoever has shown a token keeps one, all others share a few for a short while.
 
 A connection that sends no request, or asks for nothing but files, ends by itself; of too many the oldest ends. So those
 without a token, who may be anybody on this machine, use up no descriptors and keep nobody with a token out.
@@ -17,7 +17,7 @@ MOST_WITHOUT_TOKEN = 64
 Client = tuple[str, int]
 
 
-class Places:
+class ConnectionLimit:
     """Connections without a token, by the client's address, in the order in which they came."""
 
     def __init__(self, within_s: float = WITHOUT_TOKEN_S, most: int = MOST_WITHOUT_TOKEN) -> None:
@@ -42,7 +42,7 @@ class Places:
         transport.abort()
 
 
-def protocol(places: Places) -> type[asyncio.Protocol]:
+def protocol(places: ConnectionLimit) -> type[asyncio.Protocol]:
     """uvicorn's HTTP, each of whose connections begins with one of these places."""
 
     class PlacedHttp(H11Protocol):

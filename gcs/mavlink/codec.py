@@ -383,7 +383,8 @@ def _flat(shape: WireLayout, values: Sequence[Any]) -> list[Any]:
     for field, form, value in zip(shape.record._fields, shape.formats, values, strict=False):
         length = int(form[:-1]) if len(form) > 1 else 1
         if form[-1] == "s" and isinstance(value, str | bytes):
-            text = value.encode("utf-8", "replace") if isinstance(value, str) else value
+            # What could not be read is one byte again: a text that was received fits where it came from.
+            text = value.replace("\ufffd", "?").encode("utf-8", "replace") if isinstance(value, str) else value
             if len(text) > length:
                 raise ValueError(f"{shape.name}.{field} holds {length} bytes of text, not the {len(text)} of {value!r}")
             items.append(text)

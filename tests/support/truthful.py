@@ -17,7 +17,7 @@ os.environ.setdefault("MAVLINK20", "1")
 from pymavlink.dialects.v10 import common as v10
 from pymavlink.dialects.v20 import common as v20
 
-from gcs.mavlink import codec, v1
+from gcs.mavlink import codec
 
 Geodetic = tuple[float, float, float]
 PX4, ARDUPILOT, GENERIC = 12, 3, 0
@@ -113,7 +113,7 @@ class TruthfulVehicle:
     def _framed(self, message: Any) -> codec.Frame:
         raw = bytes(message.pack(self._mav))
         self._mav.seq = (self._mav.seq + 1) % 256
-        (frame,) = v1.split(raw) if self.wire is v10 else codec.split(raw).frames
+        (frame,) = codec.split(raw).older if self.wire is v10 else codec.split(raw).frames
         return frame
 
 

@@ -305,3 +305,13 @@ def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None
     whole = sum(end <= len(datagram) for end in ends)
     assert [frame.raw for frame in frames] == raws[:whole]
     assert malformed == (len(datagram) not in (0, *ends))
+
+
+@settings(max_examples=300)
+@given(st.binary(min_size=50, max_size=50))
+def test_a_text_that_was_read_can_be_sent_on_whatever_its_bytes_are(raw: bytes) -> None:
+    (frame,) = codec.split(peer_frame("STATUSTEXT", b"\x06" + raw + b"\0" * 3)).frames
+    content = codec.fields(frame)
+    sent_on = codec.frame(codec.Message(frame.msgid, tuple(content)), 0, 1, 1)
+    again = codec.fields(codec.split(sent_on).frames[0])
+    assert again.text == content.text.replace("\ufffd", "?")

@@ -11,11 +11,14 @@ import stat
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from gcs.cli.options import Refused
-from gcs.scenario.parts.reach import Reached
+
+if TYPE_CHECKING:
+    from gcs.scenario.parts.reach import Reached
 
 TRUST = click.option(
     "--trust",

@@ -20,6 +20,8 @@ from gcs.telemetry.pursuit import PursuitHeld
 PLACES = ("LOCAL_POSITION_NED", "HEARTBEAT", "EXTENDED_SYS_STATE", "GPS_GLOBAL_ORIGIN")
 ROUNDING_S = 1e-6
 BLOCK_TICKS = 2000
+MOST_PLACES = 1 << 26
+"""Of all vehicles at all ticks of a recording that are looked at: 20 vehicles for four days at 10 Hz."""
 
 
 class HeldTimesReader:
@@ -57,15 +59,20 @@ class HeldTimesReader:
         return lambda t_s: float(held(held_s, np.array([t_s - late_s]))[0])
 
 
-def ticks_of(recorded: Recorded) -> Floats:
-    """(k,) the times of the planner's ticks: none at the session's end, nor while external vehicles are handed back."""
+def ticks_of(recorded: Recorded, vehicles: int) -> Floats:
+    """(k,) the times of the planner's ticks: none at the session's end, nor while external vehicles are handed back.
+
+    Where so many vehicles would have more than MOST_PLACES, it is every second tick, or every third, and so on.
+    """
     scenario = recorded.scenario
     period_s, last_s = (scenario.clock.period_s, scenario.goal.duration_s) if scenario else (0.1, math.inf)
     last_s = min(recorded.end_s, last_s - period_s)
-    return np.arange(1, int(last_s / period_s + ROUNDING_S) + 1).astype(np.float64) * period_s
+    ticks = int(last_s / period_s + ROUNDING_S)
+    every = max(-(-ticks * max(vehicles, 1) // MOST_PLACES), 1)
+    return np.arange(every, ticks + 1, every).astype(np.float64) * period_s
 
 
-def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
+def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int16]]:
     """(k,) system id of each pursuer's target at each tick, by scenario, competition and operators; 0 for none."""
     scenario = recorded.scenario
     if scenario is None:
@@ -73,7 +80,7 @@ def pursued(recorded: Recorded, t_s: Floats) -> dict[int, NDArray[np.int64]]:
     chosen = scenario.pursuit.by == "competition"
     pursuers = scenario.vehicles.pursuers
     first = {p.sysid: 0 if chosen else scenario.vehicles.target_of(p) for p in pursuers}
-    found = {s: np.full(len(t_s), target, dtype=np.int64) for s, target in first.items() if target is not None}
+    found = {s: np.full(len(t_s), target, dtype=np.int16) for s, target in first.items() if target is not None}
     for decision in recorded.decisions:
         if chosen and decision["kind"] == "pursuit":
             pursuer = decision["pursuer"]
@@ -97,7 +104,7 @@ def held_by(recorded: Recorded, flown: Mapping[int, Track]) -> tuple[Series, dic
     scenario = recorded.scenario
     if scenario is None or scenario.goal.pursue is None:
         return Series(np.empty(0), np.empty(0)), {}
-    t_s = ticks_of(recorded)
+    t_s = ticks_of(recorded, max(len(flown), len(scenario.vehicles.pursuers)))
     of_targets = scenario.pursuit.by == "competition"
     whom = pursued(recorded, t_s)
     keys = [target.sysid for target in scenario.vehicles.targets] if of_targets else list(whom)

@@ -47,7 +47,8 @@ class Nearness:
 def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str, Track]) -> Nearness:
     """All of it; empty series where no track is known."""
     scenario = recorded.scenario
-    t_s = ticks_of(recorded) if flown else np.empty(0)
+    pursuers = len(scenario.vehicles.pursuers) if scenario else 0
+    t_s = ticks_of(recorded, max(len(flown), pursuers)) if flown else np.empty(0)
     ticks = len(t_s)
     sysids = np.array(sorted(flown), dtype=np.int64)
     rows = {sysid: row for row, sysid in enumerate(sysids.tolist())}

@@ -18,7 +18,7 @@ from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ftp.requests import ACK, BURST, LIST, NAK, OPEN, READ, RESET
 from gcs.mavlink.log_client import LogClient, LogEntry
-from gcs.mavlink.plan_client import PlanClient, PlanItem
+from gcs.mavlink.plan_client import MESSAGES, PlanClient, PlanItem
 from gcs.mavlink.signing import UNSIGNED
 
 _FTP = struct.Struct("<HBBBBBxI")
@@ -123,7 +123,7 @@ def sent_to(client: Any, frame: Frame, now_s: float) -> None:
         name, content = codec.name(frame.msgid), codec.fields(frame)
     except ValueError:  # a message that no dialect of ours holds
         return
-    if not isinstance(client, PlanClient) or name.startswith("MISSION_"):
+    if not isinstance(client, PlanClient) or frame.msgid in MESSAGES:
         client.receive(name, content, now_s)
 
 

@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from sessions import Outcome, fly, small
 
 from gcs.mavlink import codec
-from gcs.recording import series, session_folder, tables, tlog_reader, truth
+from gcs.recording import pursuit_held, series, session_folder, tables, tlog_reader, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.export import export
 from gcs.scenario.file import load
@@ -272,3 +272,16 @@ def test_a_recording_of_a_week_by_254_vehicles_costs_memory_by_its_frames(tmp_pa
         np.testing.assert_allclose(link.rate_hz.values * 64.0, expected)
         assert link.rate_hz.t_s[0] == 32.0
         assert not link.lost.values.any()
+
+
+@given(st.floats(0.0, 604_800.0), st.integers(0, 254))
+@settings(deadline=None, max_examples=40)
+def test_ticks_that_are_looked_at_are_all_or_every_few(end_s: float, vehicles: int) -> None:
+    t_s = pursuit_held.ticks_of(session_folder.Recorded(Path(), end_s=end_s), vehicles)
+    whole = math.floor(end_s / 0.1 + pursuit_held.ROUNDING_S)
+    assert len(t_s) * vehicles <= pursuit_held.MOST_PLACES
+    if whole * vehicles <= pursuit_held.MOST_PLACES:
+        np.testing.assert_array_equal(t_s, 0.1 * np.arange(1, whole + 1))
+    else:
+        assert len(t_s) * vehicles > 0.4 * pursuit_held.MOST_PLACES
+        np.testing.assert_allclose(np.diff(t_s), t_s[0])

@@ -177,6 +177,8 @@ def main() -> None:
     limits += [f"-max_total_time={options.seconds}"] if options.seconds else []
     os.environ.setdefault("PYTHONWARNINGS", "ignore")
     with read_once():
+        for seed in sorted(kept.glob("seed-*")):
+            attack(seed.read_bytes())  # it loads and compiles, which is no hang
         atheris.Setup([sys.argv[0], *limits, "-print_final_stats=1", str(kept)], attack)
         atheris.Fuzz()
 

@@ -43,7 +43,7 @@ def params() -> None:
     \b
     Examples:
       gcs params get 'RTL_*' --connect udpin:127.0.0.1:14550
-      gcs params set RTL_ALT=2000 WPNAV_SPEED=300 --dry-run
+      gcs params set FENCE_ENABLE=1 FENCE_RADIUS=80 --dry-run
       gcs params diff
       gcs params save before.params
       gcs params load before.params --sysid 3
@@ -67,7 +67,7 @@ def get(patterns: tuple[str, ...], compids: tuple[int, ...], as_json: bool, **op
 
     \b
     Examples:
-      gcs params get RTL_ALT 'WPNAV_*'
+      gcs params get FENCE_ENABLE 'WP_*'
       gcs params get --sysid 3 --json > three.json
     """
     with fleet_at(**options) as fleet:
@@ -92,7 +92,7 @@ def set_(settings: tuple[str, ...], dry_run: bool, compids: tuple[int, ...], as_
 
     \b
     Examples:
-      gcs params set RTL_ALT=2000 --dry-run
+      gcs params set FENCE_ALT_MAX=60 --dry-run
       gcs params set 'COM_*_ACT=0' --sysid 3
     """
     wanted = dict(_setting(text) for text in settings)
@@ -334,7 +334,7 @@ def _setting(text: str) -> tuple[str, int | float]:
             return name, parsed(number.strip())
         except ValueError:
             pass
-    raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as RTL_ALT=2000.")
+    raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as FENCE_RADIUS=80.")
 
 
 def _load(file: Path) -> dict[Address, Numbers]:

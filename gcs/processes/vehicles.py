@@ -9,6 +9,8 @@ from typing import Any
 
 import yaml
 
+from gcs.mavlink.autopilots import PROFILES, Profile
+from gcs.mavlink.parameters.renames import unknown_name
 from gcs.planner.silence import failsafe_of
 from gcs.processes.hatch import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
@@ -103,6 +105,7 @@ def autopilot_order(
         "capture_m": scenario.refuelling.capture_m,
         "relative_speed_m_s": scenario.refuelling.relative_speed_m_s,
         "parameters": dict(vehicle.params),
+        "renamed": _renamed(vehicle, PROFILES[real.kind]),
         "truth": str(folder / "vehicles" / f"{name}.truth") if scenario.truth else None,
         "world": world(scenario),
     }
@@ -110,6 +113,12 @@ def autopilot_order(
     path.write_text(yaml.safe_dump(content, sort_keys=True), encoding="utf-8")
     argv = (real.kind, str(path), "--sysid", name, *connection)
     return ProcessSpec((vehicle.sysid,), argv, folder / "vehicles" / f"{name}.log")
+
+
+def _renamed(vehicle: VehicleBase, profile: Profile) -> dict[str, str]:
+    """Clauses about a vehicle's parameters whose names differ between versions."""
+    clauses = {name: unknown_name(name, profile.renamed_parameters) for name in vehicle.params}
+    return {name: f"; {clause}" for name, clause in clauses.items() if clause}
 
 
 def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:

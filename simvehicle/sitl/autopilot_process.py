@@ -50,6 +50,8 @@ class AutopilotWanted:
     battery: BatteryParams
     envelope: Envelope
     parameters: dict[str, float]
+    renamed: dict[str, str]
+    """clause about each parameter that other versions call by another name"""
     sensors: SensorErrors
     truth: Path | None = None
 
@@ -177,6 +179,7 @@ def read_wanted(content: Any, sysid: int, step_s: float) -> tuple[AutopilotWante
             battery=BatteryParams(**{name: float(value) for name, value in content["battery"].items()}),
             envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
+            renamed={str(name): str(clause) for name, clause in content.get("renamed", {}).items()},
             sensors=SensorErrors(own.errors, step_s, seed=world.seed, sysid=sysid),
             truth=None if content["truth"] is None else Path(content["truth"]),
         )

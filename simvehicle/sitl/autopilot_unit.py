@@ -28,6 +28,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import SUPERVISOR
 from simvehicle.mavlink.real_autopilots.autopilot_boot import AutopilotBoot, BootMode
 from simvehicle.mavlink.real_autopilots.battery_component import BatteryComponent
+from simvehicle.mavlink.real_autopilots.given_parameters import GivenParameters
 from simvehicle.mavlink.real_autopilots.world_failures import WorldFailures
 from simvehicle.sitl.autopilot_process import AutopilotError, AutopilotLink, AutopilotWanted
 from simvehicle.sitl.truth import head_line
@@ -208,6 +209,24 @@ class AutopilotUnit(ABC):
             for frame in self._traffic.received():
                 boot.receive(frame)
         self._booted(boot)
+        self._read_back(standing)
+
+    def _read_back(self, standing: Vec3) -> None:
+        """Ask whether it has taken what it was given. Raises AutopilotError."""
+        wanted, began_s = self._wanted, self._boot_s
+        bytewise = self.boot_mode.autopilot == mav.MAV_AUTOPILOT_PX4
+        given = GivenParameters(wanted.sysid, wanted.parameters, bytewise=bytewise)
+        while not given.done:
+            for content in given.requests(self._boot_s - began_s):
+                self._say(content)
+            self._answer(standing)
+            for frame in self._traffic.received():
+                given.receive(frame)
+        if given.not_taken:
+            says = "; ".join(
+                f"{name}: {why}{wanted.renamed.get(name, '')}" for name, why in sorted(given.not_taken.items())
+            )
+            raise AutopilotError(f"{self._process.name} has not taken its params: {says}")
 
     def _say(self, content: Any, sender: tuple[int, int] = SUPERVISOR) -> None:
         """Say a message of ours to it, as the supervisor's or another component's."""

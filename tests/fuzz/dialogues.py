@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from gcs.mavlink.parameter_client import ParameterClient
+from gcs.mavlink.parameters.client import ParameterClient
 from hostile import REAL, WHOLE, Hostile
 
 from gcs.link.keys import SignatureGate, new_key

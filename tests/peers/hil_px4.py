@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 from arducopter import COMMANDS, ArduCopter, Datagrams, done
 from arducopter_motion import GUIDED, LAND, LOITER, RTL
-from json_arducopter import JsonArduCopter, JsonCopter, JsonTelemetry
+from json_arducopter import JsonArduCopter, JsonCopter, JsonTelemetry, hold
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
@@ -221,6 +221,7 @@ def main() -> None:
     assert os.environ["PATH"].split(":")[0] == "."
     assert os.environ["PX4_SIM_MODEL"] == "none_iris"
     parameters = given_parameters(given.like)
+    hold(parameters)
     if "CRASH" in parameters:
         print("ERROR [init] a parameter that it cannot bear", flush=True)
         sys.exit(3)

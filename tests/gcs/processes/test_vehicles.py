@@ -165,3 +165,24 @@ def test_vehicles_take_the_least_and_the_greatest_that_a_scenario_may_say(key: s
             Parameters(vehicle_parameters(vehicle, scenario))
             taken += 1
     assert taken
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "clause"), [("ardupilot", "WPNAV_SPEED", "WP_SPD"), ("px4", "EKF2_GPS_POS_X", "SENS_GPS0_OFFX")]
+)
+def test_a_launched_autopilot_is_told_other_versions_names_of_its_parameters(
+    folder: Path, kind: str, name: str, clause: str
+) -> None:
+    battery = {"capacity_j": 24_000.0, "hover_w": 180.0, "avionics_w": 12.0}
+    one = {
+        "sysid": 3,
+        "start_m": (0.0, 0.0, 0.0),
+        "battery": battery,
+        "autopilot": {kind: "/bin/true"},
+        "params": {name: 5.0, "OTHER": 1.0},
+    }
+    vehicle_orders(scenario(vehicles={"pursuers": [one]}, traffic=[]), folder, LINK)
+    content = yaml.safe_load((folder / "vehicles" / "3.autopilot.yaml").read_text())
+    assert content["parameters"] == {name: 5.0, "OTHER": 1.0}
+    assert content["renamed"].keys() == {name}
+    assert clause in content["renamed"][name]

@@ -98,6 +98,7 @@ def test_it_flies_on_an_estimate_whatever_its_version_defaults_to(
         ("", {"KIND": 1.0}, "is no ArduCopter with four rotors: its HEARTBEAT has type 1 and autopilot 3, not 2 and 3"),
         ("", {"READY_S": 1e6}, "was not ready in 3 s of its time; its last lines: Starting sketch 'ArduCopter'"),
         ("", {"KILLED_AT_S": 1.0}, "was killed by signal 9"),
+        ("", {"WP_SPD": 5.0, "WPNAV_SPEED": 500.0}, "has not taken its params: WP_SPD: it does not know it"),
     ],
 )
 def test_one_that_cannot_be_had_is_one_sentence(

@@ -117,6 +117,7 @@ def test_its_receiver_has_no_fix_while_gnss_fails(build: Path) -> None:
         ({"READY_S": 1e6}, "was not ready in 3 s of its time; its last lines: INFO  [px4] instance: "),
         ({"LOCKSTEP": 0.0}, "does not wait for its simulation: build px4_sitl_default, not px4_sitl_nolockstep"),
         ({"KILLED_AT_S": 1.0}, "was killed by signal 9"),
+        ({"NO_SUCH_PARAM": 5.0}, "has not taken its params: NO_SUCH_PARAM: it does not know it"),
     ],
 )
 def test_one_that_cannot_be_had_is_one_sentence(

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import copter_names
 import numpy as np
 import psutil
 import pytest
@@ -38,7 +39,12 @@ def mixed(ardupilot: Path | str, *, duration_s: float = 25.0, **keys: Any) -> di
     content = small(goal=goal, wind={"speed_m_s": 4.0, "from_deg": 200.0, "turbulence_m_s": 5.0})
     content["vehicles"]["pursuers"][0]["battery"]["initial_percent"] = 100
     battery = {"capacity_j": 60000, "initial_percent": 50}
-    copter = {"sysid": COPTER, "start_m": [2.0, 3.0, 0.0], "battery": battery, "params": {"WPNAV_SPEED": 400.0}}
+    copter = {
+        "sysid": COPTER,
+        "start_m": [2.0, 3.0, 0.0],
+        "battery": battery,
+        "params": copter_names.speed(ardupilot, 4.0),
+    }
     content["vehicles"]["pursuers"].append({**copter, "autopilot": {"ardupilot": str(ardupilot)}, **keys})
     content["refuelling"] = {"limit_j": 10000}
     return content
@@ -124,8 +130,9 @@ def test_a_period_that_is_no_multiple_of_its_step_is_flown(tmp_path: Path) -> No
 
 
 def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> None:
-    params = {"WPNAV_SPEED": 400.0, "KILLED_AT_S": 6.0}
-    outcome = fly(mixed(program(tmp_path), duration_s=8.0, params=params), tmp_path / "session", "--plain")
+    outcome = fly(
+        mixed(program(tmp_path), duration_s=8.0, params={"KILLED_AT_S": 6.0}), tmp_path / "session", "--plain"
+    )
     assert outcome.status == 1
     assert outcome.summary["sim_time_s"] == 8.0
     assert "was killed by signal 9" in (outcome.folder / "session.log").read_text()

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import copter_names
 import pymap3d
 import pytest
 import yaml
@@ -37,8 +38,12 @@ FETCHED_WITHIN_S = 300.0
 """Flight, landing, and 110 MB of logs: PX4 writes 0.6 MB in a second of its time."""
 SETTINGS = {
     "arducopter": (
-        "FENCE_ENABLE=1", "FENCE_TYPE=4", "FENCE_ACTION=1", "RTL_ALT=600", "WPNAV_SPEED=300",
-        "LOG_FILE_DSRMROT=1", "LOG_DISARMED=0",
+        "FENCE_ENABLE=1", "FENCE_TYPE=4", "FENCE_ACTION=1", "LOG_FILE_DSRMROT=1", "LOG_DISARMED=0",
+        *(
+            f"{name}={value:g}"
+            for known in (copter_names.height_of_return(ARDUCOPTER, 6.0), copter_names.speed(ARDUCOPTER, 3.0))
+            for name, value in known.items()
+        ),
     ),
     "px4": (
         "GF_ACTION=3", "GF_SOURCE=0", "RTL_RETURN_ALT=6", "RTL_DESCEND_ALT=4", "RTL_LAND_DELAY=0", "MPC_XY_CRUISE=3",

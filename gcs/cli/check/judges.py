@@ -132,13 +132,17 @@ def leaves_alone(what: str) -> Judge:
     return lambda _, received: obeyed if any(_named(received, "COMMAND_ACK")) else None
 
 
+def _counted(vehicle: CheckedVehicle, name: str) -> list[float]:
+    """Arrivals of a message since rates count, s."""
+    return [at_s for at_s in vehicle.arrivals_s.get(name, ()) if at_s >= vehicle.rates_count_from_s]
+
+
 def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
     """The message has come unasked, since rates count, about as often as is wanted."""
 
     def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-        from_s = vehicle.rates_count_from_s
-        arrivals_s = [at_s for at_s in vehicle.arrivals_s.get(name, ()) if at_s >= from_s]
-        window_s = max(times[-1] for times in vehicle.arrivals_s.values()) - from_s
+        arrivals_s = _counted(vehicle, name)
+        window_s = max(times[-1] for times in vehicle.arrivals_s.values()) - vehicle.rates_count_from_s
         if not arrivals_s:
             return Verdict("missing", f"not heard in {window_s:.1f} s")
         if len(arrivals_s) < 0.8 * at_least_hz * window_s - 1.0:
@@ -149,11 +153,11 @@ def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequenc
 
 
 def steady(name: str, within_s: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
-    """The message never paused for longer than its listeners' patience."""
+    """The message never paused for longer than its listeners' patience, since rates count."""
 
     def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
-        arrivals_s = vehicle.arrivals_s[name]
-        gap_s = max((b - a for a, b in pairwise(arrivals_s)), default=0.0)
+        times_s = [vehicle.rates_count_from_s, *_counted(vehicle, name)]
+        gap_s = max((b - a for a, b in pairwise(times_s)), default=0.0)
         return Verdict("wrong", f"paused for {gap_s:.1f} s") if gap_s > within_s else OK
 
     return at_end

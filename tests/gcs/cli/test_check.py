@@ -438,6 +438,20 @@ def test_rates_of_one_that_was_waited_for_count_from_when_it_was_ready_and_told_
     assert (found["ready"].after_s or 0.0) == pytest.approx(max(healthy_s, place_s), abs=1.1)
 
 
+@pytest.mark.parametrize(("from_s", "outcome"), [(10.0, "ok"), (30.2, "wrong")])
+def test_a_pause_in_a_boot_that_was_waited_for_is_none_of_its_flight(from_s: float, outcome: str) -> None:
+    """An ArduCopter says nothing for some seconds of its boot; one that is ready does not."""
+    vehicle = booting(Scripted(), healthy_s=30.0, place_s=30.0)
+    attitude = mav.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0)
+    before = vehicle.streams
+    vehicle.streams = [
+        (period_s, lambda ms, made=made: attitude if from_s <= 1e-3 * ms < from_s + 3.3 else made(ms))
+        for period_s, made in before
+    ]
+    found = examine(vehicle, "ready", "heartbeat-steady", ready_within_s=60.0)
+    assert (found["ready"].outcome, found["heartbeat-steady"].outcome) == ("ok", outcome)
+
+
 def test_one_that_could_be_armed_but_tells_no_place_is_named_as_that() -> None:
     found = examine(booting(Scripted(), healthy_s=2.0, place_s=1e9), "ready", ready_within_s=10.0)
     assert found["ready"].outcome == "missing"

@@ -25,10 +25,10 @@ PATIENCE_S = 400.0
 NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator")
 
 
-def program(folder: Path) -> Path:
-    """The stand-in as a program of its own."""
+def program(folder: Path, like: str = "4.7") -> Path:
+    """The stand-in for a version as a program of its own."""
     path = folder / "arducopter"
-    path.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+    path.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} --like {like} "$@"\n')
     path.chmod(0o755)
     return path
 
@@ -56,10 +56,11 @@ def copters() -> list[psutil.Process]:
     return [process for process in psutil.process_iter(["cmdline"]) if programs & {*(process.info["cmdline"] or [])}]
 
 
-@pytest.fixture(scope="module", params=["stand-in", pytest.param("real", marks=NEEDS_REAL)])
+@pytest.fixture(scope="module", params=["4.6", "4.7", pytest.param("real", marks=NEEDS_REAL)])
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     folder = tmp_path_factory.mktemp("mixed")
-    return fly(mixed(REAL if request.param == "real" else program(folder)), folder / "session", "--plain")
+    copter = REAL if request.param == "real" else program(folder, request.param)
+    return fly(mixed(copter), folder / "session", "--plain")
 
 
 def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outcome) -> None:

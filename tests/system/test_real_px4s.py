@@ -24,14 +24,14 @@ ACCURATE_M = 0.6
 """How far its report may be from where our physics has it: a real one estimates it."""
 
 
-def build(folder: Path) -> Path:
-    """The stand-in as a build of PX4's."""
+def build(folder: Path, like: str = "1.18") -> Path:
+    """The stand-in for a version as a build of PX4's."""
     program = folder / "px4_sitl_default" / "bin" / "px4"
     scripts = program.parents[1] / "etc" / "init.d-posix"
     for made in (program.parent, scripts):
         made.mkdir(parents=True)
     (scripts / "rcS").touch()
-    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} "$@"\n')
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} --like {like} "$@"\n')
     program.chmod(0o755)
     return program.parents[1]
 
@@ -54,10 +54,11 @@ def px4s() -> list[psutil.Process]:
     return [process for process in psutil.process_iter(["cmdline"]) if programs & {*(process.info["cmdline"] or [])}]
 
 
-@pytest.fixture(scope="module", params=["stand-in", pytest.param("real", marks=NEEDS_REAL)])
+@pytest.fixture(scope="module", params=["1.15", "1.18", pytest.param("real", marks=NEEDS_REAL)])
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     folder = tmp_path_factory.mktemp("mixed")
-    return fly(mixed(REAL if request.param == "real" else build(folder)), folder / "session", "--plain")
+    px4 = REAL if request.param == "real" else build(folder, request.param)
+    return fly(mixed(px4), folder / "session", "--plain")
 
 
 def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outcome) -> None:

@@ -9,7 +9,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from gcs.mavlink.parameters.client import ParameterClient
 from hostile import REAL, WHOLE, Hostile
 
 from gcs.link.keys import SignatureGate, new_key
@@ -18,6 +17,7 @@ from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ftp.requests import ACK, BURST, LIST, NAK, OPEN, READ, RESET
 from gcs.mavlink.log_client import LogClient, LogEntry
+from gcs.mavlink.parameters.client import ParameterClient
 from gcs.mavlink.plan_client import MESSAGES, PlanClient, PlanItem
 from gcs.mavlink.signing import UNSIGNED
 

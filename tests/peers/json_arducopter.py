@@ -272,7 +272,7 @@ def main() -> None:
     lat, lon, alt, _ = map(float, given.home.split(","))
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
-        refuse_arming_s=0.0 if estimator == TRUTH else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
+        refuse_arming_s=0.0 if PARAMETERS["AHRS_EKF_TYPE"][1] == TRUTH else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
         battery_wh=70.0, battery_told="current", lies=False, says="", param=[],
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)

@@ -40,7 +40,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
         yield lambda share: shown.update(task, completed=share)
 
 
-@click.command(short_help="Play a recorded session, or any .tlog, in the console.")
+@click.command(short_help="Play a recorded session, or any recording, in the console.")
 @click.argument("session", type=click.Path(path_type=Path))
 @speed_option("Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]")
 @click.option(
@@ -70,7 +70,7 @@ def replay(
     decide: bool,
     trust: bool,
 ) -> int:
-    """Play SESSION, a session's folder or any .tlog file, also another ground station's, in the console.
+    """Play SESSION, a session's folder or any recording, also another ground station's, in the console.
 
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
     and services too. A .tlog shows every vehicle that sends a HEARTBEAT in it, PX4, ArduPilot or others.
@@ -104,12 +104,14 @@ def replay(
         return _decide(session, as_json, trust=trust)
     from gcs.console.follow import Steps, follow
     from gcs.console.terminal import usable
+    from gcs.recording.importing import ImportFailed, opened
     from gcs.session.replay import Replay, ReplayError, ReplaySource
 
     try:
+        source_path = click.get_current_context().with_resource(opened(session))
         with _progress("reading") as progress:
-            recording = Replay(session, progress)
-    except ReplayError as error:
+            recording = Replay(source_path, progress)
+    except (ReplayError, ImportFailed) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
@@ -207,7 +209,7 @@ def _print_json(verdict: Comparison) -> None:
     )
 
 
-@click.command(short_help="Write a session or a .tlog as tables, for pandas, DuckDB, PlotJuggler.")
+@click.command(short_help="Write a session or a recording as tables, for pandas, DuckDB, PlotJuggler.")
 @click.argument("session", type=click.Path(path_type=Path))
 @click.option(
     "--format",
@@ -218,7 +220,10 @@ def _print_json(verdict: Comparison) -> None:
 )
 @out_option("A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]")
 def export(session: Path, form: str, out: Path | None) -> int:
-    """Write SESSION, a session's folder or any .tlog file, as tables: one file per message type.
+    """Write SESSION, a session's folder or any recording, as tables: one file per message type.
+
+    A recording is a .tlog, .tlog.raw or .rlog file. ArduPilot's .BIN and PX4's .ulg are read as the MAVLink that their
+    vehicle would have sent, motion ten times a second at most.
 
     Columns are SI and say so (x_ned_m, roll_rad, voltage_v, lat_deg); what MAVLink calls unknown is an empty cell.
     Every table begins with time_s, seconds since the session's start (of a .tlog: since its first frame), sysid, compid
@@ -244,6 +249,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
     if form == "mcap":
         return _export_mcap(session, out)
     from gcs.recording import export as exporter
+    from gcs.recording.importing import ImportFailed, opened
     from gcs.recording.tables import NO_PARQUET, available, tables
 
     kind: Any = form
@@ -257,13 +263,13 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
         unfinished.mkdir(parents=True)
         written = tables(kind, unfinished)
-        with _progress("exporting") as progress:
+        with _progress("exporting") as progress, opened(session) as source:
             try:
-                problems = exporter.export(session, written, progress)
+                problems = exporter.export(source, written, progress)
             finally:
                 written.close()
         unfinished.rename(folder)
-    except exporter.ExportError as error:
+    except (exporter.ExportError, ImportFailed) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:
         click.echo(f"gcs: {error.filename or folder}: {error.strerror}", err=True)
@@ -280,6 +286,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
 
 
 def _export_mcap(session: Path, out: Path | None) -> int:
+    from gcs.recording.importing import ImportFailed, opened
     from gcs.report import foxglove
     from gcs.session.replay import ReplayError
 
@@ -287,9 +294,9 @@ def _export_mcap(session: Path, out: Path | None) -> int:
         raise click.UsageError(foxglove.MISSING)
     path = out or (session / "session.mcap" if session.is_dir() else session.with_suffix(".mcap"))
     try:
-        with _progress("exporting") as progress:
-            count, problems = foxglove.export(session, path, progress)
-    except ReplayError as error:
+        with _progress("exporting") as progress, opened(session) as source:
+            count, problems = foxglove.export(source, path, progress)
+    except (ReplayError, ImportFailed) as error:
         raise click.UsageError(str(error)) from None
     except FileExistsError:
         raise click.UsageError(

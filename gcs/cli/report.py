@@ -28,12 +28,13 @@ FILE = "report.html"
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
     metavar="FILE",
-    help="Write the page here.  [default: report.html in the session's folder]",
+    help="Write the page here.  [default: report.html in the session's folder; FILE.html beside a recording]",
 )
 @click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
 def report(session: Path, out: Path | None, quiet: bool) -> int:
     """Make report.html of SESSION, a folder that `gcs run` left: outcome and reasons, paths from above and in space,
-    tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it.
+    tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it. Or of
+    any recording, .tlog, .tlog.raw, .rlog, .BIN or .ulg: what it holds of these.
 
     The page is one file that needs no network, for a screen of any width or for paper. `gcs run` makes it too; this
     makes it again, or of a session that was killed: what its files cannot tell, the page says at its top. An older
@@ -43,18 +44,20 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     Examples:
       gcs report sessions/demo-20260101-120000
       gcs report first-flight --out first-flight.html
+      gcs report flight.tlog
 
     \b
     Exit status:
       0    the report was made
       1    it could not be written
-      2    SESSION is no session's folder
+      2    SESSION is no session's folder and no recording
       130  stopped by Ctrl-C; an older report is left as it was
       70   an error of the program itself
     """
     from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+    from gcs.recording.importing import ImportFailed
     from gcs.recording.session_folder import NoSession
     from gcs.report.page import make
 
@@ -66,7 +69,7 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
         with Progress(*columns, console=console, transient=True, disable=quiet or not console.is_terminal) as shown:
             task = shown.add_task("reading", total=1.0)
             made = make(session, out, lambda what, share: shown.update(task, description=what, completed=share))
-    except NoSession as error:
+    except (NoSession, ImportFailed) as error:
         click.echo(str(error), err=True)
         return BAD_INPUT
     except OSError as error:

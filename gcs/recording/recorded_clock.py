@@ -8,8 +8,7 @@ silence, and then
 2. from one run to the next as much time passes as the stamps say, unless a vehicle's clock (time_boot_ms) on both sides
    says otherwise: that is a step of the recorder's clock. Without a vehicle's clock a fall is a step, and so is a leap
    that undoes one or is undone later, or that begins or ends at no time of MAVLink's;
-3. in a run whose stamps stand still while a vehicle's clock goes on, and in a recording without stamps, the vehicle's
-   clock counts.
+3. in a recording without stamps, or whose stamps all stand still, a vehicle's clock counts.
 
 The run with the most frames keeps its stamps; the others follow from it. Times are µs; rows are frames. All [choice].
 """
@@ -30,12 +29,10 @@ FALL_US = 100_000
 """Stamps may fall by so much: recorders of several links write them out of order."""
 SILENCE_US = 2 * SECOND_US
 LEAP_US = 3600 * SECOND_US
-DISAGREE_US = SECOND_US
-"""Stamps and a vehicle's clock may differ by so much over a silence: frames come late."""
+DISAGREE_US = 10 * SECOND_US
+"""Stamps may pass a vehicle's clock by so much over a silence: frames come late, and simulations pause."""
 FEW = 5
 """So many frames in a row may have wrong stamps; more are a step of the clock."""
-STILL_SHARE = 0.5
-"""A run's stamps stand still where they pass less than this share of a vehicle's time."""
 WORTH_SAYING_US = 10 * SECOND_US
 NAMED = 3
 NO_STAMP = -1
@@ -190,10 +187,9 @@ def _joined(stamps_us: IntArray, runs: Sequence[_Run], clocks: Sequence[VehicleC
     times_us = np.empty(len(stamps_us), dtype=np.int64)
     steps: list[tuple[int, int]] = []
     silences: list[tuple[int, int]] = []
-    still = fallen_us = 0
+    fallen_us = 0
     for k, run in enumerate(runs):
-        own_us, stands = _within(stamps_us, run, clocks)
-        still += stands
+        own_us = stamps_us[run.begin : run.end]
         if k == 0:
             begin_us = int(own_us[0])
         else:
@@ -216,27 +212,10 @@ def _joined(stamps_us: IntArray, runs: Sequence[_Run], clocks: Sequence[VehicleC
             f"{'ahead' if by > 0 else 'back'} by {_span(abs(by))} at {since_us[row] / 1e6:.1f} s" for row, by in steps
         ]
         notes.append(f"its recorder's clock was set {_few(told)}; times go on as the vehicles' clocks do")
-    if still:
-        notes.append("its recorder's clock stood still; times there are of the vehicle's own clock")
     if silences:
         told = [f"for {_span(length)} until {since_us[row] / 1e6:.1f} s" for row, length in silences]
         notes.append(f"nothing was recorded {_few(told)}")
     return JudgedTimes(times_us, notes)
-
-
-def _within(stamps_us: IntArray, run: _Run, clocks: Sequence[VehicleClock]) -> tuple[IntArray, bool]:
-    """Times of a run's frames, and whether they are a vehicle's because the stamps stand still."""
-    own_us = stamps_us[run.begin : run.end]
-    for clock in clocks:
-        rows = slice(*np.searchsorted(clock.rows, (run.begin, run.end)).tolist())
-        boot_us = clock.boot_us[rows]
-        if len(boot_us) < 2 or (np.diff(boot_us) < 0).any():
-            continue
-        first, last = clock.rows[rows][[0, -1]].tolist()
-        vehicle_us, stamp_us = int(boot_us[-1] - boot_us[0]), int(stamps_us[last] - stamps_us[first])
-        if vehicle_us - stamp_us > 2 * DISAGREE_US and stamp_us < STILL_SHARE * vehicle_us:
-            return _by_clock(VehicleClock(clock.rows[rows], boot_us), run.begin, run.end), True
-    return own_us, False
 
 
 def _by_clocks_of(

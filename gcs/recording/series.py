@@ -104,23 +104,24 @@ def vehicles(recorded: Recorded) -> list[VehicleInfo]:
 
 def senders(recorded: Recorded) -> list[int]:
     """The system ids that reported a position."""
-    return list(by_vehicle(recorded, "LOCAL_POSITION_NED"))
+    return sorted({*by_vehicle(recorded, "LOCAL_POSITION_NED"), *by_vehicle(recorded, "GLOBAL_POSITION_INT")})
 
 
 def tracks(recorded: Recorded) -> dict[int, Track]:
-    """Each vehicle's track, as far as it reported where its own frame's zero lies."""
+    """Each vehicle's track: by its own frame where it reported where that frame's zero lies, else by its places on the
+    globe, of a recording that holds them."""
     origins = by_vehicle(recorded, "GPS_GLOBAL_ORIGIN")
     zero = _zero(recorded, origins)
     armed = by_vehicle(recorded, "HEARTBEAT")
     landed = by_vehicle(recorded, "EXTENDED_SYS_STATE")
-    found = {}
+    if zero is None:
+        return {}
+    known = {sysid: _by_global(rows, zero) for sysid, rows in by_vehicle(recorded, "GLOBAL_POSITION_INT").items()}
     for sysid, rows in by_vehicle(recorded, "LOCAL_POSITION_NED").items():
-        if sysid not in origins or zero is None:
-            continue
-        place = _frame(_place(origins[sysid][0]), zero)
-        t_s = _times_s(rows)
-        p_ned = _turned(np.column_stack([rows[axis] for axis in "xyz"]), place.turn_rad) + place.offset_ned
-        v_ned = _turned(np.column_stack([rows[f"v{axis}"] for axis in "xyz"]), place.turn_rad)
+        if sysid in origins:
+            known[sysid] = _by_local(rows, _frame(_place(origins[sysid][0]), zero))
+    found = {}
+    for sysid, (t_s, p_ned, v_ned) in sorted(known.items()):
         # In the order in which they were true; what came late and out of order changes nothing that is known.
         with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything; so much of it is believed
             good = (np.abs(p_ned) <= FARTHEST_M).all(axis=1) & (np.abs(v_ned) <= FASTEST_M_S).all(axis=1)
@@ -134,6 +135,20 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
             _state(states, None if states is None else ~np.isin(states["landed_state"], (ON_GROUND, UNDEFINED_STATE))),
         )
     return found
+
+
+def _by_local(rows: NDArray[Any], place: FramePlace) -> tuple[Floats, Floats, Floats]:
+    """Times, places and velocities (k, 3) in the common frame by LOCAL_POSITION_NED."""
+    p_ned = _turned(np.column_stack([rows[axis] for axis in "xyz"]), place.turn_rad) + place.offset_ned
+    return _times_s(rows), p_ned, _turned(np.column_stack([rows[f"v{axis}"] for axis in "xyz"]), place.turn_rad)
+
+
+def _by_global(rows: NDArray[Any], zero: tuple[float, float, float]) -> tuple[Floats, Floats, Floats]:
+    """The same by GLOBAL_POSITION_INT; autopilots without a fix report 0, 0."""
+    rows = rows[(rows["lat"] != 0) | (rows["lon"] != 0)]
+    p_ned = pymap3d.geodetic2ned(1e-7 * rows["lat"], 1e-7 * rows["lon"], 1e-3 * rows["alt"], *zero)
+    v_ned = np.column_stack([1e-2 * rows[f"v{axis}"].astype(np.float64) for axis in "xyz"])
+    return _times_s(rows), np.column_stack(p_ned), v_ned
 
 
 def _frame(own: tuple[float, float, float], zero: tuple[float, float, float]) -> FramePlace:
@@ -418,8 +433,15 @@ def _place(row: Any) -> tuple[float, float, float]:
 
 
 def _zero(recorded: Recorded, origins: dict[int, NDArray[Any]]) -> tuple[float, float, float] | None:
-    """The common frame's zero (° ° m): the scenario's, else the first vehicle's."""
+    """The common frame's zero (° ° m): the scenario's, else the first vehicle's, else under where one was first, at
+    its home's height as it said last."""
     if recorded.scenario is not None:
         origin = recorded.scenario.origin
         return origin.lat_deg, origin.lon_deg, origin.alt_m
-    return _place(origins[min(origins)][0]) if origins else None
+    if origins:
+        return _place(origins[min(origins)][0])
+    for rows in by_vehicle(recorded, "GLOBAL_POSITION_INT").values():
+        if len(known := rows[(rows["lat"] != 0) | (rows["lon"] != 0)]):
+            home_m = 1e-3 * (float(known["alt"][-1]) - float(known["relative_alt"][-1]))
+            return 1e-7 * float(known["lat"][0]), 1e-7 * float(known["lon"][0]), home_m
+    return None

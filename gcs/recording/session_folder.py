@@ -41,6 +41,8 @@ WANTED = {
     "ADSB_VEHICLE": ("ICAO_address", "lat", "lon", "altitude", "heading", "hor_velocity", "ver_velocity", "callsign"),
 }
 """The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
+FOREIGN = {"GLOBAL_POSITION_INT": ("time_boot_ms", "lat", "lon", "alt", "relative_alt", "vx", "vy", "vz")}
+"""The same of a recording that is no session's: others know their place by these alone."""
 MOST_SECONDS = 7 * 86_400
 MOST_BINS = 1 << 14
 """Of each vehicle's traffic, ten times what a chart shows: four hours and a half by seconds, longer in longer bins."""
@@ -55,9 +57,10 @@ class NoSession(Exception):
 
 @dataclass
 class Recorded:
-    """A session as its files hold it; None or empty for what they do not."""
+    """A session as its files hold it, or one recording; None or empty for what they do not."""
 
     folder: Path
+    """of the session; the recording's file where there is no more"""
     summary: Summary | None = None
     scenario: Scenario | None = None
     tables: dict[str, NDArray[Any]] = field(default_factory=dict)
@@ -94,6 +97,21 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
         progress(0.5 * (1.0 + told))
     if not recorded.end_s and recorded.summary is not None:
         recorded.end_s = recorded.summary.sim_time_s
+    return recorded
+
+
+def read_recording(source: Path, name: Path, progress: Progress = lambda _: None) -> Recorded:
+    """Content of one recording, told under another name. Raises NoSession where it holds no frame, OSError."""
+    recorded = Recorded(name)
+    log = tlog_reader.read(source)
+    gathering = Gathering(recorded, (*WANTED, *FOREIGN))
+    for chunk in log.chunks():
+        gathering.add(chunk)
+        progress(chunk.read_share)
+    gathering.finish()
+    if not recorded.traffic_count:
+        raise NoSession(" ".join(log.problems) or f"{name} holds no vehicle's frame.")
+    recorded.problems += log.problems
     return recorded
 
 
@@ -249,11 +267,12 @@ def _added(table: NDArray[np.int32] | None, bins: NDArray[np.int64], values: NDA
 def _columns(chunk: tlog_reader.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
     """One message's times in session seconds, senders and wanted fields alone."""
     table = chunk.table(message)
-    names = ("sysid", "compid", *(name for name in WANTED[message] if name != "place"))
-    own: list[Any] = [("t_s", np.float64)] + [("place", np.int64)] * ("place" in WANTED[message])
+    wanted = WANTED.get(message) or FOREIGN[message]
+    names = ("sysid", "compid", *(name for name in wanted if name != "place"))
+    own: list[Any] = [("t_s", np.float64)] + [("place", np.int64)] * ("place" in wanted)
     columns = np.empty(len(table), dtype=[*own, *((name, table.dtype[name]) for name in names)])
     columns["t_s"] = 1e-6 * (table["t_us"] - epoch_us)
-    if "place" in WANTED[message]:
+    if "place" in wanted:
         columns["place"] = chunk.places(message)
     for name in names:
         columns[name] = table[name]

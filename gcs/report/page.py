@@ -17,7 +17,8 @@ from pathlib import Path
 from string import Template
 
 from gcs.loading import uncollected
-from gcs.recording.session_folder import read
+from gcs.recording.importing import opened
+from gcs.recording.session_folder import read, read_recording
 from gcs.report import tables
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings
@@ -78,15 +79,25 @@ LOADER = """(async () => {
 });"""
 
 
-def make(folder: Path, out: Path | None = None, progress: Callable[[str, float], object] = lambda *_: None) -> Path:
-    """Make the report of the session in `folder`, in it or at `out`; where it lies. An older one is replaced, whole.
+def make(source: Path, out: Path | None = None, progress: Callable[[str, float], object] = lambda *_: None) -> Path:
+    """Make the report of a session's folder, in it, or of a recording, beside it, or at `out`; where it lies. An older
+    one is replaced, whole.
 
-    `progress` is given what is done and how much of all, 0 to 1. Raises NoSession, OSError.
+    `progress` is given what is done and how much of all, 0 to 1. Raises NoSession, ImportFailed, OSError.
     """
-    target = out or folder / FILE
+    alone = source.is_file()
+    target = out or (source.with_name(f"{source.name}.html") if alone else source / FILE)
     progress("reading", 0.0)
     with uncollected():  # what is read stays, and to look through it again and again is a tenth of the time
-        recorded = read(folder, lambda share: progress("reading", READ * share))
+
+        def told(share: float) -> None:
+            progress("reading", READ * share)
+
+        if alone:
+            with opened(source) as recording:
+                recorded = read_recording(recording, source, told)
+        else:
+            recorded = read(source, told)
         progress("measuring", READ)
         findings = Findings(recorded)
         progress("drawing", MEASURED)

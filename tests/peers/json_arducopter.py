@@ -270,9 +270,10 @@ def main() -> None:
         sys.exit(3)
     print(f"Starting sketch 'ArduCopter', instance {given.instance}", flush=True)
     lat, lon, alt, _ = map(float, given.home.split(","))
+    on_truth = PARAMETERS["AHRS_EKF_TYPE"][1] == TRUTH
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
-        refuse_arming_s=0.0 if PARAMETERS["AHRS_EKF_TYPE"][1] == TRUTH else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
+        refuse_arming_s=0.0 if on_truth else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
         battery_wh=70.0, battery_told="current", lies=False, says="", param=[],
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)

@@ -51,14 +51,6 @@ def interleaved(stamps_us: Times) -> Times:
     return stamps_us
 
 
-def still(rows: slice) -> Callable[[Times], Times]:
-    def change(stamps_us: Times) -> Times:
-        stamps_us[rows] = stamps_us[rows][0]
-        return stamps_us
-
-    return change
-
-
 def valued(rows: slice | int, value: int) -> Callable[[Times], Times]:
     def change(stamps_us: Times) -> Times:
         stamps_us[rows] = value
@@ -70,7 +62,7 @@ def valued(rows: slice | int, value: int) -> Callable[[Times], Times]:
 BROKEN = {
     "as they came": lambda stamps_us: stamps_us,
     **{f"set back by {s} s": shifted(slice(400, None), -s) for s in (1, 10, HOUR_S, YEAR_S)},
-    **{f"set ahead by {s} s": shifted(slice(400, None), s) for s in (5, 40, HOUR_S, YEAR_S, 3500 * YEAR_S)},
+    **{f"set ahead by {s} s": shifted(slice(400, None), s) for s in (40, HOUR_S, YEAR_S, 3500 * YEAR_S)},
     "set ahead by a year, and back later": shifted(slice(400, 900), YEAR_S),
     "set back by an hour, and ahead later": shifted(slice(300, 500), -HOUR_S),
     "1970 until the first fix": shifted(slice(0, 200), -(EPOCH_US // SECOND_US)),
@@ -83,7 +75,6 @@ BROKEN = {
     "one that is negative": valued(100, -(1 << 62)),
     "all zero": valued(slice(None), 0),
     "all the same": valued(slice(None), EPOCH_US),
-    "standing still for 20 s": still(slice(100, 300)),
     "none": valued(slice(None), NO_STAMP),
 }
 
@@ -94,7 +85,7 @@ def off_us(times_us: Times) -> int:
     return int(np.abs(off[np.arange(FRAMES) % 3 > 0]).max())
 
 
-BELIEVED = {f"set ahead by {s} s" for s in (5, 40, HOUR_S, YEAR_S)}
+BELIEVED = {f"set ahead by {s} s" for s in (40, HOUR_S, YEAR_S)}
 
 
 @pytest.mark.parametrize("broken", BROKEN)
@@ -143,7 +134,7 @@ def test_whatever_is_set_and_flipped_times_do_not_fall(
     assert (np.diff(times_us) >= -PERIOD_US).all()
 
 
-@given(row=st.integers(3, FRAMES - 3), by_s=st.integers(-YEAR_S, YEAR_S).filter(lambda by_s: abs(by_s) > 3))
+@given(row=st.integers(3, FRAMES - 3), by_s=st.integers(-YEAR_S, YEAR_S).filter(lambda by_s: not 0 <= by_s <= 11))
 @settings(max_examples=200, deadline=None)
 def test_a_step_anywhere_is_found(row: int, by_s: int) -> None:
     assert off_us(judged(shifted(slice(row, None), by_s)(came()), [vehicle(came())]).times_us) <= 3 * PERIOD_US

@@ -1,0 +1,196 @@
+"""ArduPilot's DataFlash log as the messages that the vehicle would have sent.
+
+pymavlink's DFReader reads the log and sets its times by the GPS. Names of messages and fields are ArduPilot's
+(libraries/AP_Logger/LogStructure.h); EKF1, NKF1 and XKF1 are the estimators of three generations.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from pymavlink import DFReader
+from pymavlink.dialects.v20 import ardupilotmega as mav
+
+from gcs.recording.importing.sample import Sample
+
+TYPES = {
+    "Copter": mav.MAV_TYPE_QUADROTOR,
+    "Plane": mav.MAV_TYPE_FIXED_WING,
+    "Rover": mav.MAV_TYPE_GROUND_ROVER,
+    "Sub": mav.MAV_TYPE_SUBMARINE,
+    "Tracker": mav.MAV_TYPE_ANTENNA_TRACKER,
+    "Blimp": mav.MAV_TYPE_AIRSHIP,
+}
+"""MAV_TYPE by the word in the firmware's banner."""
+ARMED, DISARMED, LANDED, FLYING = 10, 11, 18, 28
+"""Ids of EV."""
+SYSID_NAMES = ("SYSID_THISMAV", "MAV_SYSID")
+_HEARTBEAT_US = 1_000_000
+_CENTI = 100.0
+_MOST_VOLTS = 200.0
+"""A greater voltage is in hundredths of a volt, as logs of before 2017 have it."""
+_TEXT_BYTES = 50
+
+
+def samples(path: Path) -> Iterator[Sample]:
+    """The log's flight. Raises OSError, and whatever pymavlink raises of a broken log."""
+    with _opened(path) as reader:
+        vehicle = _Vehicle(_sysid(reader))
+        reader.rewind()
+        begin_s: float | None = None
+        while (row := reader.recv_msg()) is not None:
+            begin_s = row._timestamp if begin_s is None else begin_s
+            t_us = round(1e6 * row._timestamp)
+            yield from vehicle.read(t_us, max(t_us - round(1e6 * begin_s), 0) // 1000, row)
+
+
+@contextlib.contextmanager
+def _opened(path: Path) -> Iterator[Any]:
+    """pymavlink's reader of a log, which prints where it is broken, and closes nothing by itself."""
+    reader = DFReader.DFReader_binary.__new__(DFReader.DFReader_binary)
+    heap = io.StringIO()
+    with contextlib.redirect_stdout(heap), contextlib.redirect_stderr(heap):
+        try:
+            reader.__init__(str(path))
+            yield reader
+        finally:
+            if hasattr(reader, "filehandle"):
+                reader.filehandle.close()
+
+
+def _sysid(reader: Any) -> int:
+    sysid = 1
+    while (row := reader.recv_match(type="PARM")) is not None:
+        if row.Name in SYSID_NAMES and 1 <= row.Value <= 254:
+            sysid = int(row.Value)
+    return sysid
+
+
+class _Vehicle:
+    """The vehicle as its log has told of it so far."""
+
+    def __init__(self, sysid: int) -> None:
+        self._sysid = sysid
+        self._type = mav.MAV_TYPE_GENERIC
+        self._mode, self._armed, self._landed = 0, False, mav.MAV_LANDED_STATE_UNDEFINED
+        self._beat_us = -_HEARTBEAT_US
+        self._v_ned = (0.0, 0.0, 0.0)
+
+    def read(self, t_us: int, boot_ms: int, row: Any) -> Iterator[Sample]:
+        """Messages that one row of the log gives."""
+        name, boot = row.get_type(), {"time_boot_ms": boot_ms % (1 << 32)}
+        if self._take(name, row) or not 0 <= t_us - self._beat_us < _HEARTBEAT_US:
+            self._beat_us = t_us
+            yield self._sample(t_us, "HEARTBEAT", self._heartbeat())
+            yield self._sample(t_us, "EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": self._landed})
+        if name in ("XKF1", "NKF1", "EKF1") and not getattr(row, "C", 0):
+            self._v_ned = (row.VN, row.VE, row.VD)
+            place = dict(zip("xyz", (row.PN, row.PE, row.PD), strict=True))
+            speed = dict(zip(("vx", "vy", "vz"), self._v_ned, strict=True))
+            yield self._sample(t_us, "LOCAL_POSITION_NED", {**boot, **place, **speed})
+        elif name == "POS" and (row.Lat, row.Lng) != (0.0, 0.0):
+            yield self._sample(t_us, "GLOBAL_POSITION_INT", {**boot, **self._global(row)})
+        elif name == "ATT":
+            angles = {"roll": row.Roll, "pitch": row.Pitch, "yaw": math.remainder(row.Yaw, 360.0)}
+            angles = {axis: math.radians(degrees) for axis, degrees in angles.items()}
+            yield self._sample(t_us, "ATTITUDE", {**boot, **angles, **dict.fromkeys(_RATES, 0.0)})
+        elif name == "ORGN":
+            yield from self._origin(t_us, row)
+        elif name in ("BAT", "CURR"):
+            yield self._sample(t_us, "BATTERY_STATUS", _battery(row))
+        elif name == "GPS" and not getattr(row, "I", 0):
+            yield self._sample(t_us, "GPS_RAW_INT", _gps(t_us, row))
+        elif name == "MSG":
+            text = str(row.Message).encode()[:_TEXT_BYTES].decode(errors="ignore")
+            yield self._sample(t_us, "STATUSTEXT", {"severity": mav.MAV_SEVERITY_INFO, "text": text})
+        elif name == "PARM":
+            value = {"param_id": row.Name, "param_value": row.Value, "param_type": mav.MAV_PARAM_TYPE_REAL32}
+            yield self._sample(t_us, "PARAM_VALUE", {**value, "param_count": 0, "param_index": 65535})
+
+    def _sample(self, t_us: int, message: str, fields: dict[str, Any]) -> Sample:
+        return Sample(t_us, self._sysid, message, fields)
+
+    def _take(self, name: str, row: Any) -> bool:
+        """Whether the row changes what a HEARTBEAT says."""
+        before = self._type, self._mode, self._armed, self._landed
+        if name == "MSG":
+            self._type = next((kind for word, kind in TYPES.items() if word in row.Message), self._type)
+        elif name == "MODE":
+            self._mode = int(row.ModeNum if hasattr(row, "ModeNum") else row.Mode)
+        elif name == "ARM":
+            self._armed = bool(row.ArmState)
+        elif name == "EV" and row.Id in (ARMED, DISARMED):
+            self._armed = row.Id == ARMED
+        elif name == "EV" and row.Id in (LANDED, FLYING):
+            self._landed = mav.MAV_LANDED_STATE_ON_GROUND if row.Id == LANDED else mav.MAV_LANDED_STATE_IN_AIR
+        return before != (self._type, self._mode, self._armed, self._landed)
+
+    def _heartbeat(self) -> dict[str, Any]:
+        armed = mav.MAV_MODE_FLAG_SAFETY_ARMED if self._armed else 0
+        return {
+            "type": self._type,
+            "autopilot": mav.MAV_AUTOPILOT_ARDUPILOTMEGA,
+            "base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | armed,
+            "custom_mode": self._mode,
+            "system_status": mav.MAV_STATE_ACTIVE if self._armed else mav.MAV_STATE_STANDBY,
+            "mavlink_version": 3,
+        }
+
+    def _global(self, row: Any) -> dict[str, int]:
+        speed = (round(_CENTI * axis) for axis in self._v_ned)
+        return {
+            "lat": round(1e7 * row.Lat),
+            "lon": round(1e7 * row.Lng),
+            "alt": round(1e3 * row.Alt),
+            "relative_alt": round(1e3 * getattr(row, "RelHomeAlt", 0.0)),
+            **dict(zip(("vx", "vy", "vz"), speed, strict=True)),
+            "hdg": 65535,
+        }
+
+    def _origin(self, t_us: int, row: Any) -> Iterator[Sample]:
+        at = {"latitude": round(1e7 * row.Lat), "longitude": round(1e7 * row.Lng), "altitude": round(1e3 * row.Alt)}
+        if row.Type == 0:
+            yield self._sample(t_us, "GPS_GLOBAL_ORIGIN", at)
+        else:
+            unknown = dict.fromkeys(("x", "y", "z", "approach_x", "approach_y", "approach_z"), math.nan)
+            yield self._sample(t_us, "HOME_POSITION", {**at, **unknown, "q": [math.nan] * 4})
+
+
+_RATES = ("rollspeed", "pitchspeed", "yawspeed")
+
+
+def _battery(row: Any) -> dict[str, Any]:
+    scale = 1.0 / _CENTI if row.Volt > _MOST_VOLTS else 1.0
+    volts, amperes = scale * row.Volt, scale * row.Curr
+    percent, energy_wh = getattr(row, "RemPct", 255), getattr(row, "EnrgTot", None)
+    return {
+        "id": getattr(row, "Instance", getattr(row, "Inst", 0)),
+        "battery_function": mav.MAV_BATTERY_FUNCTION_UNKNOWN,
+        "type": mav.MAV_BATTERY_TYPE_UNKNOWN,
+        "temperature": 32767,
+        "voltages": [round(1e3 * volts) if 0.0 < volts < 65.0 else 65535] + [65535] * 9,
+        "current_battery": round(_CENTI * amperes) if abs(amperes) < 327.0 else -1,
+        "current_consumed": round(row.CurrTot),
+        "energy_consumed": -1 if energy_wh is None else round(36.0 * energy_wh),
+        "battery_remaining": int(percent) if 0 <= percent <= 100 else -1,
+    }
+
+
+def _gps(t_us: int, row: Any) -> dict[str, Any]:
+    return {
+        "time_usec": t_us,
+        "fix_type": row.Status,
+        "lat": round(1e7 * row.Lat),
+        "lon": round(1e7 * row.Lng),
+        "alt": round(1e3 * row.Alt),
+        "eph": min(round(_CENTI * row.HDop), 65535),
+        "epv": 65535,
+        "vel": min(round(_CENTI * row.Spd), 65535),
+        "cog": round(_CENTI * row.GCrs) % 36000,
+        "satellites_visible": row.NSats,
+    }

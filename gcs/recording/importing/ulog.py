@@ -1,0 +1,169 @@
+"""PX4's ULog as the messages that the vehicle would have sent. pyulog reads the log; names of topics and fields are
+PX4's (msg/*.msg)."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import math
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pymavlink.dialects.v20 import ardupilotmega as mav
+from pyulog import ULog
+
+from gcs.recording.importing.sample import Sample
+
+MODES = {
+    0: (1, 0), 1: (2, 0), 2: (3, 0), 3: (4, 4), 4: (4, 3), 5: (4, 5), 10: (5, 0), 14: (6, 0), 15: (7, 0),
+    17: (4, 2), 18: (4, 6), 19: (4, 8), 20: (4, 9),
+}  # fmt: skip
+"""nav_state of vehicle_status → main and sub mode of PX4's custom mode."""
+ARMED = 2
+"""arming_state of vehicle_status."""
+TOPICS = (
+    *("vehicle_local_position", "vehicle_attitude", "vehicle_status", "vehicle_land_detected", "home_position"),
+    *("battery_status", "vehicle_gps_position", "sensor_gps"),
+)
+_TEXT_BYTES = 50
+_DEGE7 = 1e7
+
+
+def samples(path: Path) -> Iterator[Sample]:
+    """The log's flight, in order of time. Raises OSError, and whatever pyulog raises of a broken log."""
+    with path.open("rb") as file, contextlib.redirect_stdout(io.StringIO()):  # it prints what is broken
+        log = ULog(file, message_name_filter_list=list(TOPICS))
+    sysid = int(log.initial_parameters.get("MAV_SYS_ID", 1))
+    sysid = sysid if 1 <= sysid <= 254 else 1
+    said: list[tuple[int, str, dict[str, Any]]] = []
+    for data in log.data_list:
+        if (make := _MAKERS.get(data.name)) and (data.multi_id == 0 or data.name == "battery_status"):
+            said += ((int(row.timestamp), *one) for row in _rows(data.data) for one in make(row, data.multi_id))
+    for text in log.logged_messages:
+        short = text.message.encode()[:_TEXT_BYTES].decode(errors="ignore")
+        said.append((int(text.timestamp), "STATUSTEXT", {"severity": text.log_level - ord("0"), "text": short}))
+    said += _states({data.name: data.data for data in log.data_list if data.multi_id == 0})
+    utc_us = _utc_offset_us(log)
+    for t_us, message, fields in sorted(said, key=lambda one: one[0]):
+        yield Sample(t_us + utc_us, sysid, message, fields)
+
+
+def _rows(columns: dict[str, NDArray[Any]]) -> Iterator[SimpleNamespace]:
+    """A topic's samples; `q[0]` is read as q0."""
+    names = [name.replace("[", "").replace("]", "") for name in columns]
+    for values in zip(*(column.tolist() for column in columns.values()), strict=True):
+        yield SimpleNamespace(**dict(zip(names, values, strict=True)))
+
+
+def _utc_offset_us(log: ULog) -> int:
+    """The offset from the vehicle's time to the Unix epoch, by the first fix that says it; 0 where none does."""
+    for data in log.data_list:
+        utc_us = data.data.get("time_utc_usec")
+        if utc_us is not None and (known := np.flatnonzero(utc_us > 0)).size:
+            return int(utc_us[known[0]]) - int(data.data["timestamp"][known[0]])
+    return 0
+
+
+def _states(tables: dict[str, dict[str, NDArray[Any]]]) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """HEARTBEAT and EXTENDED_SYS_STATE once a second and at each change."""
+    status = tables.get("vehicle_status")
+    if status is None:
+        return
+    landing = tables.get("vehicle_land_detected")
+    for k, t_us in enumerate(status["timestamp"].tolist()):
+        armed = int(status["arming_state"][k]) == ARMED
+        main, sub = MODES.get(int(status["nav_state"][k]), (0, 0))
+        yield (
+            t_us,
+            "HEARTBEAT",
+            {
+                "type": int(status["system_type"][k]) if "system_type" in status else mav.MAV_TYPE_QUADROTOR,
+                "autopilot": mav.MAV_AUTOPILOT_PX4,
+                "base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (mav.MAV_MODE_FLAG_SAFETY_ARMED if armed else 0),
+                "custom_mode": main << 16 | sub << 24,
+                "system_status": mav.MAV_STATE_ACTIVE if armed else mav.MAV_STATE_STANDBY,
+                "mavlink_version": 3,
+            },
+        )
+        landed = mav.MAV_LANDED_STATE_UNDEFINED
+        if landing is not None and (at := int(np.searchsorted(landing["timestamp"], t_us, side="right")) - 1) >= 0:
+            landed = mav.MAV_LANDED_STATE_ON_GROUND if landing["landed"][at] else mav.MAV_LANDED_STATE_IN_AIR
+        yield t_us, "EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": landed}
+
+
+_Made = Iterator[tuple[str, dict[str, Any]]]
+
+
+def _local(row: SimpleNamespace, _: int) -> _Made:
+    boot_ms = row.timestamp // 1000 % (1 << 32)
+    if row.xy_valid and row.z_valid:
+        names = ("x", "y", "z", "vx", "vy", "vz")
+        yield "LOCAL_POSITION_NED", {"time_boot_ms": boot_ms, **{name: getattr(row, name) for name in names}}
+    if row.xy_global and (row.ref_lat, row.ref_lon) != (0.0, 0.0) and math.isfinite(row.ref_alt):
+        yield (
+            "GPS_GLOBAL_ORIGIN",
+            {
+                "latitude": round(_DEGE7 * row.ref_lat),
+                "longitude": round(_DEGE7 * row.ref_lon),
+                "altitude": round(1e3 * row.ref_alt),
+            },
+        )
+
+
+def _attitude(row: SimpleNamespace, _: int) -> _Made:
+    """Roll, pitch and yaw of the quaternion w, x, y, z from FRD to NED."""
+    w, x, y, z = row.q0, row.q1, row.q2, row.q3
+    angles = {
+        "roll": math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y)),
+        "pitch": math.asin(min(max(2.0 * (w * y - z * x), -1.0), 1.0)),
+        "yaw": math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)),
+    }
+    rates = {f"{axis}speed": float(getattr(row, f"{axis}speed", 0.0)) for axis in angles}
+    yield "ATTITUDE", {"time_boot_ms": row.timestamp // 1000 % (1 << 32), **angles, **rates}
+
+
+def _home(row: SimpleNamespace, _: int) -> _Made:
+    if math.isfinite(row.lat) and math.isfinite(row.lon) and math.isfinite(row.alt):
+        unknown = dict.fromkeys(("approach_x", "approach_y", "approach_z"), math.nan)
+        yield (
+            "HOME_POSITION",
+            {
+                "latitude": round(_DEGE7 * row.lat),
+                "longitude": round(_DEGE7 * row.lon),
+                "altitude": round(1e3 * row.alt),
+                **{axis: getattr(row, axis) for axis in "xyz"},
+                "q": [math.nan] * 4,
+                **unknown,
+            },
+        )
+
+
+def _battery(row: SimpleNamespace, number: int) -> _Made:
+    volts, amperes = row.voltage_v, row.current_a
+    share = row.remaining
+    yield (
+        "BATTERY_STATUS",
+        {
+            "id": number,
+            "battery_function": mav.MAV_BATTERY_FUNCTION_UNKNOWN,
+            "type": mav.MAV_BATTERY_TYPE_UNKNOWN,
+            "temperature": 32767,
+            "voltages": [round(1e3 * volts) if 0.0 < volts < 65.0 else 65535] + [65535] * 9,
+            "current_battery": round(100.0 * amperes) if 0.0 <= amperes < 327.0 else -1,
+            "current_consumed": round(row.discharged_mah) if row.discharged_mah >= 0.0 else -1,
+            "energy_consumed": -1,
+            "battery_remaining": round(100.0 * share) if 0.0 <= share <= 1.0 else -1,
+        },
+    )
+
+
+_MAKERS: dict[str, Callable[[SimpleNamespace, int], _Made]] = {
+    "vehicle_local_position": _local,
+    "vehicle_attitude": _attitude,
+    "home_position": _home,
+    "battery_status": _battery,
+}

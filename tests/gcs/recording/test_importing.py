@@ -1,0 +1,119 @@
+"""Autopilots' own logs, read as recordings: a flight in a circle, whose truth is its closed form."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import gzip
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import autopilot_logs as logs
+import numpy as np
+import pytest
+from commands import gcs
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from gcs.mavlink import codec
+from gcs.recording import tlog_reader
+from gcs.recording.importing import ImportFailed, opened
+from gcs.recording.tlog_walk import SYSID, T_US
+
+WRITERS: dict[str, tuple[Callable[[Path], None], int]] = {
+    "flight.BIN": (logs.dataflash, 7),
+    "flight.ulg": (logs.ulog, 9),
+}
+
+
+@pytest.fixture(params=WRITERS)
+def log(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    path = tmp_path / request.param
+    WRITERS[request.param][0](path)
+    return path
+
+
+def test_a_log_is_the_flight_that_was_flown(log: Path) -> None:
+    with opened(log) as source:
+        (chunk,) = tlog_reader.read(source).chunks()
+    assert not source.exists(), "nothing is left behind"
+    flown = list(logs.moments())
+    assert set(chunk.heads[:, SYSID].tolist()) == {WRITERS[log.name][1]}
+    place, attitude = chunk.table("LOCAL_POSITION_NED"), chunk.table("ATTITUDE")
+    assert len(place) == len(attitude) == len(flown)
+    for axes, truth in (
+        (("x", "y", "z"), [at.p_ned for at in flown]),
+        (("vx", "vy", "vz"), [at.v_ned for at in flown]),
+    ):
+        np.testing.assert_allclose(np.column_stack([place[axis] for axis in axes]), truth, atol=1e-5)
+    yaw_off = np.array(
+        [math.remainder(a - at.yaw_rad, 2.0 * math.pi) for a, at in zip(attitude["yaw"], flown, strict=True)]
+    )
+    assert np.abs(yaw_off).max() < math.radians(0.01)
+    times_us = place["t_us"] - place["t_us"][0]
+    np.testing.assert_allclose(times_us, [at.t_us - logs.START_US for at in flown], atol=1000)
+    assert abs(int(place["t_us"][0]) - logs.UTC_US) < 1_000_000, "by the satellites' time"
+    origin = chunk.table("GPS_GLOBAL_ORIGIN")[0]
+    assert (origin["latitude"], origin["longitude"]) == (round(1e7 * logs.LAT_DEG), round(1e7 * logs.LON_DEG))
+    assert origin["altitude"] == pytest.approx(1e3 * logs.ALT_M)
+    battery = chunk.table("BATTERY_STATUS")[-1]
+    assert battery["voltages"][0] == 16_000
+    assert battery["current_battery"] == 2000
+    assert (chunk.table("HEARTBEAT")["base_mode"][-10:] & 128).all()
+    assert set(chunk.table("EXTENDED_SYS_STATE")["landed_state"][-10:].tolist()) == {2}
+    assert (np.diff(chunk.heads[:, T_US]) >= 0).all()
+
+
+def test_replay_export_and_report_take_a_log(log: Path, tmp_path: Path) -> None:
+    sysid = WRITERS[log.name][1]
+    played = gcs("replay", str(log), "--json")
+    snapshots = [line for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "snapshot"]
+    (row,) = snapshots[-1]["vehicles"]
+    assert (row["sysid"], row["armed"], row["landed"]) == (sysid, True, False)
+    assert row["p_ned"] == pytest.approx(list(logs.moments())[-1].p_ned, abs=0.1)
+    assert row["mode"] == "offboard"
+    tables = tmp_path / "tables"
+    assert gcs("export", str(log), "--format", "csv", "--out", str(tables)).returncode == 0
+    with (tables / "LOCAL_POSITION_NED.csv").open() as file:
+        assert [float(line["z_ned_m"]) for line in csv.DictReader(file)] == [-logs.HEIGHT_M] * len(list(logs.moments()))
+    page = tmp_path / "page.html"
+    assert gcs("report", str(log), "--out", str(page)).returncode == 0
+    assert log.name in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(("content", "words"), [
+    (b"\x1f\x8b" + gzip.compress(b"a")[2:], "is a gzip archive: unpack it first"),
+    (b"PK\x03\x04....", "is a zip archive: unpack it first"),
+    (b"QGC WPL 110\n", "is a list of way points"),
+    (b'{"fileType": "Plan"}', "is a QGroundControl plan"),
+    (b"# Onboard parameters for Vehicle 1\n", "is a file of parameters"),
+    (b"FMT, 128, 89, FMT, BBnNZ\n", "is an ArduPilot log as text"),
+    (b"ULog\x01\x12\x35\x01" + bytes(200), "without a position, an attitude or a mode"),
+])  # fmt: skip
+def test_a_file_of_another_kind_is_said_to_be_that(tmp_path: Path, content: bytes, words: str) -> None:
+    path = tmp_path / "some.tlog"
+    path.write_bytes(content)
+    with pytest.raises(ImportFailed, match=words), opened(path):
+        pass
+    for command in (("replay",), ("export", "--format", "csv"), ("report",)):
+        refused = gcs(command[0], str(path), *command[1:])
+        assert refused.returncode == 2
+        assert words in " ".join(refused.stderr.split())
+
+
+@pytest.mark.parametrize("name", WRITERS)
+@given(data=st.data())
+@settings(max_examples=25, deadline=None)
+def test_a_broken_log_gives_what_it_holds_or_a_sentence(
+    name: str, tmp_path_factory: pytest.TempPathFactory, data: st.DataObject
+) -> None:
+    path = tmp_path_factory.mktemp("broken") / name
+    WRITERS[name][0](path)
+    content = bytearray(path.read_bytes())
+    for at in data.draw(st.lists(st.integers(8, len(content) - 1), max_size=20)):
+        content[at] = data.draw(st.integers(0, 255))
+    path.write_bytes(content[: data.draw(st.integers(8, len(content)))])
+    with contextlib.suppress(ImportFailed), opened(path) as source:
+        assert all(codec.name(frame.msgid) for _, frame in tlog_reader.read(source))

@@ -1,0 +1,126 @@
+"""Logs of a flight in a circle as ArduPilot and PX4 write them, byte by byte after their descriptions: AP_Logger's
+LogStructure.h, and https://docs.px4.io/main/en/dev_log/ulog_file_format.html."""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+LAT_DEG, LON_DEG, ALT_M = 47.397742, 8.545594, 488.0
+RADIUS_M, SPEED_M_S, HEIGHT_M = 20.0, 4.0, 10.0
+SECONDS, RATE_HZ = 12, 10
+START_US = 40_000_000
+"""since the autopilot's start"""
+UTC_US = 1_767_225_600_000_000
+
+
+class Moment(NamedTuple):
+    """Where the vehicle is, NED, m, m/s, rad."""
+
+    t_us: int
+    p_ned: tuple[float, float, float]
+    v_ned: tuple[float, float, float]
+    yaw_rad: float
+
+
+def moments() -> Iterator[Moment]:
+    for k in range(SECONDS * RATE_HZ):
+        angle = SPEED_M_S / RADIUS_M * k / RATE_HZ
+        place = (RADIUS_M * math.cos(angle), RADIUS_M * math.sin(angle), -HEIGHT_M)
+        speed = (-SPEED_M_S * math.sin(angle), SPEED_M_S * math.cos(angle), 0.0)
+        yaw_rad = math.remainder(angle + math.pi / 2.0, 2.0 * math.pi)
+        yield Moment(START_US + 1_000_000 * k // RATE_HZ, place, speed, yaw_rad)
+
+
+_DATAFLASH = {
+    "FMT": (128, "BBnNZ", "Type,Length,Name,Format,Columns"),
+    "PARM": (64, "QNf", "TimeUS,Name,Value"),
+    "MSG": (91, "QZ", "TimeUS,Message"),
+    "MODE": (98, "QMBB", "TimeUS,Mode,ModeNum,Rsn"),
+    "EV": (85, "QB", "TimeUS,Id"),
+    "GPS": (135, "QBBIHBcLLeffffB", "TimeUS,I,Status,GMS,GWk,NSats,HDop,Lat,Lng,Alt,Spd,GCrs,VZ,Yaw,U"),
+    "ORGN": (153, "QBLLe", "TimeUS,Type,Lat,Lng,Alt"),
+    "XKF1": (200, "QBffffff", "TimeUS,C,PN,PE,PD,VN,VE,VD"),
+    "ATT": (201, "QccC", "TimeUS,Roll,Pitch,Yaw"),
+    "BAT": (160, "QBffffB", "TimeUS,Inst,Volt,Curr,CurrTot,EnrgTot,RemPct"),
+}
+_C = {"Q": "Q", "B": "B", "M": "B", "I": "I", "H": "H", "f": "f", "n": "4s", "N": "16s", "Z": "64s", "c": "h", "C": "H",
+      "L": "i", "e": "i"}  # fmt: skip
+_SCALE = {"c": 100.0, "C": 100.0, "e": 100.0, "L": 1e7}
+
+
+def _row(name: str, *values: object) -> bytes:
+    number, form, _ = _DATAFLASH[name]
+    sent = [
+        value.encode() if isinstance(value, str) else round(value * _SCALE[kind]) if kind in _SCALE else value  # type: ignore[operator]
+        for kind, value in zip(form, values, strict=True)
+    ]
+    return b"\xa3\x95" + bytes([number]) + struct.pack("<" + "".join(_C[kind] for kind in form), *sent)
+
+
+def dataflash(path: Path, *, sysid: int = 7) -> None:
+    out = []
+    for name, (number, form, columns) in _DATAFLASH.items():
+        length = 3 + struct.calcsize("<" + "".join(_C[kind] for kind in form))
+        out.append(_row("FMT", number, length, name, form, columns))
+    out.append(_row("PARM", START_US, "SYSID_THISMAV", float(sysid)))
+    out.append(_row("MSG", START_US, "ArduCopter V4.6.0 (12345678)"))
+    out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
+    out += [_row("MODE", START_US, 4, 4, 1), _row("EV", START_US, 10), _row("EV", START_US, 28)]
+    week, ms = divmod((UTC_US // 1000 - 315_964_800_000 + 18_000), 7 * 86_400_000)
+    for k, at in enumerate(moments()):
+        since_ms = (at.t_us - START_US) // 1000
+        if k % 2 == 0:
+            gps = (at.t_us, 0, 3, ms + since_ms, week, 12, 0.8, LAT_DEG, LON_DEG, ALT_M + HEIGHT_M)
+            out.append(_row("GPS", *gps, SPEED_M_S, 0.0, 0.0, 0.0, 1))
+            out.append(_row("BAT", at.t_us, 0, 16.0, 20.0, 10.0 * k, 0.16 * k, 100 - k // 10))
+        out.append(_row("XKF1", at.t_us, 0, *at.p_ned, *at.v_ned))
+        out.append(_row("XKF1", at.t_us, 1, 900.0, 900.0, 0.0, 0.0, 0.0, 0.0))
+        out.append(_row("ATT", at.t_us, 2.0, -3.0, math.degrees(at.yaw_rad) % 360.0))
+    path.write_bytes(b"".join(out))
+
+
+_TOPICS = {
+    "vehicle_local_position": (
+        "uint64_t timestamp;double ref_lat;double ref_lon;float x;float y;float z;float vx;float vy;float vz;"
+        "float ref_alt;bool xy_valid;bool z_valid;bool xy_global;", "<QddfffffffBBB",
+    ),
+    "vehicle_attitude": ("uint64_t timestamp;float[4] q;", "<Qffff"),
+    "vehicle_status": ("uint64_t timestamp;uint8_t arming_state;uint8_t nav_state;uint8_t system_type;", "<QBBB"),
+    "vehicle_land_detected": ("uint64_t timestamp;bool landed;", "<QB"),
+    "battery_status": (
+        "uint64_t timestamp;float voltage_v;float current_a;float discharged_mah;float remaining;", "<Qffff",
+    ),
+    "vehicle_gps_position": ("uint64_t timestamp;uint64_t time_utc_usec;", "<QQ"),
+}  # fmt: skip
+
+
+def _message(kind: bytes, content: bytes) -> bytes:
+    return struct.pack("<H", len(content)) + kind + content
+
+
+def ulog(path: Path, *, sysid: int = 9) -> None:
+    out = [b"ULog\x01\x12\x35\x01" + struct.pack("<Q", START_US), _message(b"B", bytes(40))]
+    out += [_message(b"F", f"{name}:{fields}".encode()) for name, (fields, _) in _TOPICS.items()]
+    key = b"int32_t MAV_SYS_ID"
+    out.append(_message(b"P", bytes([len(key)]) + key + struct.pack("<i", sysid)))
+    names = list(_TOPICS)
+    out += [_message(b"A", struct.pack("<BH", 0, number) + name.encode()) for number, name in enumerate(names)]
+
+    def said(name: str, *values: object) -> None:
+        out.append(_message(b"D", struct.pack("<H", names.index(name)) + struct.pack(_TOPICS[name][1], *values)))
+
+    said("vehicle_gps_position", START_US, UTC_US)
+    out.append(_message(b"L", b"6" + struct.pack("<Q", START_US) + "Ready for takeoff! 20 °C".encode()))
+    for k, at in enumerate(moments()):
+        where = (LAT_DEG, LON_DEG, *at.p_ned, *at.v_ned, ALT_M)
+        said("vehicle_local_position", at.t_us, *where, 1, 1, 1)
+        said("vehicle_attitude", at.t_us, math.cos(at.yaw_rad / 2.0), 0.0, 0.0, math.sin(at.yaw_rad / 2.0))
+        if k % RATE_HZ == 0:
+            said("vehicle_land_detected", at.t_us, 0)
+            said("vehicle_status", at.t_us, 2, 14, 2)
+            said("battery_status", at.t_us, 16.0, 20.0, 10.0 * k, 1.0 - k / 1000.0)
+    path.write_bytes(b"".join(out))

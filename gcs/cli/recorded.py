@@ -42,6 +42,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 
 @click.command(short_help="Play a recorded session, or any recording, in the console.")
 @click.argument("session", type=click.Path(path_type=Path))
+@click.argument("others", nargs=-1, type=click.Path(path_type=Path))
 @speed_option("Recorded seconds per second on the wall, up to 1000.  [default: 1; as lines or JSON: without waiting]")
 @click.option(
     "--from",
@@ -60,6 +61,7 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 @TRUST
 def replay(
     session: Path,
+    others: tuple[Path, ...],
     speed: float | None,
     from_s: float | None,
     plain: bool,
@@ -75,6 +77,9 @@ def replay(
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
     and services too. A .tlog shows every vehicle that sends a HEARTBEAT in it, PX4, ArduPilot or others.
 
+    OTHERS are recordings beside it, on one time: by their dates where all know theirs and begin within a day, else all
+    begin together. A system id that an earlier one has is the next free one.
+
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
     of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
@@ -87,6 +92,7 @@ def replay(
       gcs replay first-flight --web
       gcs replay first-flight --foxglove
       gcs replay flight.tlog --json > flight.jsonl
+      gcs replay one.BIN two.BIN three.ulg --web
       gcs replay first-flight --decide
 
     \b
@@ -101,14 +107,16 @@ def replay(
     if decide:
         if speed is not None or from_s is not None or web or foxglove:
             raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web and --foxglove.")
+        if others:
+            raise click.UsageError("--decide decides one session: give no other beside it.")
         return _decide(session, as_json, trust=trust)
     from gcs.console.follow import Steps, follow
     from gcs.console.terminal import usable
-    from gcs.recording.importing import ImportFailed, opened
+    from gcs.recording.importing import ImportFailed, beside
     from gcs.session.replay import Replay, ReplayError, ReplaySource
 
     try:
-        source_path = click.get_current_context().with_resource(opened(session))
+        source_path = click.get_current_context().with_resource(beside([session, *others]))
         with _progress("reading") as progress:
             recording = Replay(source_path, progress)
     except (ReplayError, ImportFailed) as error:
@@ -211,6 +219,7 @@ def _print_json(verdict: Comparison) -> None:
 
 @click.command(short_help="Write a session or a recording as tables, for pandas, DuckDB, PlotJuggler.")
 @click.argument("session", type=click.Path(path_type=Path))
+@click.argument("others", nargs=-1, type=click.Path(path_type=Path))
 @click.option(
     "--format",
     "form",
@@ -219,11 +228,11 @@ def _print_json(verdict: Comparison) -> None:
     help="Parquet needs pyarrow, MCAP foxglove-sdk.",
 )
 @out_option("A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]")
-def export(session: Path, form: str, out: Path | None) -> int:
+def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None) -> int:
     """Write SESSION, a session's folder or any recording, as tables: one file per message type.
 
     A recording is a .tlog, .tlog.raw or .rlog file. ArduPilot's .BIN and PX4's .ulg are read as the MAVLink that their
-    vehicle would have sent, motion ten times a second at most.
+    vehicle would have sent, motion ten times a second at most. OTHERS are recordings beside it, as in gcs replay.
 
     Columns are SI and say so (x_ned_m, roll_rad, voltage_v, lat_deg); what MAVLink calls unknown is an empty cell.
     Every table begins with time_s, seconds since the session's start (of a .tlog: since its first frame), sysid, compid
@@ -247,9 +256,9 @@ def export(session: Path, form: str, out: Path | None) -> int:
       130  stopped by Ctrl-C; nothing is left behind
     """
     if form == "mcap":
-        return _export_mcap(session, out)
+        return _export_mcap(session, others, out)
     from gcs.recording import export as exporter
-    from gcs.recording.importing import ImportFailed, opened
+    from gcs.recording.importing import ImportFailed, beside
     from gcs.recording.tables import NO_PARQUET, available, tables
 
     kind: Any = form
@@ -263,7 +272,7 @@ def export(session: Path, form: str, out: Path | None) -> int:
         shutil.rmtree(unfinished, ignore_errors=True)
         unfinished.mkdir(parents=True)
         written = tables(kind, unfinished)
-        with _progress("exporting") as progress, opened(session) as source:
+        with _progress("exporting") as progress, beside([session, *others]) as source:
             try:
                 problems = exporter.export(source, written, progress)
             finally:
@@ -285,8 +294,8 @@ def export(session: Path, form: str, out: Path | None) -> int:
     return 0
 
 
-def _export_mcap(session: Path, out: Path | None) -> int:
-    from gcs.recording.importing import ImportFailed, opened
+def _export_mcap(session: Path, others: tuple[Path, ...], out: Path | None) -> int:
+    from gcs.recording.importing import ImportFailed, beside
     from gcs.report import foxglove
     from gcs.session.replay import ReplayError
 
@@ -294,7 +303,7 @@ def _export_mcap(session: Path, out: Path | None) -> int:
         raise click.UsageError(foxglove.MISSING)
     path = out or (session / "session.mcap" if session.is_dir() else session.with_suffix(".mcap"))
     try:
-        with _progress("exporting") as progress, opened(session) as source:
+        with _progress("exporting") as progress, beside([session, *others]) as source:
             count, problems = foxglove.export(source, path, progress)
     except (ReplayError, ImportFailed) as error:
         raise click.UsageError(str(error)) from None

@@ -300,14 +300,15 @@ def target_of(raw: bytes) -> int:
     return int(getattr(fields(frame), "target_system", 0))
 
 
-def sent_by(frame: Frame, compid: int) -> Frame:
-    """The frame as if another component had sent it, unsigned; as it is where the dialect lacks its id."""
+def sent_by(frame: Frame, compid: int, sysid: int | None = None) -> Frame:
+    """The frame as if another component, or system, had sent it, unsigned; as it is where the dialect lacks its id."""
     raw = frame.raw
     if raw[7:10] not in _SEEDS:
         return frame
-    body = raw[:2] + b"\0" + raw[3:6] + bytes([compid]) + raw[7 : HEADER_BYTES + raw[1]]
+    sysid = frame.sysid if sysid is None else sysid
+    body = raw[:2] + b"\0" + raw[3:5] + bytes([sysid, compid]) + raw[7 : HEADER_BYTES + raw[1]]
     crc = mcrf4xx(body + seed_of(raw), BEFORE_MARKER)
-    return frame._replace(compid=compid, raw=body + crc.to_bytes(CRC_BYTES, "little"))
+    return frame._replace(sysid=sysid, compid=compid, raw=body + crc.to_bytes(CRC_BYTES, "little"))
 
 
 def _with_text(values: tuple[Any, ...], text_at: tuple[int, ...]) -> tuple[Any, ...]:

@@ -7,6 +7,7 @@ import csv
 import gzip
 import json
 import math
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from hypothesis import strategies as st
 
 from gcs.mavlink import codec
 from gcs.recording import tlog_reader
-from gcs.recording.importing import ImportFailed, opened
+from gcs.recording.importing import ImportFailed, beside, opened
 from gcs.recording.tlog_walk import SYSID, T_US
 
 WRITERS: dict[str, tuple[Callable[[Path], None], int]] = {
@@ -81,6 +82,40 @@ def test_replay_export_and_report_take_a_log(log: Path, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     assert gcs("report", str(log), "--out", str(page)).returncode == 0
     assert log.name in page.read_text(encoding="utf-8")
+
+
+def test_several_recordings_are_played_beside_each_other_under_ids_of_their_own(tmp_path: Path) -> None:
+    """Two of the same vehicle, and a third: 7 is taken, 8 is free, 9 is its own."""
+    paths = [tmp_path / name for name in ("one.BIN", "two.BIN", "three.ulg")]
+    logs.dataflash(paths[0])
+    logs.dataflash(paths[1])
+    logs.ulog(paths[2])
+    played = gcs("replay", *map(str, paths), "--json")
+    snapshots = [line for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "snapshot"]
+    rows = {row["sysid"]: row for row in snapshots[-1]["vehicles"]}
+    assert sorted(rows) == [7, 8, 9]
+    for row in rows.values():
+        assert row["p_ned"] == pytest.approx(list(logs.moments())[-1].p_ned, abs=0.1)
+    assert snapshots[-1]["t_s"] < logs.SECONDS + 2.0
+    tables = tmp_path / "tables"
+    assert gcs("export", *map(str, paths), "--format", "csv", "--out", str(tables)).returncode == 0
+    with (tables / "LOCAL_POSITION_NED.csv").open() as file:
+        assert Counter(row["sysid"] for row in csv.DictReader(file)) == dict.fromkeys("789", len(list(logs.moments())))
+
+
+@pytest.mark.parametrize("days", [0.5, 3.0])
+def test_recordings_of_other_days_begin_together(tmp_path: Path, days: float) -> None:
+    paths = [tmp_path / "one.tlog", tmp_path / "two.tlog"]
+    for path, since_us in zip(paths, (0, round(86_400e6 * days)), strict=True):
+        beats = [
+            codec.encode("HEARTBEAT", k, 1, 1, type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=3)
+            for k in range(20)
+        ]
+        stamps = [logs.UTC_US + since_us + 1_000_000 * k for k in range(20)]
+        path.write_bytes(b"".join(at.to_bytes(8, "big") + beat for at, beat in zip(stamps, beats, strict=True)))
+    with beside(paths) as source:
+        times_us = [t_us - logs.UTC_US for t_us, _ in tlog_reader.read(source)]
+    assert max(times_us) == 19_000_000 + (0 if days > 1.0 else round(86_400e6 * days))
 
 
 @pytest.mark.parametrize(("content", "words"), [

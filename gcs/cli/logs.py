@@ -45,7 +45,7 @@ def logs() -> None:
       0    done
       1    a log, or a list of logs, did not come
       2    bad input, or no vehicle was heard
-      130  stopped by Ctrl-C; logs that had come whole are kept
+      130  stopped by Ctrl-C; what had come is kept
     """
 
 
@@ -88,7 +88,9 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
     """Download logs: those with these NUMBERs, or each vehicle's newest.
 
     What a link loses is asked for again. A file appears when its log has come whole, with the size that the vehicle
-    gave; its SHA-256 is shown. A log that is there already, in that size, is not downloaded again.
+    gave; its SHA-256 is shown. A log that is there already, in that size, is not downloaded again. Of one that does
+    not come whole, as of a vehicle that is switched off, what came is kept as NAME-partial.ENDING, with zeros for
+    bytes that are missing, until the whole log takes its place.
     """
     try:
         out.mkdir(parents=True, exist_ok=True)
@@ -107,17 +109,18 @@ def get(numbers: tuple[int, ...], everything: bool, out: Path, as_json: bool, **
             fleet.converse(clients, progress.look)
         except KeyboardInterrupt:
             for client in clients:
-                for message in () if client.done else client.end():
+                for message in client.stop(" until the download was stopped"):
                     fleet.send_to(client.sysid, message)
             raise
         finally:
             progress.close()
             folder.close()
+            status = _complain(clients)
     if as_json:
-        click.echo(json.dumps({"files": [log._asdict() for log in folder.kept]}))
+        click.echo(json.dumps(folder.rows()))
     elif not folder.kept and not any(client.failed or client.list_problem for client in clients):
         click.echo("there is no log")
-    return _complain(clients)
+    return status
 
 
 class _Progress:

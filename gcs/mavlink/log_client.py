@@ -2,7 +2,8 @@
 
     list        LOG_REQUEST_LIST → LOG_ENTRY …
     download    by MAVFTP as a file (ftp/log_file.py), where that is faster: 239 bytes come in a frame instead of 90.
-                Else LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing; LOG_REQUEST_END after all
+                What this does not bring: LOG_REQUEST_DATA (a range) → LOG_DATA …, then each range that is missing;
+                LOG_REQUEST_END after all
 
 One range is open at a time, since a vehicle serves one. What comes is kept wherever it belongs, so a piece that is lost
 costs itself, and no more than TRIES requests in a row may bring nothing. Pieces are handed on as they come, and only
@@ -63,6 +64,8 @@ class LogClient:
         """logs that have come whole, by number"""
         self.failed: dict[int, str] = {}
         """why a log did not come, by number"""
+        self.parts: dict[int, ReceivedRanges] = {}
+        """of those that failed, what had come until then, by number"""
         self.list_problem = ""
         """what the list lacks, in words; empty where nothing"""
         self._listing = False
@@ -96,7 +99,7 @@ class LogClient:
     def bytes_so_far(self) -> int:
         """Of the logs asked for, what has come."""
         partial = 0 if self._open is None else self._came.size_bytes
-        partial += 0 if self._file is None else self._file.bytes_so_far
+        partial += sum(came.size_bytes for came in self.parts.values())
         return partial + sum(entry.size_bytes for entry in self.whole.values())
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
@@ -133,19 +136,25 @@ class LogClient:
         if self._open is not None and now_s >= self._due_s:
             if self._tries < TRIES:
                 return [self._ask(self._open, now_s)]
-            of = f"{self._came.size_bytes} of {self._open.size_bytes} bytes came"
-            self.failed[self._open.number] = f"{of}, then nothing, though it was asked {TRIES} times"
-            self._close()
+            self._fail(self._open, f", then nothing, though it was asked {TRIES} times")
         if self._to_end and not self._wanted and self._open is None:
             self._to_end = False
-            return self.end()
+            return [self._end_of_download()]
         return []
 
-    def end(self) -> list[Message]:
-        """Messages that end a download, however it goes: the vehicle, whose list was asked for, goes on writing its
-        log."""
+    def stop(self, why: str) -> list[Message]:
+        """Give up what has not come; messages that end it on the vehicle. `why` goes on after "… bytes came"."""
+        if self.done:
+            return []
         file = [] if self._file is None else self._file.end()
-        return [*file, codec.message("LOG_REQUEST_END", **self._to)]
+        if self._open is not None:
+            self._fail(self._open, why)
+        self._listing, self._wanted, self._file, self._to_end = False, [], None, False
+        return [*file, self._end_of_download()]
+
+    def _end_of_download(self) -> Message:
+        """The vehicle, whose list was asked for, goes on writing its log."""
+        return codec.message("LOG_REQUEST_END", **self._to)
 
     def _begin(self, entry: LogEntry, now_s: float) -> None:
         self._to_end = True
@@ -159,8 +168,9 @@ class LogClient:
                 self._file = LogFile(self._requests, entry.number, entry.size_bytes, self._log_folders)
 
     def _poll_file(self, file: LogFile, entry: LogEntry, now_s: float) -> list[Message]:
-        """Read it as a file; where that does not bring it, go over to ranges."""
+        """Read it as a file; what that does not bring is left to ranges."""
         messages = file.poll(now_s)
+        self._came = file.came
         if file.done:
             self._file = None
             if file.is_whole:
@@ -179,6 +189,13 @@ class LogClient:
 
     def _end(self, entry: LogEntry) -> None:
         self.whole[entry.number] = entry
+        self._close()
+
+    def _fail(self, entry: LogEntry, why: str) -> None:
+        first, stop = self._came.missing(entry.size_bytes)
+        gap = f"; bytes {first} to {stop - 1} are the first that are missing" if self._came.size_bytes else ""
+        self.parts[entry.number] = self._came
+        self.failed.setdefault(entry.number, f"{self._came.size_bytes} of {entry.size_bytes} bytes came{why}{gap}")
         self._close()
 
     def _close(self) -> None:
@@ -200,5 +217,7 @@ class LogClient:
     def _ask(self, entry: LogEntry, now_s: float) -> Message:
         self._tries += 1
         self._due_s = now_s + REPEAT_S
-        first, stop = self._range = self._came.missing(entry.size_bytes, NEAR_PIECES * PIECE_BYTES)
+        first, stop = self._came.missing(entry.size_bytes, NEAR_PIECES * PIECE_BYTES)
+        stop = min(stop + (first - stop) % PIECE_BYTES, entry.size_bytes)  # only the log's last piece is shorter
+        self._range = first, stop
         return codec.message("LOG_REQUEST_DATA", **self._to, id=entry.number, ofs=first, count=stop - first)

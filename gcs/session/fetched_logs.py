@@ -4,7 +4,8 @@
    it back. One that was told to hold is not waited for.
    Autopilots write a log on for seconds then: its size is asked for until it stands.
 2. The newest log of each is downloaded, all side by side, for FETCH_WITHIN_S at most. What came whole stays.
-3. Whose log did not come is named, with what to do. That changes nothing about how the session ended.
+3. Whose log did not come whole is named, with where the part that came is. That changes nothing about how the session
+   ended.
 """
 
 from __future__ import annotations
@@ -50,6 +51,7 @@ def fetch_logs(
         clients: list[LogClient] = []
         kept = LogFolder(folder, clients)
         stack.callback(kept.close)
+        why = f" in {fetch_within_s:.0f} s (`gcs logs get` has no limit)"
         try:
             listed, growing = _listed(found)
             clients += listed
@@ -58,18 +60,16 @@ def fetch_logs(
             _download(found, clients, kept, say, fetch_within_s)
         except KeyboardInterrupt:
             missed.append("the download of logs was stopped: `gcs logs get` begins it again")
+            why = " until the download was stopped"
         for client in clients:
-            if not client.done:
-                for message in client.end():
-                    found[client.sysid].send_to(client.sysid, message)
-                came = f"{client.bytes_so_far} bytes came in {fetch_within_s:.0f} s"
-                missed.append(
-                    f"vehicle {client.sysid}: {came}, not its whole log: `gcs logs get` goes on without a limit"
-                )
+            for message in client.stop(why):
+                found[client.sysid].send_to(client.sysid, message)
+        kept.close()
         missed += problems(clients)
     for log in kept.kept:
         say(f"log {log.number} of vehicle {log.sysid}: {log.file}, {log.size_bytes} bytes, sha256 {log.sha256}")
-    content = {"files": [{**log._asdict(), "file": Path(log.file).name} for log in kept.kept], "problems": missed}
+    rows = {kind: [{**row, "file": Path(row["file"]).name} for row in of_kind] for kind, of_kind in kept.rows().items()}
+    content = {**rows, "problems": missed}
     with contextlib.suppress(OSError):
         (folder / FILE).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
     return missed

@@ -7,6 +7,7 @@ import hashlib
 import json
 import os
 import random
+import re
 import signal
 import socket
 import subprocess
@@ -19,23 +20,28 @@ from typing import Any
 import pytest
 from commands import gcs
 from pymavlink.dialects.v20 import common as mav
+from scenarios import loaded
 from sessions import fly
 from strangers import SIMVEHICLE, free_port, strangers
+
+from gcs.session.fetched_logs import fetch_logs
 
 pytestmark = pytest.mark.timeout(100)
 DATAFLASH = b"\xa3\x95" + random.Random(1).randbytes(50_000)
 
 
 class ArduPilotLogs:
-    """A vehicle 3 with two logs; what it sends of them is lost at random, and it is slow where asked to be."""
+    """A vehicle 3 with two logs; what it sends of them is lost at random, and it is slow where asked to be. It may be
+    dead from a byte of theirs on."""
 
-    def __init__(self, port: int) -> None:
+    def __init__(self, port: int, dies_at: int | None = None) -> None:
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.connect(("127.0.0.1", port))
         self.socket.settimeout(0.02)
         self.ended = threading.Event()
         self.slow = False
         self.stop = False
+        self._dies_at = dies_at
         self.logs = {7: b"\xa3\x95older", 8: DATAFLASH}
         self._random = random.Random(2)
         self._thread = threading.Thread(target=self._live)
@@ -77,6 +83,8 @@ class ArduPilotLogs:
                     break
                 number, at, stop = sending
                 data = self.logs[number][at : min(at + 90, stop)]
+                if self._dies_at is not None and at >= self._dies_at:
+                    return
                 if self._random.random() > 0.1:
                     padded = [*data, *[0] * (90 - len(data))]
                     self._send(mav.MAVLink_log_data_message(number, at, len(data), padded), writer)
@@ -151,7 +159,98 @@ def test_what_cannot_be_had_is_a_sentence(fleet: tuple[int, Path, ArduPilotLogs]
     assert (tmp_path / "vehicle-3-log-7.bin").read_bytes() == b"mine"
 
 
-def test_ctrl_c_ends_the_download_on_the_vehicle_too_and_leaves_no_part(
+PART = "vehicle-3-log-8-partial.bin"
+GAP = re.compile(
+    r"(\d+) of 50002 bytes came.*; bytes (\d+) to (\d+) are the first that are missing; what came is in (.*)"
+)
+
+
+def check_part(said: str, folder: Path) -> int:
+    """Whether the only part in a folder is the log with zeros for what is missing, as is said; bytes that came."""
+    match = GAP.search(said)
+    assert match is not None, said
+    came, first, last = (int(number) for number in match.groups()[:3])
+    (path,) = folder.glob("vehicle-*")
+    part = path.read_bytes()
+    assert (Path(match[4]), path.name) == (path, PART if part[:1] == DATAFLASH[:1] else PART.replace(".bin", ".log"))
+    pieces = [(part[at : at + 90], DATAFLASH[at : at + 90]) for at in range(0, len(part), 90)]
+    assert all(held in (sent, bytes(len(held))) for held, sent in pieces)
+    there = [held == sent for held, sent in pieces]
+    assert came == sum(len(held) for (held, _), is_there in zip(pieces, there, strict=True) if is_there)
+    missing = [*(not is_there for is_there in there), True]
+    assert first == min(90 * missing.index(True), len(part))
+    after = next((90 * n for n in range(first // 90, len(there)) if there[n]), len(DATAFLASH))
+    assert last == after - 1
+    return came
+
+
+@pytest.mark.parametrize("dies_at", [0, 49_500])
+def test_of_a_vehicle_that_dies_the_part_that_came_stays_until_the_whole_log_comes(
+    dies_at: int, tmp_path: Path
+) -> None:
+    """At its first byte, of which nothing stays, or at 99 %."""
+    port = free_port()
+    arguments = ["logs", "get", "8", "--out", str(tmp_path), *at(port, 3)]
+    dying = ArduPilotLogs(port, dies_at)
+    try:
+        died = gcs(*arguments, "--json")
+    finally:
+        dying.close()
+    assert died.returncode == 1
+    (said,) = died.stderr.splitlines()[-1:]
+    assert said.startswith("gcs: vehicle 3: log 8: ")
+    rows = json.loads(died.stdout)
+    assert rows["files"] == []
+    if dies_at:
+        assert 40_000 < check_part(said, tmp_path) <= dies_at
+        assert [row["file"] for row in rows["parts"]] == [str(path) for path in tmp_path.iterdir()]
+    else:
+        assert said.endswith("0 of 50002 bytes came, then nothing, though it was asked 8 times")
+        assert (rows["parts"], list(tmp_path.iterdir())) == ([], [])
+
+    living = ArduPilotLogs(port)
+    try:
+        done = gcs(*arguments)
+    finally:
+        living.close()
+    assert done.returncode == 0, done.stderr
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {"vehicle-3-log-8.bin": DATAFLASH}
+
+
+def external(port: int, *sysids: int) -> dict[str, Any]:
+    """A scenario of vehicles at a port."""
+    rules = {"connect": f"udpin:127.0.0.1:{port}", "capacity_j": 250_000, "found_within_s": 40, "arm_within_s": 3}
+    ends = {1: "land", 2: "hold", 3: "land"}
+    return {
+        "schema": 1, "name": "logged", "axes": "ned", "goal": {"duration_s": 10.0, "lost_at_most": 3}, "logs": True,
+        "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}, "planner": {"vehicles_repel": False},
+        "vehicles": {"pursuers": [
+            {"external": {**rules, "sysid": sysid, "at_end": ends[sysid]}, "waypoints_m": [[0, 4 * sysid, -2.5]]}
+            for sysid in sysids
+        ]},
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("slow", [False, True])
+def test_after_a_session_the_part_of_a_vehicle_that_dies_or_is_too_slow_stays(slow: bool, tmp_path: Path) -> None:
+    port = free_port()
+    scenario = loaded(tmp_path / "logged.yaml", json.dumps(external(port, 3)))
+    vehicle = ArduPilotLogs(port, None if slow else 49_500)
+    vehicle.slow = slow
+    try:
+        (missed,) = fetch_logs(scenario, tmp_path, [].append, fetch_within_s=3.0 if slow else 60.0)
+    finally:
+        vehicle.close()
+    came = check_part(missed, tmp_path / "logs")
+    assert ("bytes came in 3 s (`gcs logs get` has no limit); " in missed) == slow
+    content = json.loads((tmp_path / "logs" / "logs.json").read_text(encoding="utf-8"))
+    assert (content["files"], content["problems"]) == ([], [missed])
+    (row,) = content["parts"]
+    assert (row["came_bytes"], row["claimed_bytes"]) == (came, len(DATAFLASH))
+    assert (tmp_path / "logs" / row["file"]).exists()
+
+
+def test_ctrl_c_ends_the_download_on_the_vehicle_too_and_keeps_what_came(
     fleet: tuple[int, Path, ArduPilotLogs], tmp_path: Path
 ) -> None:
     port, _, other = fleet
@@ -166,7 +265,8 @@ def test_ctrl_c_ends_the_download_on_the_vehicle_too_and_leaves_no_part(
     assert process.returncode == 130
     assert b"Traceback" not in rest
     assert other.ended.wait(10.0)
-    assert not list(tmp_path.iterdir())
+    check_part(rest.decode(), tmp_path)
+    assert len(list(tmp_path.iterdir())) == 1
 
 
 def test_after_a_session_the_newest_log_of_each_lies_in_its_folder(
@@ -175,17 +275,7 @@ def test_after_a_session_the_newest_log_of_each_lies_in_its_folder(
     """One lands and is waited for, one is told to hold and stays armed, one has never been armed; a fourth is lost."""
     port, folder, other = fleet
     other.slow = False
-    rules = {"connect": f"udpin:127.0.0.1:{port}", "capacity_j": 250_000, "found_within_s": 40, "arm_within_s": 3}
-    ends = {1: "land", 2: "hold", 3: "land"}
-    made = {
-        "schema": 1, "name": "logged", "axes": "ned", "goal": {"duration_s": 10.0, "lost_at_most": 3}, "logs": True,
-        "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}, "planner": {"vehicles_repel": False},
-        "vehicles": {"pursuers": [
-            {"external": {**rules, "sysid": sysid, "at_end": end}, "waypoints_m": [[0, 4 * sysid, -2.5]]}
-            for sysid, end in ends.items()
-        ]},
-    }  # fmt: skip
-    flown = fly(made, tmp_path)
+    flown = fly(external(port, 1, 2, 3), tmp_path)
     logs = flown.folder / "logs"
     content = json.loads((logs / "logs.json").read_text(encoding="utf-8"))
     rows = {row["sysid"]: row for row in content["files"]}

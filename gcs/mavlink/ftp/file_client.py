@@ -54,23 +54,20 @@ class FileClient:
         self.path = path
         self.pieces: list[tuple[int, bytes]] = []
         """(offset, bytes) as they came, until they are taken away"""
-        self.is_whole = False
+        self.is_whole = self.is_short = False
+        """whether it has come; whether it turned out to be shorter than what is read of it"""
         self.problem = ""
         """why it did not come, in words"""
         self._stage = _Stage.RESET
         self._requests = requests
         self._session = 0
-        self._came = ReceivedRanges()
+        self.came = ReceivedRanges()
+        """of the file"""
         self._highest = self._begun_at = 0
         self._end = self._wanted = first_bytes
         self._tries = 0
         self._due_s = 0.0
         self._to_close = False
-
-    @property
-    def bytes_so_far(self) -> int:
-        """Of the file, what has come."""
-        return self._came.size_bytes
 
     @property
     def content(self) -> bytes | None:
@@ -96,6 +93,7 @@ class FileClient:
             self._session, self._to_close = answer.session, True
             self._go_on(_Stage.BURST)
             if self._wanted is not None and (len(answer.data) != 4 or _SIZE.unpack(answer.data)[0] < self._wanted):
+                self.is_short = True
                 self._give_up(f"{self.path} is shorter than {self._wanted} bytes")
         else:
             self._put(answer.offset, answer.data)
@@ -114,7 +112,7 @@ class FileClient:
         if now_s < self._due_s:
             return []
         if self._tries >= (FIRST_TRIES if self._stage is _Stage.RESET else TRIES):
-            came = f"after {self._came.first_missing} bytes " if self._came.size_bytes else ""
+            came = f"after {self.came.first_missing} bytes " if self.came.size_bytes else ""
             self._give_up(f"no answer {came}to a request for {self.path}, though it was asked {self._tries} times")
             return self.poll(now_s)
         self._tries += 1
@@ -123,7 +121,7 @@ class FileClient:
             return [self._requests.request(OPEN, data=self.path.encode("ascii"))]
         if self._stage is _Stage.RESET:
             return [self._requests.request(RESET)]
-        self._begun_at = self._highest if self._stage is _Stage.BURST else self._came.first_missing
+        self._begun_at = self._highest if self._stage is _Stage.BURST else self.came.first_missing
         opcode, session = self._stage.value, self._session
         return [self._requests.request(opcode, session=session, offset=self._begun_at, size=PIECE_BYTES)]
 
@@ -139,6 +137,7 @@ class FileClient:
             # piece's: the end is where it is the first answer.
             if self._requests.answered_first:
                 if self._wanted is not None:
+                    self.is_short = True
                     self._give_up(f"{self.path} ended after {self._begun_at} of {self._wanted} bytes")
                     return
                 self._end = self._begun_at
@@ -153,7 +152,7 @@ class FileClient:
             data = data[: max(self._wanted - offset, 0)]
         if offset % PIECE_BYTES or not data:
             return
-        if new := self._came.add(offset, offset + len(data)) - offset:
+        if new := self.came.add(offset, offset + len(data)) - offset:
             self.pieces.append((offset, data[:new]))
         self._highest = max(self._highest, offset + len(data))
         if len(data) < PIECE_BYTES and self._wanted is None:
@@ -164,7 +163,7 @@ class FileClient:
         known."""
         if self._highest > LARGEST_BYTES and self._wanted is None:
             self._give_up(f"{self.path} has more than {LARGEST_BYTES} bytes")
-        elif self._end is not None and self._came.first_missing >= self._end:
+        elif self._end is not None and self.came.first_missing >= self._end:
             self.is_whole, self._stage = True, _Stage.DONE
         elif self._end is not None and self._highest >= self._end and self._stage is _Stage.BURST:
             self._go_on(_Stage.FILL)

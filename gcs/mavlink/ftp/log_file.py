@@ -13,6 +13,7 @@ from typing import Any
 from gcs.mavlink.codec import Message
 from gcs.mavlink.ftp.file_client import FileClient
 from gcs.mavlink.ftp.folder_client import FolderClient
+from gcs.mavlink.ftp.received_ranges import ReceivedRanges
 from gcs.mavlink.ftp.requests import FileRequests
 
 MOST_FOLDERS = 8
@@ -28,18 +29,15 @@ class LogFile:
         self._roots = list(roots)
         self._folders: list[str] = []
         self._below_root = False
-        self._open: FileClient | FolderClient | None = FileClient(self._requests, f"@LOG/{number}", size_bytes)
+        self.came = ReceivedRanges()
+        """of the log, as far as the file that is read, or was read last, is known to be it"""
+        self._open: FileClient | FolderClient | None = self._read(f"@LOG/{number}")
         self.is_whole = False
 
     @property
     def done(self) -> bool:
         """Whether nothing is open."""
         return self._open is None
-
-    @property
-    def bytes_so_far(self) -> int:
-        """Of the log, what has come."""
-        return self._open.bytes_so_far if isinstance(self._open, FileClient) else 0
 
     def receive(self, name: str, content: Any, now_s: float) -> None:
         """Take a message of this vehicle's: its name and fields."""
@@ -59,6 +57,8 @@ class LogFile:
         if self._open is not None and self._open.done:
             if isinstance(self._open, FileClient):
                 self.is_whole = self._open.is_whole
+                if self._open.is_short:
+                    self.came = ReceivedRanges()
                 searched = not self.is_whole and self._requests.has_answered
                 self._open = self._looked_in(self._roots) if searched else None
             else:
@@ -69,6 +69,11 @@ class LogFile:
         """Messages that end what is open."""
         return [self._open.end()] if isinstance(self._open, FileClient) else []
 
+    def _read(self, path: str) -> FileClient:
+        file = FileClient(self._requests, path, self._size_bytes)
+        self.came = file.came
+        return file
+
     def _looked_in(self, folders: list[str]) -> FolderClient | None:
         return FolderClient(self._requests, folders.pop(0)) if folders else None
 
@@ -77,7 +82,7 @@ class LogFile:
         fitting = [name for name, size in listed.files.items() if size == self._size_bytes]
         if len(fitting) == 1:
             self._roots, self._folders = [], []  # whatever comes of it
-            return FileClient(self._requests, f"{listed.path}/{fitting[0]}", self._size_bytes)
+            return self._read(f"{listed.path}/{fitting[0]}")
         if not self._below_root:
             if listed.problem:
                 return self._looked_in(self._roots)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Iterator
 
 MOST_RANGES = 4096
 """A piece that would begin another range is not taken: it is still missing, and asked for again."""
@@ -16,6 +17,10 @@ class ReceivedRanges:
         self._ends: list[int] = []
         self.size_bytes = 0
         """of all of them"""
+
+    def __iter__(self) -> Iterator[tuple[int, int]]:
+        """The first byte of each range, and the first one behind it."""
+        return zip(self._starts, self._ends, strict=True)
 
     def add(self, start: int, end: int) -> int:
         """Add bytes from `start` on; where what is new of them ends, which is `start` where nothing is."""
@@ -50,7 +55,7 @@ class ReceivedRanges:
         """The first range that has not come, before `end`; it takes in what came where that is no longer than
         `near_bytes`."""
         first = self.first_missing
-        for start, stop in zip(self._starts, self._ends, strict=True):
+        for start, stop in self:
             if start > first and stop - start > near_bytes:
                 return first, min(start, end)
         return first, end

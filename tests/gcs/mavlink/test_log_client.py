@@ -2,12 +2,13 @@
 
 import itertools
 import random
+import struct
 import tracemalloc
 from typing import Any
 
 import pytest
-from arducopter_files import BURST, OPEN, READ, RESET, TERMINATE, Files
-from hypothesis import given
+from arducopter_files import ACK, BURST, FAIL, NAK, OPEN, READ, RESET, TERMINATE, Files
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
@@ -232,9 +233,121 @@ def test_what_does_not_come_is_a_sentence() -> None:
     converse(client, shorter)
     client.download([*client.entries.values(), LogEntry(2, 1 << 30, 0)])
     converse(client, shorter)
-    assert client.failed[1] == f"900 of 1800 bytes came, then nothing, though it was asked {TRIES} times"
+    missing = "bytes 900 to 1799 are the first that are missing"
+    assert client.failed[1] == f"900 of 1800 bytes came, then nothing, though it was asked {TRIES} times; {missing}"
     assert client.failed[2].startswith("it is said to have 1073741824 bytes")
     assert not client.whole
+
+
+class Dying(Vehicle):
+    """It is never heard again after so many messages with bytes of a log; `arrived` has the bytes of those."""
+
+    def __init__(self, logs: dict[int, bytes], messages: int, lose: float, files: Files | None) -> None:
+        super().__init__(logs, lose, files)
+        self._left = messages
+        self.arrived = set[int]()
+
+    def _heard_of(self, answers: list[Any]) -> list[Any]:
+        heard = []
+        for answer in answers:
+            piece = piece_of(answer)
+            self._left -= bool(piece)
+            if self._left >= 0 and self.random.random() >= self.lose:
+                heard.append(answer)
+                self.arrived |= set(piece)
+        return heard
+
+    def hear(self, message: codec.Message) -> list[Any]:
+        return self._heard_of(super().hear(message))
+
+    def tick(self) -> list[Any]:
+        return self._heard_of(super().tick())
+
+
+def piece_of(answer: Any) -> range:
+    """The bytes of a log that a message carries."""
+    if answer.get_type() == "LOG_DATA":
+        return range(answer.ofs, answer.ofs + answer.count)
+    if (
+        answer.get_type() == "FILE_TRANSFER_PROTOCOL"
+        and answer.payload[3] == ACK
+        and answer.payload[5] in (READ, BURST)
+    ):
+        (offset,) = struct.unpack_from("<I", bytes(answer.payload[8:12]))
+        return range(offset, offset + answer.payload[4])
+    return range(0)
+
+
+def of_what_came(client: LogClient, number: int, size: int) -> tuple[set[int], bytes]:
+    """Bytes that came of a log that failed, and what they are, zeros between them."""
+    written = bytearray(size)
+    for _, offset, data in client.pieces:
+        written[offset : offset + len(data)] = data
+    there = {at for start, stop in client.parts[number] for at in range(start, stop)}
+    return there, bytes(value if at in there else 0 for at, value in enumerate(written))
+
+
+@settings(max_examples=40)
+@given(st.integers(0, 210), st.sampled_from((0.0, 0.1, 0.5)), st.booleans(), st.booleans())
+def test_of_a_vehicle_that_dies_what_came_is_known_to_the_byte(
+    messages: int, lose: float, by_file: bool, other_file: bool
+) -> None:
+    """By MAVFTP, by ranges, or by ranges behind a file that turned out to be shorter, and so another."""
+    content = log(90 * 200 + 7)
+    files = {"@LOG/1": content[: 239 * 20] if other_file else content} if by_file else {}
+    vehicle = Dying({1: content}, messages, lose, Files(files))
+    client = LogClient(3, 1)
+    client.download([LogEntry(1, len(content), 0)])
+    now_s = 0.0
+    while not client.done:
+        assert now_s < 300.0
+        out = vehicle.tick()
+        for message in client.poll(now_s):
+            out += vehicle.hear(message)
+        for answer in out:
+            (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
+            client.receive(answer.get_type(), codec.fields(frame), now_s)
+        now_s += TICK_S
+    if client.whole:
+        assert came(client) == {1: content}
+        return
+    there, part = of_what_came(client, 1, len(content))
+    assert there <= vehicle.arrived
+    assert other_file or there == vehicle.arrived
+    assert all(part[at] == content[at] for at in there)
+    missing = sorted(set(range(len(content))) - there)
+    stop = next((at for at in missing if at + 1 not in missing), 0)
+    gap = f"; bytes {missing[0]} to {stop} are the first that are missing" if there else ""
+    why = f"{len(there)} of {len(content)} bytes came, then nothing, though it was asked {TRIES} times{gap}"
+    assert client.failed == {1: why}
+    assert client.bytes_so_far == len(there)
+
+
+def test_what_came_by_mavftp_is_not_asked_for_again() -> None:
+    """A file whose reading fails on the way goes on by ranges from there."""
+    content = log(90 * 700)
+
+    class Failing(Files):
+        def answers(self, session: int, opcode: int, size: int, offset: int, data: bytes) -> list[Any]:
+            if opcode == BURST and offset >= 239 * 80:
+                return [self.say(NAK, opcode, bytes([FAIL]))]
+            return super().answers(session, opcode, size, offset, data)
+
+    vehicle = Vehicle({1: content}, files=Failing({"@LOG/1": content}))
+    client = LogClient(3, 1)
+    client.download([LogEntry(1, len(content), 0)])
+    converse(client, vehicle)
+    assert came(client) == {1: content}
+    assert vehicle.pieces == -(-(len(content) - 239 * 80) // 90)
+
+
+def test_a_download_that_is_stopped_says_what_came_and_ends_it_on_the_vehicle() -> None:
+    client = claimed(3, 900)
+    assert [codec.name(message.msgid) for message in client.stop(" until now")] == ["LOG_REQUEST_END"]
+    assert client.done
+    assert client.failed == {1: "90 of 900 bytes came until now; bytes 0 to 809 are the first that are missing"}
+    assert list(client.parts[1]) == [(810, 900)]
+    assert client.stop(" again") == []
 
 
 def claimed(sysid: int, size_bytes: int) -> LogClient:

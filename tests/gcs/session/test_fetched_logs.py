@@ -44,7 +44,12 @@ def listed(fleet: Growing) -> tuple[int, list[int]]:
     return client.entries[1].size_bytes, growing
 
 
-@given(every_s=st.floats(0.1, 4.0), until_s=st.floats(0.0, 30.0), phase=st.floats(0.0, 0.99))
+STANDS_BY_S = fetched_logs.GROWS_FOR_S - fetched_logs.STANDS_FOR_S - 2 * (fetched_logs.LIST_EVERY_S + 0.2)
+"""A log that is written for the last time by then is listed as it stays, for as long as it must, before the time is up:
+a list comes every LIST_EVERY_S, and takes two rounds."""
+
+
+@given(every_s=st.floats(0.1, 4.0), until_s=st.floats(0.0, STANDS_BY_S), phase=st.floats(0.0, 0.99))
 def test_a_log_is_taken_when_its_size_stands(every_s: float, until_s: float, phase: float) -> None:
     """Also where it is written as seldom as an ArduPilot does, every 2 s, or at half of real time."""
     fleet = Growing(every_s, until_s, phase)

@@ -18,6 +18,8 @@ from gcs.campaign.plan import Plan, PlannedRow, RowError
 from gcs.scenario.model import Scenario
 from gcs.session.warm import Flight, WarmError, WarmSessions
 
+ATTEMPTS = 4
+"""Number of times that a row is flown whose warm process dies."""
 _here = threading.local()
 _all: list[WarmSessions] = []
 _own_core: list[int] = []
@@ -96,15 +98,15 @@ def take_core(core: int | None) -> None:
 
 
 def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:
-    """A flight; a warm process that has died is replaced once."""
-    for attempt in (1, 2):
+    """A flight; a warm process that has died is replaced, ATTEMPTS - 1 times."""
+    for attempt in range(1, ATTEMPTS + 1):
         try:
             return _sessions().fly(
                 scenario, f"{name}-{attempt}", modules=plan.modules, wall_limit_s=plan.campaign.limits.wall_s
             )
         except WarmError:
             _drop()
-            if attempt == 2:
+            if attempt == ATTEMPTS:
                 raise
     raise AssertionError("unreachable")
 

@@ -131,7 +131,7 @@ class Fleet:
         """Take one frame that was delivered at a session time."""
         track = self._tracks.get(frame.sysid)
         if frame.msgid not in _KEPT:
-            if track is not None and frame.compid == AUTOPILOT:
+            if track is not None and frame.compid == AUTOPILOT and frame.msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME:
                 track.readings[MESSAGE_S] = time_s
         elif track is not None:
             self._read(track, frame.raw, 0, len(frame.raw), time_s)

@@ -41,7 +41,7 @@ READINGS = 29
     EXTERNAL,  # 1 or 0
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
-    MESSAGE_S,  # when anything came from its autopilot
+    MESSAGE_S,  # when anything but SYSTEM_TIME came from its autopilot
 ) = range(READINGS)  # fmt: skip
 
 END, ELSEWHERE, MODE, PLACE, BATTERY, UNKNOWN = range(6)
@@ -54,7 +54,7 @@ FROM_AUTOPILOT, FROM_ANYBODY = 1, 2
 SMALL_IDS = 256
 """All messages that are kept have an id below."""
 
-_HEARTBEAT, _SYS_STATUS, _ATTITUDE, _LOCAL_POSITION_NED = 0, 1, 30, 32
+_HEARTBEAT, _SYS_STATUS, _SYSTEM_TIME, _ATTITUDE, _LOCAL_POSITION_NED = 0, 1, 2, 30, 32
 _BATTERY_STATUS, _EXTENDED_SYS_STATE, _NAMED_VALUE_FLOAT = 147, 245, 251
 _GPS_GLOBAL_ORIGIN, _HOME_POSITION, _NAMED_VALUE_INT = 49, 242, 252
 MESSAGES = frozenset(
@@ -268,9 +268,9 @@ def _read_run(
         begin: Any = at + HEADER_BYTES
         msgid, stop = np.int64(data[at + 7]), min(begin + np.int64(data[at + 1]), end)
         own = data[at + 6] == _AUTOPILOT_1
-        if own:
-            row[MESSAGE_S] = now_s
         small = data[at + 8] == 0 and data[at + 9] == 0
+        if own and not (small and msgid == _SYSTEM_TIME):  # it answers a grant also where the radio is out
+            row[MESSAGE_S] = now_s
         elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))
         if elsewhere and own and _is_repeated(data, begin, stop, msgid, row, account[0], now_s):
             at = stop + (15 if data[at + 2] == 1 else 2)

@@ -16,10 +16,10 @@ from hostile import Hostile
 from gcs.campaign import file as campaign_file
 from gcs.campaign import statistics, table
 from gcs.campaign.plan import make
-from gcs.cli import params
-from gcs.cli.options import Refused
 from gcs.link.keys import KeyRefused, LinkSigning
-from gcs.mavlink import codec, parameter_pack
+from gcs.mavlink import codec
+from gcs.mavlink.parameters import file as parameter_file
+from gcs.mavlink.parameters import pack
 from gcs.recording import export, series, session_folder
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
@@ -90,13 +90,13 @@ def _load(folder: Path) -> None:
 
 
 def _parameters(folder: Path) -> None:
-    with contextlib.suppress(Refused):
-        params._load(folder / "vehicle.params")
+    with contextlib.suppress(ValueError):
+        parameter_file.read(folder / "vehicle.params")
 
 
 def _packed(folder: Path) -> None:
     with contextlib.suppress(ValueError):
-        parameter_pack.unpack((folder / "param.pck").read_bytes())
+        pack.unpack((folder / "param.pck").read_bytes())
 
 
 def _key(folder: Path) -> None:

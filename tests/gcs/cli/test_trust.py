@@ -147,6 +147,7 @@ def test_what_a_scenario_reaches_is_listed_by_validate_and_asked_for_by_each_com
     content, said = reaching(tmp_path)[number]
     path = tmp_path / "theirs.yaml"
     path.write_text(yaml.safe_dump(content))
+    path.with_suffix(".py").write_text("class Mine:\n    pass\n")
     listed = gcs("validate", str(path), "--quiet")
     assert (listed.returncode, said in listed.stderr) == (0, True), listed.stderr
     commands = [("run", str(path), "--out", str(tmp_path / "out")), ("launch", str(path))]

@@ -243,7 +243,7 @@ def test_pursuit_is_held_from_the_first_tick_on_by_who_circles_within_the_goals_
 
 def test_who_is_sent_after_another_target_pursues_that_from_then_on(recorded: Recorded) -> None:
     order = {"t_s": 20.0, "kind": "operator", "command": "retarget", "sysid": 1, "target": 102, "text": ""}
-    t_s = pursuit_held.ticks_of(recorded)
+    t_s = pursuit_held.ticks_of(recorded, vehicles=3)
     for taken in (True, False):
         whom = pursuit_held.pursued(replace(recorded, decisions=[order | {"taken": taken}]), t_s)[1]
         assert set(whom[t_s < 19.95]) == {101}

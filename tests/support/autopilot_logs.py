@@ -15,6 +15,7 @@ SECONDS, RATE_HZ = 12, 10
 START_US = 40_000_000
 """since the autopilot's start"""
 UTC_US = 1_767_225_600_000_000
+LONG_TEXT = "PreArm: battery 1 below minimum arming voltage, compasses off"
 
 
 class Moment(NamedTuple):
@@ -44,6 +45,7 @@ _DATAFLASH = {
     "GPS": (135, "QBBIHBcLLeffffB", "TimeUS,I,Status,GMS,GWk,NSats,HDop,Lat,Lng,Alt,Spd,GCrs,VZ,Yaw,U"),
     "ORGN": (153, "QBLLe", "TimeUS,Type,Lat,Lng,Alt"),
     "XKF1": (200, "QBffffff", "TimeUS,C,PN,PE,PD,VN,VE,VD"),
+    "POS": (202, "QLLef", "TimeUS,Lat,Lng,Alt,RelAlt"),
     "ATT": (201, "QccC", "TimeUS,Roll,Pitch,Yaw"),
     "BAT": (160, "QBffffB", "TimeUS,Inst,Volt,Curr,CurrTot,EnrgTot,RemPct"),
 }
@@ -61,13 +63,14 @@ def _row(name: str, *values: object) -> bytes:
     return b"\xa3\x95" + bytes([number]) + struct.pack("<" + "".join(_C[kind] for kind in form), *sent)
 
 
-def dataflash(path: Path, *, sysid: int = 7) -> None:
+def dataflash(path: Path, *, sysid: int = 7, satellites: bool = True) -> None:
     out = []
     for name, (number, form, columns) in _DATAFLASH.items():
         length = 3 + struct.calcsize("<" + "".join(_C[kind] for kind in form))
         out.append(_row("FMT", number, length, name, form, columns))
     out.append(_row("PARM", START_US, "SYSID_THISMAV", float(sysid)))
     out.append(_row("MSG", START_US, "ArduCopter V4.6.0 (12345678)"))
+    out.append(_row("MSG", START_US, LONG_TEXT))
     out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
     out += [_row("MODE", START_US, 4, 4, 1), _row("EV", START_US, 10), _row("EV", START_US, 28)]
     week, ms = divmod((UTC_US // 1000 - 315_964_800_000 + 18_000), 7 * 86_400_000)
@@ -75,10 +78,14 @@ def dataflash(path: Path, *, sysid: int = 7) -> None:
         since_ms = (at.t_us - START_US) // 1000
         if k % 2 == 0:
             gps = (at.t_us, 0, 3, ms + since_ms, week, 12, 0.8, LAT_DEG, LON_DEG, ALT_M + HEIGHT_M)
-            out.append(_row("GPS", *gps, SPEED_M_S, 0.0, 0.0, 0.0, 1))
+            if satellites:
+                out.append(_row("GPS", *gps, SPEED_M_S, 0.0, 0.0, 0.0, 1))
             out.append(_row("BAT", at.t_us, 0, 16.0, 20.0, 10.0 * k, 0.16 * k, 100 - k // 10))
         out.append(_row("XKF1", at.t_us, 0, *at.p_ned, *at.v_ned))
         out.append(_row("XKF1", at.t_us, 1, 900.0, 900.0, 0.0, 0.0, 0.0, 0.0))
+        north, east = (math.degrees(axis / 6_378_137.0) for axis in at.p_ned[:2])
+        place = (LAT_DEG + north, LON_DEG + east / math.cos(math.radians(LAT_DEG)))
+        out.append(_row("POS", at.t_us, *place, ALT_M + HEIGHT_M, HEIGHT_M))
         out.append(_row("ATT", at.t_us, 2.0, -3.0, math.degrees(at.yaw_rad) % 360.0))
     path.write_bytes(b"".join(out))
 
@@ -115,6 +122,7 @@ def ulog(path: Path, *, sysid: int = 9) -> None:
 
     said("vehicle_gps_position", START_US, UTC_US)
     out.append(_message(b"L", b"6" + struct.pack("<Q", START_US) + "Ready for takeoff! 20 °C".encode()))
+    out.append(_message(b"L", b"4" + struct.pack("<Q", START_US) + LONG_TEXT.encode()))
     for k, at in enumerate(moments()):
         where = (LAT_DEG, LON_DEG, *at.p_ned, *at.v_ned, ALT_M)
         said("vehicle_local_position", at.t_us, *where, 1, 1, 1)

@@ -16,7 +16,7 @@ from typing import Any
 from pymavlink import DFReader
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.recording.importing.sample import Sample
+from gcs.recording.importing.sample import ImportFailed, Sample, chunks
 
 TYPES = {
     "Copter": mav.MAV_TYPE_QUADROTOR,
@@ -34,25 +34,30 @@ _HEARTBEAT_US = 1_000_000
 _CENTI = 100.0
 _MOST_VOLTS = 200.0
 """A greater voltage is in hundredths of a volt, as logs of before 2017 have it."""
-_TEXT_BYTES = 50
 
 
 def samples(path: Path) -> Iterator[Sample]:
     """The log's flight. Raises OSError, and whatever pymavlink raises of a broken log."""
     with _opened(path) as reader:
+        if "TIME" in reader.name_to_id:
+            raise ImportFailed(f"{path} is a PX4 log of before ULog (sdlog2), which is not read.")
         vehicle = _Vehicle(_sysid(reader))
         reader.rewind()
         begin_s: float | None = None
         while (row := reader.recv_msg()) is not None:
+            if row.get_type() == "FMT":  # it has no time
+                continue
             begin_s = row._timestamp if begin_s is None else begin_s
             t_us = round(1e6 * row._timestamp)
-            yield from vehicle.read(t_us, max(t_us - round(1e6 * begin_s), 0) // 1000, row)
+            boot_us = getattr(row, "TimeUS", max(t_us - round(1e6 * begin_s), 0))
+            yield from vehicle.read(t_us, boot_us // 1000, row)
 
 
 @contextlib.contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     """pymavlink's reader of a log, which prints where it is broken, and closes nothing by itself."""
-    reader = DFReader.DFReader_binary.__new__(DFReader.DFReader_binary)
+    reader: Any = DFReader.DFReader_binary.__new__(DFReader.DFReader_binary)
+    reader.init_arrays_fast = reader.init_arrays  # in C it prints to the process's own standard error, and is no faster
     heap = io.StringIO()
     with contextlib.redirect_stdout(heap), contextlib.redirect_stderr(heap):
         try:
@@ -79,6 +84,7 @@ class _Vehicle:
         self._type = mav.MAV_TYPE_GENERIC
         self._mode, self._armed, self._landed = 0, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US
+        self._texts = 0
         self._v_ned = (0.0, 0.0, 0.0)
 
     def read(self, t_us: int, boot_ms: int, row: Any) -> Iterator[Sample]:
@@ -106,8 +112,9 @@ class _Vehicle:
         elif name == "GPS" and not getattr(row, "I", 0):
             yield self._sample(t_us, "GPS_RAW_INT", _gps(t_us, row))
         elif name == "MSG":
-            text = str(row.Message).encode()[:_TEXT_BYTES].decode(errors="ignore")
-            yield self._sample(t_us, "STATUSTEXT", {"severity": mav.MAV_SEVERITY_INFO, "text": text})
+            self._texts += 1
+            for fields in chunks(mav.MAV_SEVERITY_INFO, row.Message, self._texts):
+                yield self._sample(t_us, "STATUSTEXT", fields)
         elif name == "PARM":
             value = {"param_id": row.Name, "param_value": row.Value, "param_type": mav.MAV_PARAM_TYPE_REAL32}
             yield self._sample(t_us, "PARAM_VALUE", {**value, "param_count": 0, "param_index": 65535})
@@ -147,7 +154,7 @@ class _Vehicle:
             "lat": round(1e7 * row.Lat),
             "lon": round(1e7 * row.Lng),
             "alt": round(1e3 * row.Alt),
-            "relative_alt": round(1e3 * getattr(row, "RelHomeAlt", 0.0)),
+            "relative_alt": round(1e3 * getattr(row, "RelHomeAlt", getattr(row, "RelAlt", 0.0))),
             **dict(zip(("vx", "vy", "vz"), speed, strict=True)),
             "hdg": 65535,
         }

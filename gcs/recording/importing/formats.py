@@ -18,6 +18,7 @@ class Form(StrEnum):
     PLAN = "a QGroundControl plan"
     WAYPOINTS = "a list of way points"
     PARAMETERS = "a file of parameters"
+    LFS_POINTER = "a pointer of Git LFS to a file: fetch that with `git lfs pull`"
     GZIP = "a gzip archive: unpack it first"
     ZIP = "a zip archive: unpack it first"
     PARQUET = "a Parquet table"
@@ -31,6 +32,7 @@ _BEGINNINGS: tuple[tuple[bytes, Form], ...] = (
     (b"FMT, ", Form.TEXT_LOG),
     (b"QGC WPL", Form.WAYPOINTS),
     (b"# Onboard parameters", Form.PARAMETERS),
+    (b"version https://git-lfs", Form.LFS_POINTER),
     (b"\x1f\x8b", Form.GZIP),
     (b"PK\x03\x04", Form.ZIP),
     (b"PAR1", Form.PARQUET),

@@ -34,7 +34,7 @@ def opened(source: Path) -> Iterator[Path]:
         target = Path(folder) / source.name
         try:
             count = write(target, _READERS[form](source))
-        except OSError:
+        except (OSError, ImportFailed):
             raise
         except Exception as error:  # pymavlink and pyulog raise all kinds of a broken log
             raise ImportFailed(f"{source} cannot be read as {form.value}: {error}.") from None

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from pyulog import ULog
 
-from gcs.recording.importing.sample import Sample
+from gcs.recording.importing.sample import Sample, chunks
 
 MODES = {
     0: (1, 0), 1: (2, 0), 2: (3, 0), 3: (4, 4), 4: (4, 3), 5: (4, 5), 10: (5, 0), 14: (6, 0), 15: (7, 0),
@@ -29,7 +29,6 @@ TOPICS = (
     *("vehicle_local_position", "vehicle_attitude", "vehicle_status", "vehicle_land_detected", "home_position"),
     *("battery_status", "vehicle_gps_position", "sensor_gps"),
 )
-_TEXT_BYTES = 50
 _DEGE7 = 1e7
 
 
@@ -43,9 +42,9 @@ def samples(path: Path) -> Iterator[Sample]:
     for data in log.data_list:
         if (make := _MAKERS.get(data.name)) and (data.multi_id == 0 or data.name == "battery_status"):
             said += ((int(row.timestamp), *one) for row in _rows(data.data) for one in make(row, data.multi_id))
-    for text in log.logged_messages:
-        short = text.message.encode()[:_TEXT_BYTES].decode(errors="ignore")
-        said.append((int(text.timestamp), "STATUSTEXT", {"severity": text.log_level - ord("0"), "text": short}))
+    for number, text in enumerate(log.logged_messages):
+        parts = chunks(text.log_level - ord("0"), text.message, number)
+        said += ((int(text.timestamp), "STATUSTEXT", fields) for fields in parts)
     said += _states({data.name: data.data for data in log.data_list if data.multi_id == 0})
     utc_us = _utc_offset_us(log)
     for t_us, message, fields in sorted(said, key=lambda one: one[0]):

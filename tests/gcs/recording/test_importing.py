@@ -19,8 +19,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gcs.mavlink import codec
+from gcs.mavlink.statustext import chunk_of, recorded
 from gcs.recording import tlog_reader
-from gcs.recording.importing import ImportFailed, beside, opened
+from gcs.recording.importing import ImportFailed, beside, opened, tlog_writer
+from gcs.recording.importing.sample import Sample
 from gcs.recording.tlog_walk import SYSID, T_US
 
 WRITERS: dict[str, tuple[Callable[[Path], None], int]] = {
@@ -121,6 +123,7 @@ def test_recordings_of_other_days_begin_together(tmp_path: Path, days: float) ->
 @pytest.mark.parametrize(("content", "words"), [
     (gzip.compress(b"a", mtime=0), "is a gzip archive: unpack it first"),
     (b"PK\x03\x04....", "is a zip archive: unpack it first"),
+    (b"version https://git-lfs.github.com/spec/v1\noid sha256:81", "is a pointer of Git LFS to a file"),
     (b"QGC WPL 110\n", "is a list of way points"),
     (b'{"fileType": "Plan"}', "is a QGroundControl plan"),
     (b"# Onboard parameters for Vehicle 1\n", "is a file of parameters"),
@@ -152,3 +155,61 @@ def test_a_broken_log_gives_what_it_holds_or_a_sentence(
     path.write_bytes(content[: data.draw(st.integers(8, len(content)))])
     with contextlib.suppress(ImportFailed), opened(path) as source:
         assert all(codec.name(frame.msgid) for _, frame in tlog_reader.read(source))
+
+
+def test_a_log_without_satellites_begins_with_its_first_row(tmp_path: Path) -> None:
+    path = tmp_path / "indoors.BIN"
+    logs.dataflash(path, satellites=False)
+    with opened(path) as source:
+        (chunk,) = tlog_reader.read(source).chunks()
+    assert chunk.heads[0, T_US] == logs.START_US, "not with what tells of its format, which has no time"
+    place = chunk.table("LOCAL_POSITION_NED")
+    assert (1000 * place["time_boot_ms"].astype(np.int64) == [at.t_us for at in logs.moments()]).all()
+
+
+def test_a_height_above_the_start_is_read_from_either_generation(tmp_path: Path) -> None:
+    for name in (b"TimeUS,Lat,Lng,Alt,RelAlt\0\0\0\0", b"TimeUS,Lat,Lng,Alt,RelHomeAlt"):
+        path = tmp_path / "flight.BIN"
+        logs.dataflash(path)
+        path.write_bytes(path.read_bytes().replace(b"TimeUS,Lat,Lng,Alt,RelAlt\0\0\0\0", name))
+        with opened(path) as source:
+            (chunk,) = tlog_reader.read(source).chunks()
+        assert set(chunk.table("GLOBAL_POSITION_INT")["relative_alt"].tolist()) == {1000 * logs.HEIGHT_M}
+
+
+def test_a_long_text_is_whole(log: Path) -> None:
+    with opened(log) as source:
+        frames = [one for one in tlog_reader.read(source) if codec.name(one[1].msgid) == "STATUSTEXT"]
+    texts = [text for _, _, text in recorded((1e-6 * t_us, chunk_of(frame)) for t_us, frame in frames)]
+    assert logs.LONG_TEXT in texts
+
+
+def test_bytes_between_rows_print_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "flight.BIN"
+    logs.dataflash(path)
+    content = path.read_bytes()
+    path.write_bytes(content + bytes(range(100)) + content[-200:])
+    done = gcs("export", str(path), "--format", "csv", "--out", str(tmp_path / "tables"))
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_log_of_an_older_px4_is_said_to_be_that(tmp_path: Path) -> None:
+    path = tmp_path / "01_07_59.px4log"
+    path.write_bytes(b"\xa3\x95\x80\x81\x0bTIMEQ".ljust(25, b"\0") + b"StartTime".ljust(64, b"\0"))
+    with pytest.raises(ImportFailed, match="is a PX4 log of before ULog"), opened(path):
+        pass
+
+
+@given(
+    period_us=st.integers(2_500, 300_000), jitter_us=st.lists(st.integers(-2_000, 2_000), min_size=600, max_size=600)
+)
+@settings(max_examples=50, deadline=None)
+def test_ten_samples_a_second_are_written_or_all_of_a_slower_log(
+    tmp_path_factory: pytest.TempPathFactory, period_us: int, jitter_us: list[int]
+) -> None:
+    times_us = sorted(10_000_000 + k * period_us + jitter for k, jitter in enumerate(jitter_us))
+    attitude = dict.fromkeys(("time_boot_ms", "roll", "pitch", "yaw", "rollspeed", "pitchspeed", "yawspeed"), 0)
+    path = tmp_path_factory.mktemp("thinned") / "x.tlog"
+    written = tlog_writer.write(path, (Sample(t_us, 1, "ATTITUDE", attitude) for t_us in times_us))
+    most = 1 + (times_us[-1] - times_us[0]) / tlog_writer.PERIOD_US
+    assert written == len(times_us) if period_us >= tlog_writer.PERIOD_US else 0.85 * most <= written <= 1 + most

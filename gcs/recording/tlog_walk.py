@@ -1,7 +1,8 @@
 """The walk over a recording's bytes: where its frames stand, and what each chunk of them holds.
 
-A frame counts when its checksum is right; one that the dialect lacks, where it also stands exactly between two others.
-MAVLink 1 is handed out as MAVLink 2. A frame that directly follows another has no stamp, NO_STAMP.
+A frame counts when its checksum is right; one that the dialect lacks, where it also stands exactly between two others,
+with their stamps or without. MAVLink 1 is handed out as MAVLink 2. A frame that directly follows another has no stamp,
+NO_STAMP.
 """
 
 from __future__ import annotations
@@ -165,9 +166,10 @@ def _compiled(build: int) -> Callable[..., tuple[int, int, int, int, int]]:
                 break
             total = _frame_bytes(data, look_at, seeds, table, some_seed)
             if total < 0:
-                end = look_at - total
-                follows = end == size or (end + 8 < size and (data[end + 8] == 0xFD or data[end + 8] == 0xFE))
-                total = -total if look_at == last_end + 8 and follows else 0
+                end, stamp = look_at - total, look_at - last_end
+                next_at = end + stamp
+                follows = end == size or (next_at < size and (data[next_at] == 0xFD or data[next_at] == 0xFE))
+                total = -total if stamp in (0, 8) and follows else 0
             if total == 0:
                 look_at = last_end if look_at == last_end + 8 else look_at + 1
                 if look_at == last_end + 8:  # that place has been looked at, and means `in step`

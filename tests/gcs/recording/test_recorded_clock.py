@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from fastcrc.crc16 import mcrf4xx
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -177,3 +178,16 @@ def test_a_file_without_stamps_has_the_vehicles_times(tmp_path: Path, name: str)
     assert len(times_us) == FRAMES
     assert off_us(times_us) <= PERIOD_US
     assert log.problems == [f"{name}: its frames have no times: they have those of the vehicle's own clock."]
+
+
+def test_frames_without_stamps_that_the_dialect_lacks_are_frames(tmp_path: Path) -> None:
+    """Every fifth has an id that no dialect has, and a seed of its own."""
+    path = tmp_path / "foreign.tlog.raw"
+    recording(path, came(), stamped=False)
+    known = [frame.raw for _, frame in tlog_reader.read(path)]
+    body = bytes([3, 0, 0, 9, 7, 1, 0x61, 0xEA, 0]) + b"abc"
+    foreign = b"\xfd" + body + mcrf4xx(body + b"\x07").to_bytes(2, "little")
+    path.write_bytes(b"".join(raw + foreign * (row % 5 == 0) for row, raw in enumerate(known)))
+    log = tlog_reader.read(path)
+    assert [frame.raw for _, frame in log].count(foreign) == FRAMES // 5
+    assert not any("belong to no" in problem for problem in log.problems)

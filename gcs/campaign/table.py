@@ -111,7 +111,8 @@ def _part(path: Path, wanted: pa.Schema) -> pa.Table | None:
     import pyarrow as pa  # noqa: PLC0415 - an extra
     import pyarrow.parquet as pq  # noqa: PLC0415
 
-    with path.open("rb") as file:
+    # A file of Python's would be released by Arrow's threads, also while the process ends, and wait for its lock then.
+    with pa.OSFile(str(path)) as file:
         try:
             if pq.ParquetFile(file).metadata.num_rows > MOST_ROWS:
                 return None

@@ -136,7 +136,7 @@ def run(
       gcs run demo --set planner.cruise_m_s=2 --set 'vehicles.pursuers.*.battery.initial_percent=60'
 
     Code, programs, key files, devices and addresses beyond this machine that SCENARIO names are listed, and asked for
-    once; where nobody can be asked, --trust lets it use them.
+    once; without a terminal to ask at, --trust lets it use them.
 
     The session's folder holds the resolved scenario (scenario.yaml), every MAVLink frame (session.tlog), every decision
     with its reasons (decisions.jsonl), what was said here (session.log), the vehicles' logs (vehicles/), the result

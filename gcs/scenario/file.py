@@ -17,6 +17,7 @@ from gcs.scenario import external, keys
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario, repeats
+from gcs.scenario.parts import plan_file
 
 CURRENT = 1
 CAMPAIGNS = "campaigns"
@@ -102,6 +103,7 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
             document.inherit(defaults, path)
             external.inherited(vehicle, own)
         del vehicles["defaults"]
+    plan_file.fill(document)
     external.absolute_paths((keys for _, keys in _vehicles(document.data)), Path(document.file).parent)
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})

@@ -137,6 +137,8 @@ class Scenario(Part):
     """geofence that is uploaded to every vehicle before it is armed, and read back; none by default"""
     rally_m: tuple[Plane, ...] = ()
     """places to come down at in need, uploaded like the fence; the first two coordinates, m; none by default"""
+    plan: Annotated[str, Shown()] | None = None
+    """a .plan of QGroundControl or a QGC WPL 110 file, beside the scenario, that gives `fence` and `rally_m` instead"""
     preflight: Literal["enforce", "warn"] = "enforce"
     """a vehicle that fails its check list (fence, rally points, clock) is not armed, or is only warned of"""
     logs: Flag = False
@@ -208,6 +210,11 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     clock_refused = external.clock_refusal(s.vehicles.all, s.clock.mode)
     rules: list[tuple[Any, KeyPath, str]] = [
         (clock_refused, ("clock", "mode"), clock_refused or ""),
+        (
+            s.plan is not None,
+            ("plan",),
+            "plan is read with a scenario's file, beside which it lies: load the scenario by gcs.load",
+        ),
         (not sysids, ("vehicles",), "there must be at least one vehicle"),
         (
             s.logs and not s.vehicles.external,

@@ -27,7 +27,8 @@ class Asks:
 
 
 class Shown:
-    """Beside a type in Annotated: free text that is shown, and neither run, opened nor spoken to."""
+    """Beside a type in Annotated: free text that is shown, or a file that is read as data; neither is run nor spoken
+    to."""
 
 
 class Reached(NamedTuple):

@@ -25,6 +25,7 @@ MODULES = {
     "key": "key",
     "launch": "launch",
     "logs": "logs",
+    "mission": "mission",
     "monitor": "watch",
     "paper": "paper",
     "params": "params",
@@ -64,6 +65,7 @@ def cli() -> None:
       gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load
       gcs logs get             the logs of every vehicle of a fleet, into a folder
       gcs replay               a recorded session, or any .tlog, in the console
+      gcs mission FILE         a mission, geofence and rally points: of a .plan, a way point file or a recording
       gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it

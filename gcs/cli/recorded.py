@@ -57,6 +57,14 @@ def _progress(what: str) -> Iterator[Callable[[float], None]]:
 @page.WEB
 @page.TILES
 @page.FOXGLOVE
+@click.option(
+    "--plan",
+    "plan_files",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Show a mission, geofence and rally points with it: QGroundControl's .plan, or QGC WPL 110. Repeatable.",
+)
 @click.option("--decide", is_flag=True, help="Decide everything again, and list where the decisions differ.")
 @TRUST
 def replay(
@@ -69,6 +77,7 @@ def replay(
     web: bool,
     tiles: str | None,
     foxglove: bool,
+    plan_files: tuple[Path, ...],
     decide: bool,
     trust: bool,
 ) -> int:
@@ -79,6 +88,9 @@ def replay(
 
     OTHERS are recordings beside it, on one time: by their dates where all know theirs and begin within a day, else all
     begin together. A system id that an earlier one has is the next free one.
+
+    Missions, geofences and rally points that went between ground stations and vehicles are shown from then on, those of
+    a .BIN as it logs them; --plan adds some from files. `gcs mission` lists them.
 
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
@@ -93,6 +105,7 @@ def replay(
       gcs replay first-flight --foxglove
       gcs replay flight.tlog --json > flight.jsonl
       gcs replay one.BIN two.BIN three.ulg --web
+      gcs replay flight.tlog --plan survey.plan --web
       gcs replay first-flight --decide
 
     \b
@@ -105,21 +118,24 @@ def replay(
     """
     refuse_two_shows(plain=plain, as_json=as_json, web=web, foxglove=foxglove, tiles=tiles)
     if decide:
-        if speed is not None or from_s is not None or web or foxglove:
-            raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web and --foxglove.")
+        if speed is not None or from_s is not None or web or foxglove or plan_files:
+            raise click.UsageError("--decide plays nothing: leave out --speed, --from, --web, --foxglove and --plan.")
         if others:
             raise click.UsageError("--decide decides one session: give no other beside it.")
         return _decide(session, as_json, trust=trust)
     from gcs.console.follow import Steps, follow
     from gcs.console.terminal import usable
+    from gcs.missions.errors import MissionFileError
+    from gcs.missions.files import load as load_plan
     from gcs.recording.importing import ImportFailed, beside
     from gcs.session.replay import Replay, ReplayError, ReplaySource
 
     try:
+        plans = {str(path): load_plan(path) for path in plan_files}
         source_path = click.get_current_context().with_resource(beside([session, *others]))
         with _progress("reading") as progress:
-            recording = Replay(source_path, progress)
-    except (ReplayError, ImportFailed) as error:
+            recording = Replay(source_path, progress, plans=plans)
+    except (ReplayError, ImportFailed, MissionFileError) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None

@@ -9,6 +9,7 @@ from gcs.missions.errors import MissionFileError
 from gcs.missions.items import MissionPlan
 
 MOST_BYTES = 1 << 24
+_LOOKED_AT = 4096
 
 
 def load(path: Path) -> MissionPlan:
@@ -20,6 +21,17 @@ def load(path: Path) -> MissionPlan:
     if len(content) > MOST_BYTES:
         raise MissionFileError(f"{path} has more than {MOST_BYTES >> 20} MiB: is it a plan?")
     return read(content, str(path))
+
+
+def is_one(path: Path) -> bool:
+    """Whether a file begins as one that `load` reads. Raises OSError."""
+    with path.open("rb") as file:
+        text = file.read(_LOOKED_AT).decode("utf-8-sig", errors="replace")
+    return (
+        text.lstrip().startswith("{")
+        or text.startswith((waypoint_file.BEGIN, point_lists.RALLY))
+        or bool(point_lists.FENCE.match(text))
+    )
 
 
 def read(content: bytes, file: str) -> MissionPlan:

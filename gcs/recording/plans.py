@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from typing import Any, NamedTuple
@@ -21,12 +22,12 @@ _WANTED = np.array([_HOME, *map(codec.msgid, MESSAGES)])
 
 
 class HeldPlan(NamedTuple):
-    """All that a vehicle has by a time: mission, fence and rally points."""
+    """All that some vehicles have by a time, each the same: mission, fence and rally points."""
 
-    sysid: int
+    sysids: tuple[int, ...]
     plan: MissionPlan
     home_alt_m: float | None
-    """altitude above the sea of the vehicle's home, where it has told that"""
+    """altitude above the sea of the vehicles' home, where it has been told"""
 
 
 class RecordedPlans:
@@ -40,19 +41,25 @@ class RecordedPlans:
         self._homes = homes
 
     def at(self, t_s: float) -> list[HeldPlan]:
-        """Plans of each vehicle that has one at a time, by system id."""
+        """Plans that vehicles have at a time, in the order of system ids."""
         found: dict[int, dict[int, MissionPlan]] = {}
         for since_s, sysid, kind, plan in self._held:
             if since_s <= t_s:
                 found.setdefault(sysid, {})[kind] = plan
         homes = {sysid: alt_m for since_s, sysid, alt_m in self._homes if since_s <= t_s}
-        whole = [HeldPlan(sysid, joined(of.values()), homes.get(sysid)) for sysid, of in sorted(found.items())]
-        return [one for one in whole if not one.plan.empty]
+        alike: dict[str, HeldPlan] = {}
+        for sysid, of in sorted(found.items()):
+            plan, home_alt_m = joined(of.values()), homes.get(sysid)
+            if not plan.empty:
+                key = repr((plan, home_alt_m if plan.mission or plan.rally else None))
+                others = alike[key].sysids if key in alike else ()
+                alike[key] = HeldPlan((*others, sysid), plan, home_alt_m)
+        return list(alike.values())
 
-    @property
-    def times_s(self) -> list[float]:
-        """Times at which the answer of `at` changes."""
-        return sorted([since_s for since_s, *_ in self._held] + [since_s for since_s, *_ in self._homes])
+    def next_change_s(self, t_s: float) -> float:
+        """Time after `t_s` at which the answer of `at` changes next; infinite where it does no more."""
+        times_s = [one[0] for one in self._held] + [one[0] for one in self._homes]
+        return min((since_s for since_s in times_s if since_s > t_s), default=math.inf)
 
 
 class PlansReader:

@@ -90,6 +90,48 @@ class WindRow(Struct):
     from_deg: float
 
 
+class PlanItemRow(Struct):
+    """A mission item."""
+
+    number: int
+    """by which DO_JUMP counts"""
+    command: str
+    """of MAV_CMD, without that"""
+    frame: str
+    """of MAV_FRAME, without that"""
+    about: str
+    """the parameters that are given and not 0"""
+    p_ned: Vec3 | None
+    """None: it has no place, or none of its own"""
+    height_m: float | None
+    above: Literal["sea", "home", "terrain"] | None
+    """what its height is above"""
+    flown: bool
+    """whether the vehicle flies there"""
+
+
+class FenceRow(Struct):
+    """An area of a geofence; the last corner is the first."""
+
+    inside: bool
+    """whether a vehicle is to stay in it; else out of it"""
+    outline_ne: list[tuple[float, float]]
+
+
+class PlanRow(Struct):
+    """Mission, geofence and rally points of a vehicle, of a file or of the scenario."""
+
+    source: str
+    sysid: int | None
+    """None: of no vehicle by itself"""
+    items: list[PlanItemRow]
+    fence: list[FenceRow]
+    rally_ned: list[Vec3]
+    home_ned: Vec3 | None
+    left_out: list[str]
+    """parts that are not shown"""
+
+
 class SessionLine(Struct, tag_field="type", tag="session"):
     """The first line, and again when what it says has changed."""
 
@@ -111,6 +153,8 @@ class SessionLine(Struct, tag_field="type", tag="session"):
     """of the common frame: latitude and longitude in degrees, altitude above mean sea level in m"""
     wind: WindRow | None = None
     """None: nothing blows"""
+    plans: list[PlanRow] | UnsetType = UNSET
+    """of the scenario, of the vehicles of a recording and of `--plan`; unset where there are none"""
     events: list[EventRow] | UnsetType = UNSET
     """the last ones that were sent before, where a client connects to a session"""
     told: int | UnsetType = UNSET
@@ -182,6 +226,8 @@ class VehicleRow(Struct):
     """of a vehicle with several links, the address of the one in use"""
     batteries: list[BatteryRow] | UnsetType = UNSET
     """of a vehicle that has reported another than number 0, all"""
+    mission_item: int | UnsetType = UNSET
+    """of a vehicle that reports MISSION_CURRENT, the number of the item that it flies"""
 
 
 class TrafficRow(Struct):

@@ -10,6 +10,8 @@ import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
+from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
+from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
@@ -23,10 +25,13 @@ from gcs.session.message_types import (
     CompetitionRow,
     End,
     EventRow,
+    FenceRow,
     GoalRow,
     GoalStateRow,
     MemberRow,
     ObstacleRow,
+    PlanItemRow,
+    PlanRow,
     Reply,
     ServedRow,
     ServiceRow,
@@ -262,9 +267,50 @@ def session_message(
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=goal_of(scenario),
             origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
+            plans=[plan] if (plan := scenario_plan(scenario)) is not None else UNSET,
             wind=None if scenario.wind == CALM else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
+
+
+def plan_row(plan: MissionPlan, source: str, sysid: int | None, origin: Origin, home_alt_m: float | None) -> PlanRow:
+    """A plan in the common frame; home_alt_m: of the vehicle's home above the sea, where it is known."""
+    if home_alt_m is None:
+        home_alt_m = plan.home.height_m if plan.home is not None and math.isfinite(plan.home.height_m) else origin[2]
+    return PlanRow(
+        source=source,
+        sysid=sysid,
+        items=[_item(item, number, origin, home_alt_m) for number, item in enumerate(plan.mission, plan.first)],
+        fence=[FenceRow(area.inclusion, outline_ne(area, origin)) for area in plan.fence],
+        rally_ned=[place_ned(point, origin, home_alt_m) for point in plan.rally],
+        home_ned=None if plan.home is None else place_ned(plan.home, origin, home_alt_m),
+        left_out=list(plan.left_out),
+    )
+
+
+def _item(item: MissionItem, number: int, origin: Origin, home_alt_m: float) -> PlanItemRow:
+    place = item.place
+    of_earth = isinstance(place, GlobalPlace) and math.isfinite(place.height_m)
+    return PlanItemRow(
+        number=number,
+        command=item.name,
+        frame=item.frame_name,
+        about=item.about,
+        p_ned=None if place is None else place_ned(place, origin, home_alt_m),
+        height_m=place.height_m if isinstance(place, GlobalPlace) and of_earth else None,
+        above=place.above if isinstance(place, GlobalPlace) and of_earth else None,
+        flown=item.flown,
+    )
+
+
+def scenario_plan(scenario: Scenario) -> PlanRow | None:
+    """The scenario's own fence and rally points, on the ground; None where it has none."""
+    sides = ((True, scenario.fence.inside), (False, scenario.fence.outside))
+    fence = [FenceRow(inside, [*area.border_ned, area.border_ned[0]]) for inside, areas in sides for area in areas]
+    if not fence and not scenario.rally_m:
+        return None
+    rally = [(north_m, east_m, 0.0) for north_m, east_m in scenario.rally_m]
+    return PlanRow("scenario", None, [], fence, rally, None, [])
 
 
 def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[BrokenRow]:

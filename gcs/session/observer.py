@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import astuple
 from typing import Any, Literal
 
 import msgspec
+from msgspec import UNSET
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.quality import LinkQuality
@@ -27,6 +27,7 @@ from gcs.scenario.model import Scenario
 from gcs.session.message_types import (
     CompetitionRow,
     MemberRow,
+    PlanRow,
     SessionLine,
     SnapshotMessage,
     VehicleRow,
@@ -53,6 +54,7 @@ _GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _TEXT = codec.msgid("STATUSTEXT")
 _ACK = codec.msgid("COMMAND_ACK")
+_CURRENT = codec.msgid("MISSION_CURRENT")
 _TARGET = codec.msgid("POSITION_TARGET_LOCAL_NED")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 _NO_POSITION = mav.POSITION_TARGET_TYPEMASK_X_IGNORE
@@ -124,6 +126,9 @@ class Observer:
         self._since_s: dict[int, float] = {}
         self._events: list[Event] = []
         self._aims: dict[int, Vec3] = {}
+        self._mission_items: dict[int, int] = {}
+        self.plans: Sequence[PlanRow] = ()
+        """missions, fences and rally points to show beside the scenario's own"""
         self.changed = True
         """whether `session` has something new to say; whoever sends it says that it has"""
 
@@ -168,6 +173,8 @@ class Observer:
             self._aim(frame.sysid, codec.fields(frame))
         elif frame.msgid in (_TEXT, _ACK):
             self._said(t_s)
+        elif frame.msgid == _CURRENT:
+            self._mission_items[frame.sysid] = codec.fields(frame).seq
 
     def receive_sent(self, frame: Frame) -> None:
         """Take a frame that was sent to a vehicle: where it is to be."""
@@ -198,6 +205,8 @@ class Observer:
                 self.scenario, self._folder, source=self._source, clock=self._clock, control=self.control
             )
             known = {vehicle["sysid"] for vehicle in line["vehicles"]}
+            if self.plans:
+                line["plans"] = line.get("plans", []) + msgspec.to_builtins(list(self.plans))
             line["vehicles"] += [msgspec.to_builtins(self._found(s)) for s in self.sysids if s not in known]
             return line | {"speed": None}
         return plain(
@@ -215,9 +224,15 @@ class Observer:
                 obstacles=[],
                 bases=[],
                 goal=goal_of(None),
-                origin=None if self._origin is None else astuple(self._origin),
+                origin=self.origin,
+                plans=list(self.plans) or UNSET,
             )
         )
+
+    @property
+    def origin(self) -> tuple[float, float, float] | None:
+        """Latitude and longitude, degrees, and altitude, m, of the common frame; None until it is known."""
+        return None if self._origin is None else (self._origin.lat_deg, self._origin.lon_deg, self._origin.alt_m)
 
     def view(self, t_s: float) -> FleetSnapshot:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
@@ -363,6 +378,7 @@ class Observer:
             row.mode = _mode(view)
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
+            row.mission_item = self._mission_items.get(view.sysid, UNSET)
             aim, frame = self._aims.get(view.sysid), self._frame(view)
             if aim is not None and frame is not None:
                 row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)

@@ -11,18 +11,22 @@ import math
 import time
 from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
+from gcs.missions.items import MissionPlan
 from gcs.recording import rotation
 from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.plans import PlansReader
 from gcs.recording.pursuit_held import HeldTimesReader
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.recording.summary import Summary
+from gcs.recording.tlog_walk import Chunk
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.message_types import ReplayRow, SnapshotMessage
-from gcs.session.messages import reply_message
+from gcs.session.messages import plan_row, reply_message
 from gcs.session.observer import Observer
 from gcs.session.timeline import Timeline
 from gcs.session.tlog_index import RecordedFrame, TlogIndex
@@ -49,12 +53,17 @@ class ReplayError(Exception):
 class Replay:
     """A recording and the fleet in it, at `t_s` of it. Raises ReplayError, OSError.
 
-    source: a session's folder, or a .tlog file. block_bytes: as of a `TlogIndex`. `problems`: what could not be read, a
-    sentence each.
+    source: a session's folder, or a .tlog file. plans: further ones to be shown, by their names. block_bytes: as of a
+    `TlogIndex`. `problems`: what could not be read, a sentence each.
     """
 
     def __init__(
-        self, source: Path, progress: Callable[[float], None] = lambda _: None, *, block_bytes: int | None = None
+        self,
+        source: Path,
+        progress: Callable[[float], None] = lambda _: None,
+        *,
+        plans: Mapping[str, MissionPlan] = MappingProxyType({}),
+        block_bytes: int | None = None,
     ) -> None:
         self.problems: list[str] = []
         self._scenario: Scenario | None = None
@@ -71,6 +80,13 @@ class Replay:
         reader: HeldTimesReader | None = None
         if self._scenario is not None and self._timeline is not None:
             reader = HeldTimesReader(self._scenario, self._timeline.chases)
+        plans_reader = PlansReader()
+
+        def watch(chunk: Chunk) -> None:
+            plans_reader.add(chunk)
+            if reader is not None:
+                reader.add(chunk)
+
         begin, end = (DECIDED, INDEXED) if source.is_dir() else (0.0, 1.0)
         self._recording = TlogIndex(
             path,
@@ -79,8 +95,9 @@ class Replay:
             block_bytes=block_bytes,
             metered=self._scenario.vehicles.foreign if self._scenario else (),
             progress=lambda share: progress(begin + (end - begin) * share),
-            watch=reader.add if reader is not None else lambda _: None,
+            watch=watch,
         )
+        self._given_plans, self._plans = plans, plans_reader.plans(self._recording.zero_s)
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
@@ -98,6 +115,7 @@ class Replay:
         observer.inspection.want(self._wanted)
         self.observer, self.t_s = observer, self.from_s
         self._happened = 0
+        self._planned_until_s = self._plans.next_change_s(-math.inf)
         for recorded in self._recording.before(t_s):
             self._take(recorded, counted=False)
         observer.resume(self._recording.gaps_before(t_s), t_s)
@@ -145,8 +163,21 @@ class Replay:
 
     def session(self) -> dict[str, Any]:
         """The message of type "session"."""
+        self._show_plans()
         line = self.observer.session()
         return line if self._timeline is None else line | {"contest": self._timeline.contest(self.t_s)}
+
+    def _show_plans(self) -> None:
+        """Let the observer show vehicles' present plans and the given ones, once the common frame is known."""
+        origin = self.observer.origin
+        if origin is None:
+            return
+        shown = [plan_row(plan, name, None, origin, None) for name, plan in self._given_plans.items()]
+        for sysids, plan, home_alt_m in self._plans.at(self.t_s):
+            name = f"vehicle{'s' if len(sysids) > 1 else ''} {', '.join(map(str, sysids))}"
+            shown.append(plan_row(plan, name, sysids[0] if len(sysids) == 1 else None, origin, home_alt_m))
+        self.observer.plans = shown
+        self._planned_until_s = self._plans.next_change_s(self.t_s)
 
     def snapshot(self, *, speed: float | None, paused: bool = False) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one; no speed: without waiting."""
@@ -161,6 +192,8 @@ class Replay:
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
         self._reported_until_s = self.t_s
+        if self.t_s >= self._planned_until_s:
+            self.observer.changed = True
         phase = "ended" if self.ended else "paused" if paused else "flying"
         return self.observer.snapshot(self.t_s, speed=speed, phase=phase, amend=amend)
 

@@ -155,6 +155,8 @@ class TlogIndex:
         self.problems = log.problems
         self._times = log.times
         self._epoch_us = epoch_us or 0
+        self.zero_s = self._epoch_us / 1e6
+        """stamp of the recording's 0 s, s"""
         self.from_s = 0.0 if first_us is None else (first_us - self._epoch_us) / 1e6
         self.to_s = (latest_us - self._epoch_us) / 1e6 if self.frames else 0.0
 

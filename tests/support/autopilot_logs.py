@@ -47,10 +47,14 @@ _DATAFLASH = {
     "XKF1": (200, "QBffffff", "TimeUS,C,PN,PE,PD,VN,VE,VD"),
     "POS": (202, "QLLef", "TimeUS,Lat,Lng,Alt,RelAlt"),
     "ATT": (201, "QccC", "TimeUS,Roll,Pitch,Yaw"),
+    "CMD": (93, "QHHHffffLLfB", "TimeUS,CTot,CNum,CId,Prm1,Prm2,Prm3,Prm4,Lat,Lng,Alt,Frame"),
+    "MISE": (94, "QHHHffffLLfB", "TimeUS,CTot,CNum,CId,Prm1,Prm2,Prm3,Prm4,Lat,Lng,Alt,Frame"),
+    "FNCE": (95, "QBBBLLBf", "TimeUS,Tot,Seq,Type,Lat,Lng,Count,Radius"),
+    "RALY": (96, "QBBLLh", "TimeUS,Tot,Seq,Lat,Lng,Alt"),
     "BAT": (160, "QBffffB", "TimeUS,Inst,Volt,Curr,CurrTot,EnrgTot,RemPct"),
 }
 _C = {"Q": "Q", "B": "B", "M": "B", "I": "I", "H": "H", "f": "f", "n": "4s", "N": "16s", "Z": "64s", "c": "h", "C": "H",
-      "L": "i", "e": "i"}  # fmt: skip
+      "L": "i", "e": "i", "h": "h"}  # fmt: skip
 _SCALE = {"c": 100.0, "C": 100.0, "e": 100.0, "L": 1e7}
 
 
@@ -63,7 +67,20 @@ def _row(name: str, *values: object) -> bytes:
     return b"\xa3\x95" + bytes([number]) + struct.pack("<" + "".join(_C[kind] for kind in form), *sent)
 
 
-def dataflash(path: Path, *, sysid: int = 7, satellites: bool = True) -> None:
+def _listed() -> Iterator[bytes]:
+    """A mission with home, a fence and a rally point, and that item 2 has been begun."""
+    second = (3, 2, 16, 0.0, 0.0, 0.0, 0.0, LAT_DEG + 0.001, LON_DEG, 25.0, 10)
+    yield _row("CMD", START_US, 3, 0, 16, 0.0, 0.0, 0.0, 0.0, LAT_DEG, LON_DEG, ALT_M, 0)
+    yield _row("CMD", START_US, 3, 1, 22, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 10.0, 3)
+    yield _row("CMD", START_US, *second)
+    for seq, (lat_deg, lon_deg) in enumerate([(47.0, 8.0), (47.9, 8.0), (47.9, 8.9)]):
+        yield _row("FNCE", START_US, 4, seq, 98, lat_deg, lon_deg, 3, 0.0)
+    yield _row("FNCE", START_US, 4, 3, 93, LAT_DEG, LON_DEG, 0, 30.0)
+    yield _row("RALY", START_US, 1, 0, 47.4, 8.55, 40)
+    yield _row("MISE", START_US, *second)
+
+
+def dataflash(path: Path, *, sysid: int = 7, satellites: bool = True, mission: bool = False) -> None:
     out = []
     for name, (number, form, columns) in _DATAFLASH.items():
         length = 3 + struct.calcsize("<" + "".join(_C[kind] for kind in form))
@@ -73,6 +90,7 @@ def dataflash(path: Path, *, sysid: int = 7, satellites: bool = True) -> None:
     out.append(_row("MSG", START_US, LONG_TEXT))
     out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
     out += [_row("MODE", START_US, 4, 4, 1), _row("EV", START_US, 10), _row("EV", START_US, 28)]
+    out += _listed() if mission else ()
     week, ms = divmod((UTC_US // 1000 - 315_964_800_000 + 18_000), 7 * 86_400_000)
     for k, at in enumerate(moments()):
         since_ms = (at.t_us - START_US) // 1000

@@ -65,6 +65,10 @@ class MapView:
         self.centre_ne = (round(north / step_m) * step_m, round(east / step_m) * step_m)
 
 
+PLANS_WITHIN_M = 1e5
+"""Of the origin: a plan farther off is not what the map is fitted to."""
+
+
 def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
     for vehicle in watch.vehicles.values():
         if vehicle.get("p_ned") is not None:
@@ -76,6 +80,14 @@ def _extent(watch: SessionModel) -> Iterable[tuple[float, float]]:
     for base in watch.session.get("bases") or ():
         if base.get("p_ned"):
             yield base["p_ned"][0], base["p_ned"][1]
+    for plan in watch.session.get("plans") or ():
+        places = [*_way(plan), *plan["rally_ned"], *(p for area in plan["fence"] for p in area["outline_ne"])]
+        yield from ((p[0], p[1]) for p in places if math.hypot(p[0], p[1]) < PLANS_WITHIN_M)
+
+
+def _way(plan: Mapping[str, Any]) -> list[Any]:
+    """Places (NED) where a plan's mission leads."""
+    return [item["p_ned"] for item in plan["items"] if item["flown"] and item["p_ned"]]
 
 
 def draw(
@@ -107,6 +119,8 @@ def draw(
         if base.get("p_ned"):
             column, row = cell(base["p_ned"][0], base["p_ned"][1])
             canvas.put(column, row, ("⌂" if glyphs.unicode else "B") + str(base.get("name") or ""), "base", MARK)
+    for plan in watch.session.get("plans") or ():
+        _plan(canvas, plan, watch, at, cell)
     for sysid, trail in watch.trails.items():
         canvas.path([at(n, e) for n, e in trail], f"trail {watch.style(sysid)}", TRAIL)
     for vehicle in watch.vehicles.values():
@@ -159,6 +173,16 @@ def _obstacle(canvas: Canvas, obstacle: Mapping[str, Any], at: Any, cell: Any, g
     elif obstacle.get("centre_ned") and obstacle.get("kind") != "plane":
         column, row = cell(obstacle["centre_ned"][0], obstacle["centre_ned"][1])
         canvas.put(column, row, glyphs.wall, "obstacle", WALL)
+
+
+def _plan(canvas: Canvas, plan: Mapping[str, Any], watch: SessionModel, at: Any, cell: Any) -> None:
+    for area in plan["fence"]:
+        canvas.path([at(*p) for p in area["outline_ne"]], "base" if area["inside"] else "obstacle", PATH, every=2)
+    style = "aim" if plan["sysid"] is None else "path " + watch.style(int(plan["sysid"]))
+    canvas.path([at(p[0], p[1]) for p in _way(plan)], style, PATH, every=3)
+    for p in plan["rally_ned"]:
+        column, row = cell(p[0], p[1])
+        canvas.put(column, row, "R", "base", MARK)
 
 
 def _rendezvous(

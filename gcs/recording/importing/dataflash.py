@@ -16,6 +16,7 @@ from typing import Any
 from pymavlink import DFReader
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
+from gcs.recording.importing import dataflash_plans
 from gcs.recording.importing.sample import ImportFailed, Sample, chunks
 
 TYPES = {
@@ -118,6 +119,9 @@ class _Vehicle:
         elif name == "PARM":
             value = {"param_id": row.Name, "param_value": row.Value, "param_type": mav.MAV_PARAM_TYPE_REAL32}
             yield self._sample(t_us, "PARAM_VALUE", {**value, "param_count": 0, "param_index": 65535})
+        elif name in dataflash_plans.ROWS:
+            for message, fields in dataflash_plans.messages(row):
+                yield self._sample(t_us, message, fields)
 
     def _sample(self, t_us: int, message: str, fields: dict[str, Any]) -> Sample:
         return Sample(t_us, self._sysid, message, fields)

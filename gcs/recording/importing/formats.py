@@ -16,7 +16,7 @@ class Form(StrEnum):
     ULOG = "a PX4 ULog"
     TEXT_LOG = "an ArduPilot log as text"
     PLAN = "a QGroundControl plan"
-    WAYPOINTS = "a list of way points"
+    WAYPOINTS = "a list of mission items"
     PARAMETERS = "a file of parameters"
     LFS_POINTER = "a pointer of Git LFS to a file: fetch that with `git lfs pull`"
     GZIP = "a gzip archive: unpack it first"
@@ -31,6 +31,7 @@ _BEGINNINGS: tuple[tuple[bytes, Form], ...] = (
     (b"ULog\x01\x12\x35", Form.ULOG),
     (b"FMT, ", Form.TEXT_LOG),
     (b"QGC WPL", Form.WAYPOINTS),
+    (b"RALLY ", Form.WAYPOINTS),
     (b"# Onboard parameters", Form.PARAMETERS),
     (b"version https://git-lfs", Form.LFS_POINTER),
     (b"\x1f\x8b", Form.GZIP),

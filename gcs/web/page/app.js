@@ -6,6 +6,7 @@ import { Flight } from "./flight.js";
 import { colourOf, nextTheme, onLook, setMembers } from "./look.js";
 import { MapView } from "./map.js";
 import { EventList, showContest, showTrouble, showVehicle } from "./panels.js";
+import { plansOf, showPlans } from "./plans.js";
 import { SpaceView } from "./space.js";
 import { FleetTable } from "./table.js";
 import { Timeline } from "./timeline.js";
@@ -101,8 +102,11 @@ export class App {
     vehicle.append(this.orders, this.vehicleAt);
     this.contestAt = h("div");
     contest.append(this.contestAt);
+    this.plansAt = h("div", { class: "plans" });
+    this.plansCard = h("section", { class: "card", "aria-label": "missions and fences" }, h("h2", {}, "Missions and fences"), this.plansAt);
+    this.plansCard.hidden = true;
     root.append(this.trouble, h("div", { class: "flight" },
-      h("div", { class: "wide" }, scene, timelineAt), h("div", { class: "narrow" }, fleet, vehicle), h("div", { class: "narrow" }, contest, events)));
+      h("div", { class: "wide" }, scene, timelineAt), h("div", { class: "narrow" }, fleet, vehicle), h("div", { class: "narrow" }, this.plansCard, contest, events)));
     this.map = new MapView(map, choose);
     try {
       this.space = new SpaceView(space, names, choose);
@@ -208,6 +212,7 @@ export class App {
       this.shown = new Set(members.length > MANY ? [] : members.map((one) => one.sysid));
     }
     if (this.space) this.space.madeOf = null;
+    this.plansCard.hidden = !plansOf(this.flight.session).length;
     const wind = this.flight.session?.wind;
     say(this.wind, wind ? `wind ${number(wind.speed_m_s, 1)} m/s from ${number(wind.from_deg, 0)}°` : "");
     this.fillPicker();
@@ -337,6 +342,7 @@ export class App {
       this.paneled = snapshot;
       this.table.show(snapshot, this.chosen);
       showTrouble(this.trouble, snapshot, (sysid) => this.choose(sysid));
+      showPlans(this.plansAt, this.flight.session, snapshot);
       showContest(this.contestAt, snapshot, (id) => this.label(id));
       showVehicle(this.vehicleAt, snapshot, this.chosen);
       this.events.show(this.flight.events, this.at_s ?? Infinity, (id) => this.label(id));

@@ -4,6 +4,7 @@ import { fit, number } from "./elements.js";
 import { last } from "./flight.js";
 import { plane } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
+import { covered as covered_by_plans, drawPlans } from "./plans.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -54,6 +55,7 @@ function covered(flight) {
   }
   for (const one of flight.session?.bases ?? []) add(one.p_ned[0], one.p_ned[1]);
   for (const one of flight.session?.vehicles ?? []) for (const [n, e] of one.path_ned) add(n, e);
+  for (const [n, e] of covered_by_plans(flight.session)) add(n, e);
   if (n0 > n1) return null;
   return [[n0, n1], [e0, e1]];
 }
@@ -181,6 +183,7 @@ export class MapView {
     if (this.tiles && origin) this.tiles.draw(context, origin, this.frame, X, Y, colours);
     this.#grid(context, X, Y, perMetre, width, height);
     this.#ground(context, flight, X, Y, perMetre);
+    drawPlans(context, flight.session, snapshot, X, Y);
     if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
     this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen);

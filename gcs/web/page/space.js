@@ -11,6 +11,7 @@ import { last } from "./flight.js";
 import { plane } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
+import { lines as linesOfPlans } from "./plans.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -21,6 +22,7 @@ const MOST_NAMED = 40;
 const PATH_POINTS = 24000; // of all paths together
 const TRAIL_POINTS = 100; // of each of many
 const CIRCLE = 48;
+const MOST_DASHES = 401; // of one stretch
 const MOST = 254;
 
 /** NED → the scene's axes. @param {readonly number[]} p @param {Vector3} [to] */
@@ -176,7 +178,7 @@ export class SpaceView {
   /** Obstacles, bases, planned paths, the ground: made again only where they have changed. @param {Flight} flight */
   #fix(flight) {
     const wind = flight.session?.wind;
-    const key = `${JSON.stringify(wind ?? 0)} ${flight.session?.obstacles.length ?? 0} ${flight.session?.vehicles.length} ${look().dark}`;
+    const key = `${JSON.stringify(wind ?? 0)} ${JSON.stringify(flight.session?.plans ?? 0)} ${flight.session?.obstacles.length ?? 0} ${flight.session?.vehicles.length} ${look().dark}`;
     if (this.madeOf === key && this.fixed.children.length) return;
     this.madeOf = key;
     for (const old of this.fixed.children) if (old instanceof Mesh || old instanceof LineSegments) old.geometry.dispose();
@@ -214,18 +216,18 @@ export class SpaceView {
     const positions = [];
     /** @type {number[]} */
     const tints = [];
-    const soft = new Color(colours.soft);
-    for (const member of flight.session?.vehicles ?? []) {
-      member.path_ned.slice(1).forEach((to, k) => {
-        const a = place(member.path_ned[k]);
-        const b = place(to);
-        const parts = Math.max(Math.round(a.distanceTo(b) / 0.8), 1);
-        for (let part = 0; part < parts; part += 2) {
-          positions.push(...a.clone().lerp(b, part / parts).toArray(), ...a.clone().lerp(b, Math.min(part + 1, parts) / parts).toArray());
-          tints.push(...soft.toArray(), ...soft.toArray());
-        }
-      });
-    }
+    /** @param {readonly (readonly number[])[]} points @param {Color} tint @param {number} dash_m */
+    const dashed = (points, tint, dash_m) => points.slice(1).forEach((to, k) => {
+      const a = place(points[k]);
+      const b = place(to);
+      const parts = Math.min(Math.max(Math.round(a.distanceTo(b) / dash_m), 1), MOST_DASHES);
+      for (let part = 0; part < parts; part += 2) {
+        positions.push(...a.clone().lerp(b, part / parts).toArray(), ...a.clone().lerp(b, Math.min(part + 1, parts) / parts).toArray());
+        tints.push(...tint.toArray(), ...tint.toArray());
+      }
+    });
+    for (const member of flight.session?.vehicles ?? []) dashed(member.path_ned, new Color(colours.soft), 0.8);
+    for (const { points, colour } of linesOfPlans(flight.session)) dashed(points, new Color(colour), Math.max(span / 150, 0.8));
     if (wind) {
       const towards = ((wind.from_deg + 180) * Math.PI) / 180;
       const along = new Vector3(Math.sin(towards), 0, -Math.cos(towards));

@@ -193,6 +193,21 @@ def test_a_vehicle_has_one_colour_on_map_and_in_curves_by_its_place_in_the_scena
         assert [COLOURS[look][f"vehicle{place}"] for place in range(len(own))] == list(own), "the page's own"
 
 
+def test_the_map_shows_missions_fences_and_rally_points_whatever_lies_far_off() -> None:
+    item = {"number": 1, "command": "NAV_WAYPOINT", "p_ned": [300.0, 0.0, -10.0], "flown": True}
+    far = {**item, "number": 2, "p_ned": [4e6, 0.0, -10.0], "flown": True}
+    fence = {"inside": True, "outline_ne": [[-400.0, -400.0], [-400.0, 400.0], [400.0, 400.0], [-400.0, -400.0]]}
+    plan = {"source": "a.plan", "sysid": None, "items": [item, far], "fence": [fence], "rally_ned": [[0.0, 350.0, 0.0]]}
+    watch = SessionModel()
+    watch.update([session() | {"plans": [plan]}, snapshot(30.0)])
+    view = MapView()
+    drawn = draw(watch, view, width=120, height=40, glyphs=ASCII, chosen=None)
+    styles = {name for line in drawn for part, name in line if part.strip()}
+    assert {"base", "aim"} <= styles
+    assert any("R" in part and name == "base" for line in drawn for part, name in line)
+    assert 400.0 <= view.m_per_dot * 120 * 2 <= 8000.0, "the map holds the fence, and not what lies 4000 km off"
+
+
 def test_the_present_is_at_the_curves_right_edge_though_nobody_competes_any_more() -> None:
     samples = [(t / 10.0, {"7": 0.5}) for t in range(101)]
     drawn = text(chart(samples, ["7"], [], style_of=str, width=60, height=12, glyphs=ASCII, span_s=10.0, now_s=15.0))

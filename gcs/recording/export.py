@@ -91,7 +91,7 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
             problems += _without_truth(folder, scenario, {path.stem for path in truths})
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
-        log = tlog_reader.read(frames)
+        log = tlog_reader.read(frames, session=True)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
         done += rotation.size(frames)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from typing import Any, NamedTuple
@@ -76,8 +77,8 @@ class _Said:
     def __init__(self, *, thinned: bool = False) -> None:
         self._thinned = thinned
         self._count = 0
-        self._parts = [np.empty((0, 3), np.int64)]
-        """rows: the clock, which frame of the recording, µs"""
+        self._parts: dict[int, list[tuple[IntArray, IntArray]]] = defaultdict(list)
+        """by clock: which frames of the recording, and the times, µs"""
         self._stations: set[int] = set()
 
     def take(self, chunk: Chunk) -> None:
@@ -89,16 +90,15 @@ class _Said:
             rows = rows[:: len(rows) // ASKED + 1]
         msgids = msgids[rows]
         usec = is_usec[msgids]
-        clock_us = _whole(chunk, heads[rows, AT], offsets[msgids], usec)
+        clock_us = _numbers(chunk, heads[rows, AT], offsets[msgids], usec)
         clock_us[~usec] *= 1000
-        sender = heads[rows, SYSID] << 8 | heads[rows, COMPID]
-        said = np.column_stack((sender << 16 | np.where(usec, msgids, 0), self._count + rows, clock_us))
-        said = said[(clock_us > 0) & (clock_us < LATEST_US)]
-        if self._thinned:
-            said = said[np.argsort(said[:, 0], kind="stable")]
-            second = np.column_stack((said[:, 0], said[:, 2] // SECOND_US))
-            said = said[(np.diff(second, axis=0, prepend=second[:1] - 1) != 0).any(axis=1)]
-        self._parts.append(said)
+        clock = (heads[rows, SYSID] << 8 | heads[rows, COMPID]) << 16 | np.where(usec, msgids, 0)
+        for key in np.unique(clock).tolist():
+            mine = np.flatnonzero((clock == key) & (clock_us > 0) & (clock_us < LATEST_US))
+            if self._thinned:
+                second = clock_us[mine] // SECOND_US
+                mine = mine[np.diff(second, prepend=second[:1] - 1) != 0]
+            self._parts[key].append((self._count + rows[mine], clock_us[mine]))
         beats = chunk.table("HEARTBEAT")
         beats = beats[beats["type"] == mav.MAV_TYPE_GCS]
         self._stations.update((beats["sysid"].astype(np.int64) << 8 | beats["compid"]).tolist())
@@ -106,17 +106,19 @@ class _Said:
 
     def clocks(self) -> list[VehicleClock]:
         """The clocks that said the most, that one first; other fields count of those that send no time_boot_ms."""
-        table = np.concatenate(self._parts)
-        table = table[~np.isin(table[:, 0] >> 16, list(self._stations))]
-        boots = np.unique(table[table[:, 0] & 0xFFFF == 0, 0])
-        table = table[(table[:, 0] & 0xFFFF == 0) | ~np.isin(table[:, 0] & ~0xFFFF, boots)]
-        table = table[np.lexsort((table[:, 1], table[:, 0]))]
-        parts = np.split(table, np.flatnonzero(np.diff(table[:, 0])) + 1)
-        most = sorted((part for part in parts if len(part)), key=len, reverse=True)[:MOST_CLOCKS]
-        return [VehicleClock(part[:, 1], _in_order(part[:, 2])) for part in most]
+        said = {key: sum(len(rows) for rows, _ in parts) for key, parts in self._parts.items()}
+        boots = {key >> 16 for key, count in said.items() if key & 0xFFFF == 0 and count}
+        keys = [key for key in said if said[key] and key >> 16 not in self._stations]
+        keys = [key for key in keys if key & 0xFFFF == 0 or key >> 16 not in boots]
+        most = sorted(keys, key=lambda key: (-said[key], key))[:MOST_CLOCKS]
+        return [VehicleClock(rows, _in_order(boot_us)) for rows, boot_us in (self._whole(key) for key in most)]
+
+    def _whole(self, key: int) -> tuple[IntArray, IntArray]:
+        rows, clock_us = zip(*self._parts[key], strict=True)
+        return np.concatenate(rows), np.concatenate(clock_us)
 
 
-def _whole(chunk: Chunk, at: IntArray, offsets: IntArray, wide: NDArray[np.bool_]) -> IntArray:
+def _numbers(chunk: Chunk, at: IntArray, offsets: IntArray, wide: NDArray[np.bool_]) -> IntArray:
     """(n,) numbers without a sign of 4 bytes, or of 8 where `wide`, in frames at these places."""
     octets = chunk.octets
     begins = at + offsets + np.where(octets[at] == codec.MARKER, codec.HEADER_BYTES, _OLDER_HEADER_BYTES)

@@ -211,7 +211,10 @@ def test_messages_that_an_ardupilot_could_not_write_are_said(tmp_path: Path) -> 
     path = tmp_path / "flight.BIN"
     logs.dataflash(path)
     form = struct.pack("<4s16s64s", b"DSF", b"QI", b"TimeUS,Dp")
-    rows = [b"\xa3\x95\x32" + struct.pack("<QI", logs.START_US + k, dropped) for k, dropped in enumerate((3, 3, 20))]
+    rows = [
+        b"\xa3\x95\x32" + struct.pack("<QI", logs.START_US + 1_000_000 * (logs.SECONDS + k), dropped)
+        for k, dropped in enumerate((3, 3, 20))
+    ]
     path.write_bytes(path.read_bytes() + b"\xa3\x95\x80" + struct.pack("<BB", 0x32, 15) + form + b"".join(rows))
     assert said(path) == ["the vehicle could not write 17 messages of its log."]
 
@@ -234,7 +237,7 @@ def test_dropouts_of_a_ulog_are_said(tmp_path: Path, dropouts_ms: list[int], sen
 def test_bytes_of_a_ulog_that_are_no_message_are_said(tmp_path: Path) -> None:
     path = tmp_path / "flight.ulg"
     logs.ulog(path)
-    path.write_bytes(path.read_bytes() + struct.pack("<HB", 5, 0xF1) + b"\xff" * 40)
+    path.write_bytes(path.read_bytes() + struct.pack("<HB", 5, 0) + b"\xff" * 40)
     assert said(path) == ["it holds bytes that are no ULog message; they were passed over."]
 
 

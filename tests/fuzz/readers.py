@@ -133,16 +133,43 @@ READERS: dict[str, tuple[tuple[str, ...], Callable[[Path], None]]] = {
 """By name: the files of a session of which one at a time is mutated, and what reads them."""
 
 
+class Copy:
+    """A copy of the corpus's session, which is made as it was again: what has changed is, and that is little."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        shutil.copytree(CORPUS / "session", folder)
+        self._were = {path: (path.read_bytes(), self._stamp(path)) for path in folder.rglob("*") if path.is_file()}
+        self._folders = {folder, *(path.parent for path in self._were)}
+
+    def restore(self) -> None:
+        """Make it as it was."""
+        for place in self._folders:
+            for path in place.iterdir():
+                if path.is_dir() and not path.is_symlink() and path not in self._folders:
+                    shutil.rmtree(path)
+                elif path not in self._were and path not in self._folders:
+                    path.unlink()
+        for path, (content, stamp) in self._were.items():
+            if not path.exists() or self._stamp(path) != stamp:
+                path.write_bytes(content)
+                self._were[path] = content, self._stamp(path)
+
+    @staticmethod
+    def _stamp(path: Path) -> tuple[int, int, int]:
+        status = path.stat()
+        return status.st_ino, status.st_size, status.st_mtime_ns
+
+
 @contextlib.contextmanager
 def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """One reader on copies of the corpus's session, in each of which a file is mutated."""
     files, read = READERS[name]
-    session = CORPUS / "session"
     with tempfile.TemporaryDirectory(dir=IN_MEMORY) as place, read_once():
-        folder = Path(place) / "session"
+        copy = Copy(Path(place) / "session")
+        folder = copy.folder
 
         def attack(n: int) -> None:
-            shutil.copytree(session, folder)
             path = folder / files[n % len(files)]
             path.write_bytes(hostile.mutated(path.read_bytes()))
             try:
@@ -154,6 +181,6 @@ def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
                 shutil.copytree(folder, os.environ.get("FUZZ_FOUND", tempfile.mkdtemp()), dirs_exist_ok=True)
                 raise
             finally:
-                shutil.rmtree(folder)
+                copy.restore()
 
         yield attack

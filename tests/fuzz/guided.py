@@ -33,7 +33,7 @@ def compiled() -> list[str]:
 with atheris.instrument_imports(include=["gcs", "simvehicle"], exclude=compiled()):
     from dialogues import new_clients, sent_to
     from hostile import Hostile
-    from readers import CORPUS, IN_MEMORY, READERS, Copy, read_once
+    from readers import CORPUS, IN_MEMORY, READERS, Copy, reached, read_once
     from targets import session_sock
 
     from gcs.link.keys import SignatureGate, new_key
@@ -154,6 +154,7 @@ def seeds(name: str, place: Path) -> None:
     else:
         for number, file in enumerate(READERS[name][0]):
             inputs.append(bytes([number]) + (CORPUS / "session" / file).read_bytes())
+    inputs += reached(name)
     for number, one in enumerate(inputs):
         (place / f"seed-{number}").write_bytes(one)
 

@@ -34,8 +34,34 @@ from gcs.supervisor.redecide import RedecideError, redecide
 CORPUS = Path(__file__).parent / "corpus"
 IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
 """Where copies of the corpus are made; None: where temporary files go."""
+REACHED = CORPUS / "reached"
+"""Inputs of earlier campaigns that reached new branches, a file of hexadecimal lines for each guided target."""
+REACHED_BYTES = 12_000
+"""So much of a target's is committed, the shortest inputs."""
 WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
 KNOWN = (CORPUS / "session" / "scenario.yaml").read_bytes()
+
+
+def reached(name: str) -> list[bytes]:
+    """Inputs that earlier campaigns found for a target."""
+    path = REACHED / f"{name.replace(' ', '-')}.hex"
+    return [bytes.fromhex(line) for line in path.read_text().split()] if path.exists() else []
+
+
+def distil(kept: Path) -> None:
+    """Put what campaigns have kept into the corpus, where the next one anywhere begins with it."""
+    REACHED.mkdir(exist_ok=True)
+    for folder in sorted(path for path in kept.iterdir() if path.is_dir()):
+        name = folder.name.replace("-", " ")
+        found = {*reached(name), *(path.read_bytes() for path in folder.iterdir() if not path.name.startswith("seed-"))}
+        lines, left = [], REACHED_BYTES
+        for one in sorted(found - {b""}, key=lambda one: (len(one), one)):
+            left -= len(one)
+            if left < 0:
+                break
+            lines.append(one.hex())
+        if lines:
+            (REACHED / f"{folder.name}.hex").write_text("\n".join(lines) + "\n")
 
 
 @contextlib.contextmanager

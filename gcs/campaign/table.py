@@ -118,7 +118,7 @@ def _part(path: Path, wanted: pa.Schema) -> pa.Table | None:
                 return None
             part = pq.read_table(file, schema=wanted)
             part.validate(full=True)
-        except (pa.ArrowException, OSError):  # Arrow's of what does not fit together, beside its own
+        except (pa.ArrowException, OSError, UnicodeDecodeError):  # OSError: what does not fit together; a column's name
             return None
     return None if part["row"].null_count else part
 

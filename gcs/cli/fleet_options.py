@@ -86,6 +86,10 @@ def fleet_at(
             why = fleet.listener.silence or "is it running, and is that its address?"
             raise Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
         yield fleet
+        for sysid in sorted(fleet.doubled.keys() & fleet.profiles.keys()):
+            second = ":".join(map(str, fleet.doubled[sysid][:2]))
+            said = f"two autopilots say that they are vehicle {sysid}; the one at {second} was passed over"
+            click.echo(f"gcs: {said}: give it a system id of its own.", err=True)
         if not sysids and (context := click.get_current_context(silent=True)) is not None:
             context.meta[LEFT_OUT] = fleet.not_understood
     finally:

@@ -132,9 +132,10 @@ def replay(
 
     try:
         plans = {str(path): load_plan(path) for path in plan_files}
-        source_path = click.get_current_context().with_resource(beside([session, *others]))
+        opened = click.get_current_context().with_resource(beside([session, *others]))
         with _progress("reading") as progress:
-            recording = Replay(source_path, progress, plans=plans)
+            recording = Replay(opened.path, progress, plans=plans)
+        recording.problems[:0] = opened.problems
     except (ReplayError, ImportFailed, MissionFileError) as error:
         raise click.UsageError(str(error)) from None
     except OSError as error:
@@ -290,7 +291,7 @@ def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None)
         written = tables(kind, unfinished)
         with _progress("exporting") as progress, beside([session, *others]) as source:
             try:
-                problems = exporter.export(source, written, progress)
+                problems = source.problems + exporter.export(source.path, written, progress)
             finally:
                 written.close()
         unfinished.rename(folder)
@@ -320,7 +321,8 @@ def _export_mcap(session: Path, others: tuple[Path, ...], out: Path | None) -> i
     path = out or (session / "session.mcap" if session.is_dir() else session.with_suffix(".mcap"))
     try:
         with _progress("exporting") as progress, beside([session, *others]) as source:
-            count, problems = foxglove.export(source, path, progress)
+            count, problems = foxglove.export(source.path, path, progress)
+            problems = source.problems + problems
     except (ReplayError, ImportFailed) as error:
         raise click.UsageError(str(error)) from None
     except FileExistsError:

@@ -56,6 +56,10 @@ class AskedFleet:
         self._where: dict[int, Where] = {}
         self._components: dict[tuple[int, int], Where] = {}
         """where a component that is no autopilot says HEARTBEAT from, by system and component id"""
+        self._seconds: dict[int, Where] = {}
+        """where another autopilot of a vehicle's system id says HEARTBEAT from"""
+        self.doubled: dict[int, Where] = {}
+        """the same, once the first one has been heard after it: a vehicle that has moved to another port is no two"""
         self.profiles: dict[int, Profile] = {}
         """by system id, of vehicles that have been heard"""
         self.armed: set[int] = set()
@@ -150,7 +154,10 @@ class AskedFleet:
                     content = codec.fields(frame)
                     if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != self._station[0]:
                         self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
-                        self._where.setdefault(frame.sysid, sender)
+                        if self._where.setdefault(frame.sysid, sender) != sender:
+                            self._seconds[frame.sysid] = sender
+                        elif frame.sysid in self._seconds:
+                            self.doubled[frame.sysid] = self._seconds[frame.sysid]
                         armed = content.base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED
                         (self.armed.add if armed else self.armed.discard)(frame.sysid)
                 if self._address(frame.sysid, frame.compid) == sender:

@@ -1,7 +1,8 @@
 """A recorded session, or any .tlog, as tables: one per message type, per kind of decision, and of the vehicles' truth.
 
 Each table of a message begins with time_s (since the session's start), sysid, compid and direction (`from` a vehicle,
-`to` one), then the message's fields as `gcs.mavlink.field_units` names and converts them. What goes through memory at
+`to` one), then the message's fields as `gcs.mavlink.field_units` names and converts them; a parameter's value is its
+number by the vehicle's encoding. What goes through memory at
 once is a stretch of the log, whatever its length.
 """
 
@@ -20,6 +21,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.kernels import kernel
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
+from gcs.mavlink.parameters import recorded
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.missing import SCENARIO, passed_over, unread
@@ -91,7 +93,7 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
             problems += _without_truth(folder, scenario, {path.stem for path in truths})
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
-        log = tlog_reader.read(frames)
+        log = tlog_reader.read(frames, session=True)
         _export_frames(log, tables, epoch_us, part(frames), session=True)
         problems += log.problems
         done += rotation.size(frames)
@@ -124,11 +126,13 @@ def _export_frames(
     if session:
         stations[_sender(*STATION)] = True
     answered_us = np.full(1 << 16, -1, dtype=np.int64)
+    encodings = recorded.Encodings()
     for chunk in log.chunks():
         heads = chunk.heads
         if epoch_us is None and len(heads):
             epoch_us = int(heads[0, T_US])
         _learn_stations(chunk, stations)
+        encodings.learn(chunk.table("HEARTBEAT"), chunk.table("AUTOPILOT_VERSION"))
         sent = _sent(heads, stations, answered_us if session else answered_us[:0], _RELAYED)
         for msgid in np.unique(heads[:, MSGID]).tolist():
             if (shape := field_units.layout(msgid)) is None:
@@ -140,6 +144,8 @@ def _export_frames(
             for column in shape.columns:
                 renamed = f"{column.field}_"  # as the table has a field that is named like a column of its own
                 columns[column.name] = column.values(rows[renamed if renamed in names else column.field])
+            if shape.name in recorded.CARRIERS:
+                columns[recorded.FIELD] = encodings.numbers(shape.name, rows)
             tables.append(shape.name, columns)
         progress(chunk.read_share)
 

@@ -8,7 +8,8 @@ silence, and then
 2. from one run to the next as much time passes as the stamps say, unless a vehicle's clock (time_boot_ms) on both sides
    says otherwise: that is a step of the recorder's clock. Without a vehicle's clock a fall is a step, and so is a leap
    that undoes one or is undone later, or that begins or ends at no time of MAVLink's;
-3. in a recording without stamps, or whose stamps all stand still, a vehicle's clock counts.
+3. in a recording without stamps, or whose stamps all stand still, a vehicle's clock counts; so it does where stamps
+   pass at another rate than the vehicles' clocks (vehicle_clock.py).
 
 The run with the most frames keeps its stamps; the others follow from it. Times are µs; rows are frames. All [choice].
 """
@@ -22,17 +23,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-IntArray = NDArray[np.int64]
+from gcs.recording import vehicle_clock
+from gcs.recording.vehicle_clock import DISAGREE_US, FEW, LEAP_US, SECOND_US, IntArray, VehicleClock, followed
 
-SECOND_US = 1_000_000
 FALL_US = 100_000
 """Stamps may fall by so much: recorders of several links write them out of order."""
 SILENCE_US = 2 * SECOND_US
-LEAP_US = 3600 * SECOND_US
-DISAGREE_US = 10 * SECOND_US
-"""Stamps may pass a vehicle's clock by so much over a silence: frames come late, and simulations pause."""
-FEW = 5
-"""So many frames in a row may have wrong stamps; more are a step of the clock."""
 WORTH_SAYING_US = 10 * SECOND_US
 NAMED = 3
 NO_STAMP = -1
@@ -40,13 +36,6 @@ EARLIEST_US, NEVER_US = 1_230_768_000 * SECOND_US, 4_102_444_800 * SECOND_US
 """MAVLink is of 2009; no recording is of 2100."""
 LATEST_US = 1 << 61
 """No stamp is later; sums of two are whole numbers of 64 bits then."""
-
-
-class VehicleClock(NamedTuple):
-    """One sender's times since its start: at which frames, (k,) ascending, and the times, (k,) µs."""
-
-    rows: IntArray
-    boot_us: IntArray
 
 
 class JudgedTimes(NamedTuple):
@@ -72,20 +61,28 @@ def suspicious(stamps_us: IntArray) -> bool:
     return bool(still or (stamps_us == NO_STAMP).any() or passed.min() < -FALL_US or passed.max() > SILENCE_US)
 
 
-def judged(stamps_us: IntArray, clocks: Sequence[VehicleClock]) -> JudgedTimes:
-    """The times of frames by their stamps, (n,) µs, NO_STAMP where a frame has none, and the clocks in them."""
+def judged(stamps_us: IntArray, clocks: Sequence[VehicleClock], *, session: bool = False) -> JudgedTimes:
+    """The times of frames by their stamps, (n,) µs, NO_STAMP where a frame has none, and the clocks in them.
+
+    session: the stamps are a session's own time, at whatever rate its vehicles' clocks pass.
+    """
     n = len(stamps_us)
     if 2 * int((stamps_us != NO_STAMP).sum()) < n or (n > FEW and (stamps_us == stamps_us[0]).all()):
         return _by_clocks(n, clocks)
     possible = (stamps_us >= 0) & (stamps_us < LATEST_US)
     wrong = ~possible & (stamps_us != NO_STAMP)
     stamps_us = _filled(stamps_us, possible)
+    wrong_rate = None if session else vehicle_clock.wrong_rate(stamps_us, clocks)
+    if wrong_rate is not None:
+        stamps_us = stamps_us[0] + np.rint((stamps_us - stamps_us[0]) / wrong_rate.rate).astype(np.int64)
     misfits = _misfits(stamps_us, _runs(stamps_us))
     stamps_us = _filled(stamps_us, ~misfits)
-    runs = _runs(stamps_us)
+    runs = _runs(stamps_us, () if session else vehicle_clock.leaps(stamps_us, clocks))
     count = int((wrong | misfits).sum())
-    notes = [_of_wrong(count)] if count else []
-    return _joined(stamps_us, runs, clocks, notes)
+    notes = [] if wrong_rate is None else [_of_rate(wrong_rate.rate)]
+    notes += [_of_wrong(count)] if count else []
+    times = _joined(stamps_us, runs, clocks, notes)
+    return times if wrong_rate is None else times._replace(times_us=followed(times.times_us, wrong_rate.clock))
 
 
 def _by_clocks(n: int, clocks: Sequence[VehicleClock]) -> JudgedTimes:
@@ -114,9 +111,11 @@ def _filled(stamps_us: IntArray, good: NDArray[np.bool_]) -> IntArray:
     return np.asarray(stamps_us[np.where(last < 0, int(np.argmax(good)), last)], dtype=np.int64)
 
 
-def _runs(stamps_us: IntArray) -> list[_Run]:
+def _runs(stamps_us: IntArray, leaps: Sequence[int] = ()) -> list[_Run]:
+    """Runs, cut also at the rows of `leaps`."""
     passed = np.diff(stamps_us)
     cuts = (np.flatnonzero((passed < -FALL_US) | (passed > SILENCE_US)) + 1).tolist()
+    cuts = sorted({*cuts, *leaps} - {0})
     return [_Run(begin, end) for begin, end in pairwise([0, *cuts, len(stamps_us)])]
 
 
@@ -253,6 +252,11 @@ def _by_vehicle(stamps_us: IntArray, before: _Run, run: _Run, clock: VehicleCloc
         return None
     around_us = (stamps_us[run.begin - 1] - stamps_us[row]) + (stamps_us[next_row] - stamps_us[run.begin])
     return max(vehicle_us - int(around_us), 0)
+
+
+def _of_rate(rate: float) -> str:
+    times = f"{rate:.3g} times as fast as" if rate > 1.0 else f"{1.0 / rate:.3g} times as slowly as"
+    return f"its stamps pass {times} the vehicles' own clocks; it has the times of these"
 
 
 def _of_wrong(count: int) -> str:

@@ -172,7 +172,7 @@ def _read_tlog(recorded: Recorded) -> Iterator[float]:
     """The same of the folder's recording."""
     gathering = Gathering(recorded)
     try:
-        log = tlog_reader.read(recorded.folder / TLOG)
+        log = tlog_reader.read(recorded.folder / TLOG, session=True)
         for chunk in log.chunks():
             gathering.add(chunk)
             yield chunk.read_share

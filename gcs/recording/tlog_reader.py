@@ -48,13 +48,17 @@ LARGEST = codec.LARGEST_FRAME
 class Tlog:
     """A recording; walking it again begins anew. Walking raises OSError where the file cannot be read.
 
-    times: those of another `Tlog` of the same file, so that they are not judged again.
+    times: those of another `Tlog` of the same file, so that they are not judged again. session: the stamps are a
+    session's own time, at whatever rate the clocks of its vehicles pass.
     """
 
-    def __init__(self, path: Path, chunk_bytes: int = CHUNK_BYTES, *, times: TlogTimes | None = None) -> None:
+    def __init__(
+        self, path: Path, chunk_bytes: int = CHUNK_BYTES, *, times: TlogTimes | None = None, session: bool = False
+    ) -> None:
         self.path = path
         self.times = times
         """None until the file is first walked"""
+        self._session = session
         self._chunk_bytes = max(chunk_bytes, 2 * (LARGEST + TIME_BYTES))
         self.problems: list[str] = []
 
@@ -68,7 +72,7 @@ class Tlog:
         The next one is read and walked beside whoever takes this one in, for both hardly need the interpreter.
         """
         if self.times is None:
-            self.times = tlog_times.judge(lambda: self._read_ahead(0))
+            self.times = tlog_times.judge(lambda: self._read_ahead(0), session=self._session)
         for chunk in self._read_ahead(begin):
             self.times.correct(chunk)
             yield chunk
@@ -118,10 +122,10 @@ class Tlog:
         self.problems = list(_problems(self.path.name, frames, gaps, skipped, notes, left))
 
 
-def read(path: Path) -> Tlog:
-    """The recording at `path`. Raises OSError where there is no file that can be read."""
+def read(path: Path, *, session: bool = False) -> Tlog:
+    """The recording at `path`; session: as of `Tlog`. Raises OSError where there is no file that can be read."""
     with rotation.open_parts(path):
-        return Tlog(path)
+        return Tlog(path, session=session)
 
 
 def _problems(name: str, frames: int, gaps: int, skipped: int, notes: list[str], left: int) -> Iterator[str]:

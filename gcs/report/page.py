@@ -95,7 +95,8 @@ def make(source: Path, out: Path | None = None, progress: Callable[[str, float],
 
         if alone:
             with opened(source) as recording:
-                recorded = read_recording(recording, source, told)
+                recorded = read_recording(recording.path, source, told)
+                recorded.problems[:0] = recording.problems
         else:
             recorded = read(source, told)
         progress("measuring", READ)

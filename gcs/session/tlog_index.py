@@ -119,7 +119,7 @@ class TlogIndex:
         self._blocks: list[_Block] = []
         self.frames = 0
         block_bytes = block_bytes or max(BLOCK_BYTES, rotation.size(path) // MOST_BLOCKS)
-        log = tlog_reader.Tlog(path, chunk_bytes=block_bytes)
+        log = tlog_reader.Tlog(path, chunk_bytes=block_bytes, session=session)
         gaps = RecordedGaps()
         self._metered = frozenset(metered)
         of_batteries = [_NONE_PLACED]

@@ -251,7 +251,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
             f"{folder} was flown with external vehicles, on their own clocks: only sessions whose vehicles were all "
             "launched can be decided again."
         )
-    log = tlog_reader.read(folder / TLOG)
+    log = tlog_reader.read(folder / TLOG, session=True)
     recorded = _Recorded(folder / DECISIONS)
     keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)

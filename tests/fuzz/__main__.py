@@ -23,7 +23,7 @@ import traceback
 from pathlib import Path
 
 from hostile import Hostile
-from readers import CORPUS, READERS, reader
+from readers import CORPUS, READERS, distil, reader
 from targets import FRAMES
 
 HANG_S = 2.0
@@ -85,7 +85,13 @@ def main() -> int:
     says.add_argument("--seed", type=int, default=1)
     says.add_argument("--within", action="store_true", help="in this process, as it is called by itself")
     says.add_argument("--only", default="", help="some targets, by name with commas")
+    says.add_argument(
+        "--distil", action="store_true", help="only write what was kept to corpus/reached"
+    )
     options = says.parse_args()
+    if options.distil:
+        distil(options.kept)
+        return 0
     only = options.only.split(",") if options.only else [*FRAMES, *READERS, *BYTES]
     jobs = [(name, "frames", options.frames) for name in FRAMES if name in only]
     jobs += [(name, "files", options.files) for name in READERS if name in only]

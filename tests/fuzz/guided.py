@@ -12,7 +12,6 @@ import argparse
 import contextlib
 import itertools
 import os
-import shutil
 import sys
 import tempfile
 from collections.abc import Callable
@@ -34,7 +33,7 @@ def compiled() -> list[str]:
 with atheris.instrument_imports(include=["gcs", "simvehicle"], exclude=compiled()):
     from dialogues import new_clients, sent_to
     from hostile import Hostile
-    from readers import CORPUS, IN_MEMORY, READERS, read_once
+    from readers import CORPUS, IN_MEMORY, READERS, Copy, reached, read_once
     from targets import session_sock
 
     from gcs.link.keys import SignatureGate, new_key
@@ -120,17 +119,17 @@ def lines(_: Path) -> Attack:
 def file_of(name: str, folder: Path) -> Attack:
     """The reader on a session, one file of which, chosen by the first byte, is the rest."""
     files, read = READERS[name]
-    session = CORPUS / "session"
+    copy = Copy(folder)
 
     def attack(data: bytes) -> None:
-        shutil.rmtree(folder, ignore_errors=True)
-        shutil.copytree(session, folder)
         (folder / files[data[0] % len(files) if data else 0]).write_bytes(data[1:])
         try:
             read(folder)
         except OSError as error:
             if error.errno is None:
                 raise
+        finally:
+            copy.restore()
 
     return attack
 
@@ -155,6 +154,7 @@ def seeds(name: str, place: Path) -> None:
     else:
         for number, file in enumerate(READERS[name][0]):
             inputs.append(bytes([number]) + (CORPUS / "session" / file).read_bytes())
+    inputs += reached(name)
     for number, one in enumerate(inputs):
         (place / f"seed-{number}").write_bytes(one)
 

@@ -34,8 +34,34 @@ from gcs.supervisor.redecide import RedecideError, redecide
 CORPUS = Path(__file__).parent / "corpus"
 IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
 """Where copies of the corpus are made; None: where temporary files go."""
+REACHED = CORPUS / "reached"
+"""Inputs of earlier campaigns that reached new branches, a file of hexadecimal lines for each guided target."""
+REACHED_BYTES = 12_000
+"""So much of a target's is committed, the shortest inputs."""
 WANTED = (TLOG, DECISIONS, SUMMARY, "scenario.yaml", "vehicles/1.truth")
 KNOWN = (CORPUS / "session" / "scenario.yaml").read_bytes()
+
+
+def reached(name: str) -> list[bytes]:
+    """Inputs that earlier campaigns found for a target."""
+    path = REACHED / f"{name.replace(' ', '-')}.hex"
+    return [bytes.fromhex(line) for line in path.read_text().split()] if path.exists() else []
+
+
+def distil(kept: Path) -> None:
+    """Put what campaigns have kept into the corpus, where the next one anywhere begins with it."""
+    REACHED.mkdir(exist_ok=True)
+    for folder in sorted(path for path in kept.iterdir() if path.is_dir()):
+        name = folder.name.replace("-", " ")
+        found = {*reached(name), *(path.read_bytes() for path in folder.iterdir() if not path.name.startswith("seed-"))}
+        lines, left = [], REACHED_BYTES
+        for one in sorted(found - {b""}, key=lambda one: (len(one), one)):
+            left -= len(one)
+            if left < 0:
+                break
+            lines.append(one.hex())
+        if lines:
+            (REACHED / f"{folder.name}.hex").write_text("\n".join(lines) + "\n")
 
 
 @contextlib.contextmanager
@@ -133,16 +159,43 @@ READERS: dict[str, tuple[tuple[str, ...], Callable[[Path], None]]] = {
 """By name: the files of a session of which one at a time is mutated, and what reads them."""
 
 
+class Copy:
+    """A copy of the corpus's session, which is made as it was again: what has changed is, and that is little."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        shutil.copytree(CORPUS / "session", folder)
+        self._were = {path: (path.read_bytes(), self._stamp(path)) for path in folder.rglob("*") if path.is_file()}
+        self._folders = {folder, *(path.parent for path in self._were)}
+
+    def restore(self) -> None:
+        """Make it as it was."""
+        for place in self._folders:
+            for path in place.iterdir():
+                if path.is_dir() and not path.is_symlink() and path not in self._folders:
+                    shutil.rmtree(path)
+                elif path not in self._were and path not in self._folders:
+                    path.unlink()
+        for path, (content, stamp) in self._were.items():
+            if not path.exists() or self._stamp(path) != stamp:
+                path.write_bytes(content)
+                self._were[path] = content, self._stamp(path)
+
+    @staticmethod
+    def _stamp(path: Path) -> tuple[int, int, int]:
+        status = path.stat()
+        return status.st_ino, status.st_size, status.st_mtime_ns
+
+
 @contextlib.contextmanager
 def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """One reader on copies of the corpus's session, in each of which a file is mutated."""
     files, read = READERS[name]
-    session = CORPUS / "session"
     with tempfile.TemporaryDirectory(dir=IN_MEMORY) as place, read_once():
-        folder = Path(place) / "session"
+        copy = Copy(Path(place) / "session")
+        folder = copy.folder
 
         def attack(n: int) -> None:
-            shutil.copytree(session, folder)
             path = folder / files[n % len(files)]
             path.write_bytes(hostile.mutated(path.read_bytes()))
             try:
@@ -154,6 +207,6 @@ def reader(name: str, hostile: Hostile) -> Iterator[Callable[[int], None]]:
                 shutil.copytree(folder, os.environ.get("FUZZ_FOUND", tempfile.mkdtemp()), dirs_exist_ok=True)
                 raise
             finally:
-                shutil.rmtree(folder)
+                copy.restore()
 
         yield attack

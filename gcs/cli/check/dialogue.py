@@ -17,6 +17,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
+from gcs.mavlink.statustext import chunk_of, recorded
 
 HEARTBEAT_EVERY_S = 1.0
 FIND_WITHIN_S = 10.0
@@ -40,12 +41,18 @@ _COMMANDS = frozenset({codec.msgid("COMMAND_LONG"), codec.msgid("COMMAND_INT")})
 
 
 class ReceivedMessage(NamedTuple):
-    """A message that the vehicle sent: its name, its fields in MAVLink's own units (None for one that no dialect of
-    ours holds), and when it came."""
+    """A message that the vehicle sent: its name, its fields in MAVLink's own units (of a STATUSTEXT a TextChunk, None
+    for one that no dialect of ours holds), and when it came."""
 
     name: str
     fields: Any
     at_s: float
+
+
+def texts(received: Iterable[ReceivedMessage]) -> list[str]:
+    """Texts that the vehicle sent, put together from their chunks, each once."""
+    chunks = ((one.at_s, one.fields) for one in received if one.name == "STATUSTEXT")
+    return list(dict.fromkeys(text for _, _, text in recorded(chunks)))
 
 
 @dataclass
@@ -196,8 +203,9 @@ class Dialogue:
     def receive(self, frame: Frame, now_s: float) -> None:
         """Take in one frame that came."""
         name = codec.name(frame.msgid)
+        content: Any
         try:
-            content = codec.fields(frame)
+            content = chunk_of(frame) if name == "STATUSTEXT" else codec.fields(frame)
         except ValueError:
             content = None
         if name == "HEARTBEAT" and content.type in VEHICLE_TYPES and content.autopilot != mav.MAV_AUTOPILOT_INVALID:

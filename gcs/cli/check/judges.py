@@ -8,7 +8,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict, texts
 from gcs.mavlink.command_protocol import result_name
 
 Fault = Callable[[CheckedVehicle, Any], str]
@@ -81,8 +81,8 @@ def acknowledged(
     """A final acknowledgement has come and, where it accepts, the message `then` too; as (judge, at_end)."""
 
     def refused(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage], ack: Any) -> Verdict:
-        texts = "; ".join(dict.fromkeys(content.text for content in _named(received, "STATUSTEXT")))
-        said = f"refused: {result_name(ack.result)}" + (f", {texts}" if texts else "")
+        reasons = "; ".join(texts(received))
+        said = f"refused: {result_name(ack.result)}" + (f", {reasons}" if reasons else "")
         return Verdict("ok" if may_refuse(vehicle) else "wrong", said)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:

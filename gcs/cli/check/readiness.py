@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.cli.check.asking import command_long, to_vehicle
-from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
+from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict, texts
 from gcs.cli.check.judges import OK
 from gcs.mavlink.codec import Message
 
@@ -40,8 +40,7 @@ def _at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Ver
         return Verdict("missing", "it sends no SYS_STATUS: nobody can know")
     if _could_be_armed(vehicle):
         return Verdict("missing", f"its pre-arm checks pass, but it does not tell its place ({PLACE})")
-    texts = [one.fields.text for one in received if one.name == "STATUSTEXT"]
-    reasons = list(dict.fromkeys(text for text in texts if "arm" in text.lower()))
+    reasons = [text for text in texts(received) if "arm" in text.lower()]
     return Verdict("missing", f"not ready yet: {'; '.join(reasons[-3:]) or 'its pre-arm checks do not pass'}")
 
 

@@ -5,6 +5,6 @@ from __future__ import annotations
 
 from gcs.recording.importing.beside import beside
 from gcs.recording.importing.sample import ImportFailed
-from gcs.recording.importing.sources import opened
+from gcs.recording.importing.sources import Opened, opened
 
-__all__ = ["ImportFailed", "beside", "opened"]
+__all__ = ["ImportFailed", "Opened", "beside", "opened"]

@@ -16,16 +16,17 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION
 from gcs.recording import tlog_reader
 from gcs.recording.importing.sample import ImportFailed
-from gcs.recording.importing.sources import opened
-from gcs.recording.recorded_clock import EARLIEST_US, SECOND_US
+from gcs.recording.importing.sources import Opened, opened
+from gcs.recording.recorded_clock import EARLIEST_US
 from gcs.recording.tlog_walk import SYSID, T_US, TIME_BYTES
+from gcs.recording.vehicle_clock import SECOND_US
 
 TOGETHER_US = 86_400 * SECOND_US
 """Recordings that know the date and begin within a day keep their times; others begin together [choice]."""
 
 
 @contextmanager
-def beside(sources: Sequence[Path]) -> Iterator[Path]:
+def beside(sources: Sequence[Path]) -> Iterator[Opened]:
     """One recording of all of these for the while; the first itself where it is the only one.
 
     A system id that an earlier one has is the next free one in a later one. Raises ImportFailed for a session's folder
@@ -37,11 +38,14 @@ def beside(sources: Sequence[Path]) -> Iterator[Path]:
             return
         if folders := [source for source in sources if source.is_dir()]:
             raise ImportFailed(f"{folders[0]} is a session's folder; give its session.tlog to see it beside others.")
-        logs = [tlog_reader.read(stack.enter_context(opened(source))) for source in sources]
+        each = [stack.enter_context(opened(source)) for source in sources]
+        logs = [tlog_reader.read(one.path) for one in each]
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-beside-")))
         target = folder / " + ".join(source.name for source in sources)[:200]
         _write(target, logs)
-        yield target
+        yield Opened(
+            target, [problem for one, log in zip(each, logs, strict=True) for problem in one.problems + log.problems]
+        )
 
 
 def _write(target: Path, logs: Sequence[tlog_reader.Tlog]) -> None:

@@ -37,21 +37,51 @@ _MOST_VOLTS = 200.0
 """A greater voltage is in hundredths of a volt, as logs of before 2017 have it."""
 
 
-def samples(path: Path) -> Iterator[Sample]:
-    """The log's flight. Raises OSError, and whatever pymavlink raises of a broken log."""
+def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
+    """The log's flight; `lacks` as of a Reader. Raises OSError, and whatever pymavlink raises of a broken log."""
     with _opened(path) as reader:
         if "TIME" in reader.name_to_id:
             raise ImportFailed(f"{path} is a PX4 log of before ULog (sdlog2), which is not read.")
         vehicle = _Vehicle(_sysid(reader))
         reader.rewind()
         begin_s: float | None = None
+        read = _Read()
         while (row := reader.recv_msg()) is not None:
+            read.take(reader, row)
             if row.get_type() == "FMT":  # it has no time
                 continue
             begin_s = row._timestamp if begin_s is None else begin_s
             t_us = round(1e6 * row._timestamp)
             boot_us = getattr(row, "TimeUS", max(t_us - round(1e6 * begin_s), 0))
             yield from vehicle.read(t_us, boot_us // 1000, row)
+        lacks += read.lacks(reader)
+
+
+class _Read:
+    """How far a log has been read, and what of it was not."""
+
+    def __init__(self) -> None:
+        self._end = self._skipped = self._places = 0
+        self._rejected: list[int] = []
+
+    def take(self, reader: Any, row: Any) -> None:
+        """The reader has come to the end of a row."""
+        between = reader.offset - row.fmt.len - self._end
+        self._skipped += between
+        self._places += between > 0
+        self._end = reader.offset
+        if row.get_type() == "DSF":
+            self._rejected.append(row.Dp)
+
+    def lacks(self, reader: Any) -> Iterator[str]:
+        """Rows that the vehicle could not write, and bytes that are no row."""
+        if self._rejected and (count := self._rejected[-1] - self._rejected[0]) > 0:
+            yield f"the vehicle could not write {count} messages of its log"
+        if self._skipped:
+            places = "one place" if self._places == 1 else f"{self._places} places"
+            yield f"it holds {self._skipped} bytes in {places} that are no message; they were passed over"
+        if left := reader.data_len - self._end:
+            yield f"its last {left} bytes are no whole message"
 
 
 @contextlib.contextmanager

@@ -32,10 +32,11 @@ TOPICS = (
 _DEGE7 = 1e7
 
 
-def samples(path: Path) -> Iterator[Sample]:
-    """The log's flight, in order of time. Raises OSError, and whatever pyulog raises of a broken log."""
-    with path.open("rb") as file, contextlib.redirect_stdout(io.StringIO()):  # it prints what is broken
+def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
+    """The log's flight, in order of time; `lacks` as of a Reader. Raises OSError, and all that pyulog raises."""
+    with path.open("rb") as file, contextlib.redirect_stdout(io.StringIO()):  # it prints
         log = ULog(file, message_name_filter_list=list(TOPICS))
+    lacks += _lacks(log)
     sysid = int(log.initial_parameters.get("MAV_SYS_ID", 1))
     sysid = sysid if 1 <= sysid <= 254 else 1
     said: list[tuple[int, str, dict[str, Any]]] = []
@@ -49,6 +50,20 @@ def samples(path: Path) -> Iterator[Sample]:
     utc_us = _utc_offset_us(log)
     for t_us, message, fields in sorted(said, key=lambda one: one[0]):
         yield Sample(t_us + utc_us, sysid, message, fields)
+
+
+def _lacks(log: ULog) -> Iterator[str]:
+    """Dropouts, during which the vehicle could not write its log, and bytes that are no message."""
+    if log.dropouts:
+        longest = max(log.dropouts, key=lambda one: one.duration)
+        total_s, at_s = sum(one.duration for one in log.dropouts) / 1e3, (longest.timestamp - log.start_timestamp) / 1e6
+        if len(log.dropouts) == 1:
+            yield f"the vehicle could not write its log for {total_s:.3g} s at {at_s:.1f} s"
+        else:
+            which = f"the longest {longest.duration / 1e3:.3g} s at {at_s:.1f} s"
+            yield f"the vehicle could not write its log {len(log.dropouts)} times, {total_s:.3g} s in all, {which}"
+    if log.file_corruption:
+        yield "it holds bytes that are no ULog message; they were passed over"
 
 
 def _rows(columns: dict[str, NDArray[Any]]) -> Iterator[SimpleNamespace]:

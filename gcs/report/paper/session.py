@@ -91,7 +91,7 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFligh
         if decision["kind"] == "set_point" and decision["sysid"] in plans:
             plans[decision["sysid"]].append([decision["t_s"], *decision["p_ned"], *decision["v_ned"]])
     efforts: dict[int, list[tuple[float, float]]] = {sysid: [] for sysid in sysids}
-    for chunk in tlog_reader.read(folder / TLOG).chunks():
+    for chunk in tlog_reader.read(folder / TLOG, session=True).chunks():
         reports = chunk.table("NAMED_VALUE_FLOAT")
         for report in reports[reports["name"] == EFFORT]:
             if report["sysid"] in efforts:

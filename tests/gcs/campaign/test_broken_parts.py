@@ -77,6 +77,13 @@ def test_no_flipped_bit_makes_reading_raise(written: tuple[Path, Plan]) -> None:
         assert {3, 4, 5} <= set(numbers(folder, flown))
 
 
+def test_a_part_whose_columns_name_is_no_text_is_broken(written: tuple[Path, Plan]) -> None:
+    folder, flown = written
+    path = next(folder.glob("rows/part-*.parquet"))
+    path.write_bytes(path.read_bytes().replace(b"row", b"r\x9bw"))
+    assert table.broken(folder, flown.campaign) == [path]
+
+
 @pytest.mark.parametrize(
     "foreign",
     [

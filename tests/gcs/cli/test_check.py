@@ -135,6 +135,27 @@ def test_the_reasons_of_a_refusal_may_follow_its_acknowledgement() -> None:
     assert finding.text == "refused: FAILED, Arm: Need Alt Estimate; Arm: EKF attitude is bad"
 
 
+def test_a_long_reason_is_put_together_from_its_chunks() -> None:
+    vehicle = Scripted()
+    reason = "PreArm: battery 1 below minimum arming voltage, and compasses are inconsistent"
+    chunks: list[tuple[int, bytes]] = []
+
+    def refuse(asked: Any) -> list[Any]:
+        chunks[:] = [(seq, reason.encode()[50 * seq : 50 * seq + 50]) for seq in range(2)]
+        return [vehicle.ack(asked.command, mav.MAV_RESULT_FAILED)]
+
+    def text(_: int) -> Any:
+        if not chunks:
+            return vehicle.heartbeat()
+        seq, part = chunks.pop(0)
+        return mav.MAVLink_statustext_message(2, part, 9, seq)
+
+    vehicle.answers["COMMAND_LONG"] = refuse
+    vehicle.streams.append((0.05, text))
+    finding = examine(vehicle, "arm", arm=True)["arm"]
+    assert finding.text == f"refused: FAILED, {reason}"
+
+
 def test_a_vehicle_that_obeys_commands_to_others_is_found_out() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]

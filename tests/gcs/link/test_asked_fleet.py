@@ -156,3 +156,13 @@ def asked_port() -> int:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
         one.bind(("127.0.0.1", 0))
         return int(one.getsockname()[1])
+
+
+@pytest.mark.parametrize("sysids", [(3, 4), (3, 3)])
+def test_a_second_autopilot_of_one_system_id_is_named(sysids: tuple[int, int]) -> None:
+    port = asked_port()
+    with flying(port, *([Vehicle(sysid, "new")] for sysid in sysids)):
+        done = gcs("params", "get", "RTL_ALT", "--connect", f"udpin:127.0.0.1:{port}")
+    assert done.returncode == 0, done.stderr
+    named = f"gcs: two autopilots say that they are vehicle {sysids[0]}; the one at 127.0.0.1:"
+    assert (named in done.stderr) == (sysids[0] == sysids[1])

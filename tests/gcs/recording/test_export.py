@@ -288,12 +288,13 @@ def test_without_pyarrow_one_sentence_says_which_extra_to_install(tmp_path: Path
 def test_memory_does_not_grow_with_the_log(tmp_path: Path) -> None:
     """A log of four stretches needs at its height what one of a single stretch needs."""
     row = record(EPOCH_US, mav.MAVLink_attitude_message(1000, 0.1, 0.2, 0.3, 0.0, 0.0, 0.0))
-    stretch = row * (tlog_reader.CHUNK_BYTES // len(row))
+    rows = tlog_reader.CHUNK_BYTES // len(row)
     few, many = tmp_path / "few.tlog", tmp_path / "many.tlog"
-    few.write_bytes(stretch)
-    with many.open("wb") as file:
-        for _ in range(4):
-            file.write(stretch)
+    for path, stretches in ((few, 1), (many, 4)):
+        frames = np.tile(np.frombuffer(row, np.uint8), (stretches * rows, 1))
+        stamps = EPOCH_US + 10_000 * np.arange(len(frames), dtype=np.uint64)
+        frames[:, :8] = stamps.astype(">u8").view(np.uint8).reshape(-1, 8)
+        path.write_bytes(frames.tobytes())
     probe = (
         "import resource, sys; from pathlib import Path; from gcs.recording import tables, export\n"
         "for source in map(Path, sys.argv[1:]):\n"

@@ -7,6 +7,7 @@ import csv
 import gzip
 import json
 import math
+import struct
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -40,8 +41,8 @@ def log(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 def test_a_log_is_the_flight_that_was_flown(log: Path) -> None:
     with opened(log) as source:
-        (chunk,) = tlog_reader.read(source).chunks()
-    assert not source.exists(), "nothing is left behind"
+        (chunk,) = tlog_reader.read(source.path).chunks()
+    assert not source.path.exists(), "nothing is left behind"
     flown = list(logs.moments())
     assert set(chunk.heads[:, SYSID].tolist()) == {WRITERS[log.name][1]}
     place, attitude = chunk.table("LOCAL_POSITION_NED"), chunk.table("ATTITUDE")
@@ -116,7 +117,7 @@ def test_recordings_of_other_days_begin_together(tmp_path: Path, days: float) ->
         stamps = [logs.UTC_US + since_us + 1_000_000 * k for k in range(20)]
         path.write_bytes(b"".join(at.to_bytes(8, "big") + beat for at, beat in zip(stamps, beats, strict=True)))
     with beside(paths) as source:
-        times_us = [t_us - logs.UTC_US for t_us, _ in tlog_reader.read(source)]
+        times_us = [t_us - logs.UTC_US for t_us, _ in tlog_reader.read(source.path)]
     assert max(times_us) == 19_000_000 + (0 if days > 1.0 else round(86_400e6 * days))
 
 
@@ -154,14 +155,14 @@ def test_a_broken_log_gives_what_it_holds_or_a_sentence(
         content[at] = data.draw(st.integers(0, 255))
     path.write_bytes(content[: data.draw(st.integers(8, len(content)))])
     with contextlib.suppress(ImportFailed), opened(path) as source:
-        assert all(codec.name(frame.msgid) for _, frame in tlog_reader.read(source))
+        assert all(codec.name(frame.msgid) for _, frame in tlog_reader.read(source.path))
 
 
 def test_a_log_without_satellites_begins_with_its_first_row(tmp_path: Path) -> None:
     path = tmp_path / "indoors.BIN"
     logs.dataflash(path, satellites=False)
     with opened(path) as source:
-        (chunk,) = tlog_reader.read(source).chunks()
+        (chunk,) = tlog_reader.read(source.path).chunks()
     assert chunk.heads[0, T_US] == logs.START_US, "not with what tells of its format, which has no time"
     place = chunk.table("LOCAL_POSITION_NED")
     assert (1000 * place["time_boot_ms"].astype(np.int64) == [at.t_us for at in logs.moments()]).all()
@@ -173,24 +174,83 @@ def test_a_height_above_the_start_is_read_from_either_generation(tmp_path: Path)
         logs.dataflash(path)
         path.write_bytes(path.read_bytes().replace(b"TimeUS,Lat,Lng,Alt,RelAlt\0\0\0\0", name))
         with opened(path) as source:
-            (chunk,) = tlog_reader.read(source).chunks()
+            (chunk,) = tlog_reader.read(source.path).chunks()
         assert set(chunk.table("GLOBAL_POSITION_INT")["relative_alt"].tolist()) == {1000 * logs.HEIGHT_M}
 
 
 def test_a_long_text_is_whole(log: Path) -> None:
     with opened(log) as source:
-        frames = [one for one in tlog_reader.read(source) if codec.name(one[1].msgid) == "STATUSTEXT"]
+        frames = [one for one in tlog_reader.read(source.path) if codec.name(one[1].msgid) == "STATUSTEXT"]
     texts = [text for _, _, text in recorded((1e-6 * t_us, chunk_of(frame)) for t_us, frame in frames)]
     assert logs.LONG_TEXT in texts
 
 
-def test_bytes_between_rows_print_nothing(tmp_path: Path) -> None:
+def said(path: Path) -> list[str]:
+    """Sentences of `gcs export`, without the log's name."""
+    done = gcs("export", str(path), "--format", "csv", "--out", str(path.with_name("tables")))
+    assert done.returncode == 0
+    return [line.removeprefix(f"gcs: {path.name}: ") for line in done.stderr.splitlines()]
+
+
+def test_bytes_between_rows_are_said(tmp_path: Path) -> None:
     path = tmp_path / "flight.BIN"
     logs.dataflash(path)
     content = path.read_bytes()
-    path.write_bytes(content + bytes(range(100)) + content[-200:])
-    done = gcs("export", str(path), "--format", "csv", "--out", str(tmp_path / "tables"))
-    assert (done.returncode, done.stderr) == (0, "")
+    att = [at for at in range(len(content)) if content.startswith(b"\xa3\x95\xc9", at)]  # ATT
+    for at in (att[40], att[20]):
+        content = content[:at] + bytes(range(100)) + content[at:]
+    path.write_bytes(content + b"\0" * 7)
+    assert said(path) == [
+        "it holds 200 bytes in 2 places that are no message; they were passed over.",
+        "its last 7 bytes are no whole message.",
+    ]
+
+
+def test_messages_that_an_ardupilot_could_not_write_are_said(tmp_path: Path) -> None:
+    """DSF's Dp counts those of the backend since its start."""
+    path = tmp_path / "flight.BIN"
+    logs.dataflash(path)
+    form = struct.pack("<4s16s64s", b"DSF", b"QI", b"TimeUS,Dp")
+    rows = [
+        b"\xa3\x95\x32" + struct.pack("<QI", logs.START_US + 1_000_000 * (logs.SECONDS + k), dropped)
+        for k, dropped in enumerate((3, 3, 20))
+    ]
+    path.write_bytes(path.read_bytes() + b"\xa3\x95\x80" + struct.pack("<BB", 0x32, 15) + form + b"".join(rows))
+    assert said(path) == ["the vehicle could not write 17 messages of its log."]
+
+
+@pytest.mark.parametrize(
+    ("dropouts_ms", "sentence"),
+    [
+        ([1500], "the vehicle could not write its log for 1.5 s at 11.9 s."),
+        ([40, 1500, 60], "the vehicle could not write its log 3 times, 1.6 s in all, the longest 1.5 s at 11.9 s."),
+    ],
+)
+def test_dropouts_of_a_ulog_are_said(tmp_path: Path, dropouts_ms: list[int], sentence: str) -> None:
+    path = tmp_path / "flight.ulg"
+    logs.ulog(path)
+    dropouts = [struct.pack("<HBH", 2, ord("O"), duration_ms) for duration_ms in dropouts_ms]
+    path.write_bytes(path.read_bytes() + b"".join(dropouts))
+    assert said(path) == [sentence]
+
+
+def test_bytes_of_a_ulog_that_are_no_message_are_said(tmp_path: Path) -> None:
+    path = tmp_path / "flight.ulg"
+    logs.ulog(path)
+    path.write_bytes(path.read_bytes() + struct.pack("<HB", 5, 0) + b"\xff" * 40)
+    assert said(path) == ["it holds bytes that are no ULog message; they were passed over."]
+
+
+def test_what_a_log_lacks_is_said_by_replay_and_report_and_beside_another(tmp_path: Path) -> None:
+    path, other = tmp_path / "flight.ulg", tmp_path / "other.ulg"
+    for one in (path, other):
+        logs.ulog(one)
+    path.write_bytes(path.read_bytes() + struct.pack("<HBH", 2, ord("O"), 1500))
+    sentence = "flight.ulg: the vehicle could not write its log for 1.5 s at 11.9 s."
+    assert sentence in gcs("replay", str(path), "--json").stderr
+    assert sentence in gcs("replay", str(other), str(path), "--json").stderr
+    assert gcs("report", str(path)).returncode == 0
+    assert sentence in path.with_name("flight.ulg.html").read_text()
 
 
 def test_a_log_of_an_older_px4_is_said_to_be_that(tmp_path: Path) -> None:

@@ -30,8 +30,8 @@ def packed(dialect: Any, sysid: int, messages: list[Any]) -> list[bytes]:
     return raws
 
 
-def attitudes(count: int, dialect: Any = common) -> list[Any]:
-    return [dialect.MAVLink_attitude_message(100 * k, 0.1 * k, -0.2, 0.3, 0.0, 0.5, 0.0) for k in range(count)]
+def attitudes(count: int, dialect: Any = common, period_ms: int = STEP_US // 1000) -> list[Any]:
+    return [dialect.MAVLink_attitude_message(period_ms * k, 0.1 * k, -0.2, 0.3, 0.0, 0.5, 0.0) for k in range(count)]
 
 
 def timed(raws: list[bytes]) -> list[bytes]:
@@ -42,7 +42,7 @@ def timed(raws: list[bytes]) -> list[bytes]:
 def mixed() -> list[bytes]:
     """Records of many kinds: a payload cut short, an array, a text, 1,000 in all."""
     messages: list[Any] = []
-    for k, attitude in enumerate(attitudes(250)):
+    for k, attitude in enumerate(attitudes(250, period_ms=4 * STEP_US // 1000)):
         messages += [
             attitude,
             common.MAVLink_heartbeat_message(2, 12, 0x81, k << 16, 4, 3),

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from gcs.campaign.python import Campaign
     from gcs.extras import MissingExtra
-    from gcs.planner.custom import PursuerPlanner, Situation
+    from gcs.planner.request import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.scenario.file import load
@@ -49,14 +49,14 @@ _HOME = {
     "Campaign": "campaign.python",
     "FleetSnapshot": "telemetry.state",
     "MissingExtra": "extras",
-    "PursuerPlanner": "planner.custom",
+    "PursuerPlanner": "planner.request",
     "RefuellingPolicy": "refuelling.policies",
     "RefuellingRequest": "refuelling.policies",
     "Scenario": "scenario.model",
     "ScenarioError": "scenario.document",
     "Session": "session.python",
     "SessionError": "session.python",
-    "Situation": "planner.custom",
+    "Situation": "planner.request",
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",
     "TrafficView": "telemetry.state",

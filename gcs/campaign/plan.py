@@ -118,7 +118,9 @@ class Plan:
             raise RowError(f"the session lasts {scenario.goal.duration_s:g} s, above limits.session_s, {limit_s:g} s")
         if scenario.vehicles.external:
             raise RowError("a campaign flies simulated vehicles alone, and the scenario has external ones")
-        plugins.check(scenario, None)
+        if any(plugins.named(scenario)):
+            plugins.look_in(self.modules)
+            plugins.check(scenario, None)
         return scenario.flown(lockstep=True), values
 
     def _allowed(self, part: CampaignRules | Scenario) -> None:

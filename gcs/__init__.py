@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
+    from gcs.scenario.parts.trust import TrustError
     from gcs.session.arrays import Snapshot
     from gcs.session.python import Session, SessionError
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
@@ -41,6 +42,7 @@ __all__ = [
     "Snapshot",
     "Summary",
     "TrafficView",
+    "TrustError",
     "VehicleView",
     "load",
 ]
@@ -60,6 +62,7 @@ _HOME = {
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",
     "TrafficView": "telemetry.state",
+    "TrustError": "scenario.parts.trust",
     "VehicleView": "telemetry.state",
     "load": "scenario.file",
 }

@@ -16,7 +16,7 @@ import click
 
 from gcs.cli import page
 from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
-from gcs.cli.trust import TRUST, allow, digest_of
+from gcs.cli.trust import TRUST, allow
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
@@ -158,6 +158,7 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
     from gcs.scenario.parts.reach import reached
+    from gcs.scenario.parts.trust import digest_of
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.exists():

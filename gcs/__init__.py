@@ -17,11 +17,12 @@ if TYPE_CHECKING:
 
     from gcs.campaign.python import Campaign
     from gcs.extras import MissingExtra
-    from gcs.planner.custom import PursuerPlanner, Situation
+    from gcs.planner.request import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
+    from gcs.scenario.parts.trust import TrustError
     from gcs.session.arrays import Snapshot
     from gcs.session.python import Session, SessionError
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
@@ -41,6 +42,7 @@ __all__ = [
     "Snapshot",
     "Summary",
     "TrafficView",
+    "TrustError",
     "VehicleView",
     "load",
 ]
@@ -49,17 +51,18 @@ _HOME = {
     "Campaign": "campaign.python",
     "FleetSnapshot": "telemetry.state",
     "MissingExtra": "extras",
-    "PursuerPlanner": "planner.custom",
+    "PursuerPlanner": "planner.request",
     "RefuellingPolicy": "refuelling.policies",
     "RefuellingRequest": "refuelling.policies",
     "Scenario": "scenario.model",
     "ScenarioError": "scenario.document",
     "Session": "session.python",
     "SessionError": "session.python",
-    "Situation": "planner.custom",
+    "Situation": "planner.request",
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",
     "TrafficView": "telemetry.state",
+    "TrustError": "scenario.parts.trust",
     "VehicleView": "telemetry.state",
     "load": "scenario.file",
 }

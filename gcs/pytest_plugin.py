@@ -5,12 +5,13 @@
 
     @pytest.mark.fleet(3)              # system ids 1 to 3, in a row of 3 m to the east
     @pytest.mark.fleet("demo")         # or the vehicles of a scenario: a file, or the name of a shipped one
+    @pytest.mark.fleet("x.yaml", trust=True)    # which may use the programs and addresses that it names
 
     @pytest.mark.campaign("policies", sessions=20)    # fails with the rows that are not as expected
     def test_policies(campaign):                      # the campaign's table; the argument may be left out
 
-One vehicle without a mark. Addresses are of the system's choosing, so that tests may run in parallel; vehicles are
-ready when the test begins, and gone after it, also where pytest itself is killed.
+`trust=True` goes with `campaign` too. One vehicle without a mark. Addresses are of the system's choosing, so that tests
+may run in parallel; vehicles are ready when the test begins, and gone after it, also where pytest itself is killed.
 """
 
 from __future__ import annotations
@@ -35,10 +36,14 @@ from gcs.processes.python import start_python
 READY_WITHIN_S = 120.0
 GONE_WITHIN_S = 20.0
 CAMPAIGN_MARK = (
-    "campaign(what, sessions=None, workers=None): fly a campaign (a file, a shipped name or plain data) before the test"
+    "campaign(what, sessions=None, workers=None, trust=False): fly a campaign (a file, a shipped name or plain data) "
+    "before the test"
 )
 MOST_LISTED = 20
-MARK = "fleet(what): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped name"
+MARK = (
+    "fleet(what, trust=False): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped "
+    "name; trust: it may use what it names beyond its vehicles"
+)
 
 
 @dataclass(frozen=True)
@@ -98,11 +103,15 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
     """The table of the campaign that the mark `campaign` names; fails with the rows that are not as expected."""
     from gcs.campaign.python import Campaign  # noqa: PLC0415 - what takes long
+    from gcs.scenario.parts.trust import TrustError  # noqa: PLC0415 - the same
 
     mark = request.node.get_closest_marker("campaign")
     if mark is None or not mark.args:
         pytest.fail("the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)", pytrace=False)
-    flown = Campaign(mark.args[0], out=tmp_path / "campaign", **mark.kwargs)
+    try:
+        flown = Campaign(mark.args[0], out=tmp_path / "campaign", **mark.kwargs)
+    except TrustError as error:
+        pytest.fail(f"the campaign does not fly: {error} in its mark", pytrace=False)
     table = flown.fly()
     if failures := flown.failures:
         listed = [
@@ -119,18 +128,19 @@ def fleet(request: pytest.FixtureRequest) -> Iterator[FlyingFleet]:
     """Real vehicle processes that answer at addresses of their own; see the mark `fleet`."""
     mark = request.node.get_closest_marker("fleet")
     what = mark.args[0] if mark is not None and mark.args else 1
-    with _started(what) as flying:
+    trust = bool(mark is not None and mark.kwargs.get("trust"))
+    with _started(what, trust=trust) as flying:
         yield flying
 
 
 @contextlib.contextmanager
-def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
+def _started(what: int | str | os.PathLike[str], *, trust: bool) -> Iterator[FlyingFleet]:
     """`gcs launch` as a process that ends with its standard input."""
     with tempfile.TemporaryDirectory(prefix="gcs-fleet-") as folder:
         scenario = os.fspath(what) if not isinstance(what, int) else _row(what, Path(folder))
         with (Path(folder) / "launch.log").open("w+", encoding="utf-8") as errors:
             process = start_python(
-                *("gcs", "launch", scenario, "--json", "--until-eof", "--trust"),
+                *("gcs", "launch", scenario, "--json", "--until-eof", *(["--trust"] if trust else [])),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=errors,
@@ -142,7 +152,8 @@ def _started(what: int | str | os.PathLike[str]) -> Iterator[FlyingFleet]:
                 line = _line(process)
                 if line is None:
                     errors.seek(0)
-                    pytest.fail(f"the fleet {what!r} did not start: {errors.read().strip()}", pytrace=False)
+                    why = errors.read().strip().replace("with --trust", "with trust=True in its mark")
+                    pytest.fail(f"the fleet {what!r} did not start: {why}", pytrace=False)
                 yield FlyingFleet([_vehicle(entry) for entry in json.loads(line)["vehicles"]])
             finally:
                 process.stdin.close()

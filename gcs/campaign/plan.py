@@ -22,6 +22,7 @@ from gcs.scenario.file import GROUPS, find, resolve
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import Reached, reached
+from gcs.scenario.parts.trust import digest, text
 
 
 class RowError(Exception):
@@ -32,7 +33,7 @@ class NotAllowed(RowError):
     """A row that names code, programs or addresses that are not to be used unasked: `named`."""
 
     def __init__(self, named: Sequence[Reached]) -> None:
-        super().__init__(f"it names {', '.join(one.text for one in named)}: let it use them with --trust")
+        super().__init__(f"it names {text(named)}: let it use them with --trust")
         self.named = named
 
 
@@ -65,6 +66,11 @@ class Plan:
     def rows(self) -> int:
         """Number of sessions."""
         return self.campaign.sessions * self.campaign.combinations
+
+    @property
+    def trusted_by(self) -> str:
+        """Hash of all that says what it names (gcs/scenario/parts/trust.py)."""
+        return digest(*self.modules, dump(self.campaign), self.text)
 
     def row(self, number: int) -> PlannedRow:
         """A row: sessions in turn, each with every combination, so that pairs are complete early."""
@@ -118,7 +124,9 @@ class Plan:
             raise RowError(f"the session lasts {scenario.goal.duration_s:g} s, above limits.session_s, {limit_s:g} s")
         if scenario.vehicles.external:
             raise RowError("a campaign flies simulated vehicles alone, and the scenario has external ones")
-        plugins.check(scenario, None)
+        if any(plugins.named(scenario)):
+            plugins.look_in(self.modules)
+            plugins.check(scenario, None)
         return scenario.flown(lockstep=True), values
 
     def _allowed(self, part: CampaignRules | Scenario) -> None:

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 from gcs.campaign import file, table
 from gcs.campaign.cluster import EngineError, check_scheduler
 from gcs.campaign.engine import Progress
-from gcs.campaign.plan import make, read
+from gcs.campaign.plan import NotAllowed, make, read
 from gcs.campaign.runner import Runner, make_folder
+from gcs.scenario.parts.trust import require
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -30,8 +31,9 @@ class Campaign:
     scheduler: address of a Dask scheduler, by mutual TLS (docs/how-to/campaigns.md); otherwise so many `workers` here,
     one per core by default.
 
-    Code and programs that it names are used unasked: whoever calls has chosen it.
-    Raises ScenarioError where it cannot be flown, EngineError for a scheduler without TLS.
+    trust: let it use the code, programs, key files and addresses that it and its scenario name, which is remembered
+    until they change, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError where it
+    cannot be flown, EngineError for a scheduler without TLS.
     """
 
     def __init__(
@@ -43,6 +45,7 @@ class Campaign:
         out: str | os.PathLike[str] | None = None,
         scheduler: str | None = None,
         workers: int | None = None,
+        trust: bool = False,
     ) -> None:
         if scheduler is not None:
             check_scheduler(scheduler)
@@ -53,8 +56,14 @@ class Campaign:
             path = file.find(os.fspath(campaign))
             loaded, beside = file.load(path), [path.parent]
         changes = {key: value for key, value in (("sessions", sessions), ("seed", seed)) if value is not None}
-        self.plan = replace(make(loaded.model_copy(update=changes), beside), trusted=True)
-        self.plan.check()
+        self.plan = make(loaded.model_copy(update=changes), beside)
+        try:
+            self.plan.check()
+        except NotAllowed as asks:
+            name = loaded.name if isinstance(campaign, Mapping) else os.fspath(campaign)
+            require(name, asks.named, self.plan.trusted_by, trust=trust)
+            self.plan = replace(self.plan, trusted=True)
+            self.plan.check()
         self._scheduler, self._workers = scheduler, workers
         self._out = None if out is None else Path(out)
         self._folder: Path | None = None

@@ -84,11 +84,12 @@ def load_scenario(
     is there. quiet: do not list what it names.
     Raises ScenarioRefused, once what is wrong has gone to stderr line by line; Refused where it may not be used.
     """
-    from gcs.cli.trust import allow, digest_of, text
+    from gcs.cli.trust import allow
     from gcs.scenario import plugins
     from gcs.scenario.file import find, load
     from gcs.scenario.keys import read_settings
     from gcs.scenario.model import ScenarioError
+    from gcs.scenario.parts.trust import digest_of, text
     from gcs.scenario.unplugged import unplugged
 
     try:

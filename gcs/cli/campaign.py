@@ -16,7 +16,7 @@ import click
 from gcs.cli.author import SET, load_scenario
 from gcs.cli.campaign_progress import ProgressLine
 from gcs.cli.options import Refused, out_option
-from gcs.cli.trust import TRUST, allow, digest
+from gcs.cli.trust import TRUST, allow
 from gcs.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
@@ -384,13 +384,12 @@ def _planned(file: str, sessions: int | None, seed: int | None, *, trust: bool) 
 
 def _allowed(name: str, plan: Plan, *, trust: bool) -> Plan:
     """The plan, its first sessions checked, once it may use what it names. Raises ScenarioError, Refused."""
-    from gcs.campaign.file import dump
     from gcs.campaign.plan import NotAllowed
 
     try:
         plan.check()
     except NotAllowed as asks:
-        allow(name, asks.named, digest(*plan.modules, dump(plan.campaign), plan.text), trust=trust)
+        allow(name, asks.named, plan.trusted_by, trust=trust)
         plan = replace(plan, trusted=True)
         plan.check()
     return plan

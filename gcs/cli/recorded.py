@@ -8,7 +8,6 @@ import contextlib
 import json
 import math
 import shutil
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,10 +16,13 @@ import click
 
 from gcs.cli import page
 from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
-from gcs.cli.trust import TRUST, allow, digest_of
+from gcs.cli.trust import TRUST, allow
 from gcs.exit import NOT_DONE
 
 if TYPE_CHECKING:
+    from contextlib import AbstractContextManager
+
+    from gcs.scenario.plugins import PluginClient
     from gcs.supervisor.redecide import Comparison
 
 AGREES, DIFFERS = 0, 1
@@ -168,11 +170,12 @@ def replay(
 
 
 def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
+    from gcs.processes.plugin_process import started
     from gcs.recording.missing import SCENARIO
-    from gcs.scenario import plugins
     from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
     from gcs.scenario.parts.reach import reached
+    from gcs.scenario.parts.trust import digest_of
     from gcs.supervisor.redecide import RedecideError, redecide
 
     if not session.exists():
@@ -180,14 +183,14 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     if not session.is_dir():
         raise click.UsageError(f"--decide: {session} is no session's folder: a .tlog alone holds no decisions.")
     try:
-        scenario = session / SCENARIO
-        named = reached(load(scenario)) if scenario.exists() else []
-        if code := [one for one in named if one.reach == "code"]:
-            allow(str(scenario), code, digest_of(scenario), trust=trust)
-            plugins.look_in([Path.cwd(), session])
-        # What a user's planner or policy prints must not stand among the verdict's lines.
-        with _progress("deciding") as progress, contextlib.redirect_stdout(sys.stderr):
-            verdict = redecide(session, progress)
+        file = session / SCENARIO
+        scenario = load(file) if file.exists() else None
+        plugins: AbstractContextManager[PluginClient | None] = contextlib.nullcontext()
+        if scenario is not None and (code := [one for one in reached(scenario) if one.reach == "code"]):
+            allow(str(file), code, digest_of(file), trust=trust)
+            plugins = started(scenario, [str(Path.cwd()), str(session)], None)
+        with _progress("deciding") as progress, plugins as process:
+            verdict = redecide(session, progress, process)
     except RedecideError as error:
         raise click.UsageError(str(error)) from None
     except ScenarioError as error:

@@ -1,18 +1,30 @@
-"""Request to a planner: what one tick of planning is asked for, and by whom it is answered."""
+"""Requests to planners: what one tick of planning is asked for, and by whom it is answered.
+
+A user's own planner, which a scenario names (`planner: {method: MODULE:CLASS}`), is asked for the pursuers alone:
+
+    class Straight:
+        def __init__(self, scenario): ...
+        def plan(self, vehicle, situation): return p_ned, v_ned
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
-from gcs.telemetry.state import FleetSnapshot, Vec3
+from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.model import Obstacle
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 _NONE: Mapping[int, Any] = MappingProxyType({})
+FARTHEST = 1e5
+"""m, and m/s: beyond every scenario."""
 
 
 class PlanRequest(NamedTuple):
@@ -53,3 +65,58 @@ class TickPlanner(Protocol):
 
     def anchor(self, sysids: Sequence[int], p_ned: NDArray[np.float64]) -> None:
         """Go on planning from here: where the safety filter takes these k vehicles' planned points to, (k, 3) m NED."""
+
+
+@dataclass(frozen=True, slots=True)
+class Situation:
+    """Inputs of a planner beside the vehicle itself."""
+
+    time_s: float
+    period_s: float
+    """until it is asked again"""
+    snapshot: FleetSnapshot
+    """all vehicles, as their messages report them; also traffic"""
+    pursuing: Mapping[int, int]
+    """the target's system id by the pursuer's"""
+    obstacles: tuple[Obstacle, ...]
+
+    def target(self, vehicle: VehicleView) -> VehicleView | None:
+        """Target of a vehicle, once its place is known."""
+        sysid = self.pursuing.get(vehicle.sysid)
+        view = None if sysid is None else self.snapshot.vehicle(sysid)
+        return view if view is not None and view.p_ned is not None else None
+
+
+class PursuerPlanner(Protocol):
+    """One-method protocol; made once, as CLASS(scenario), before anything flies: what takes long belongs there."""
+
+    def plan(self, vehicle: VehicleView, situation: Situation) -> tuple[ArrayLike, ArrayLike]:
+        """Position (NED, m) and velocity (NED, m/s) wanted of `vehicle` at situation.time_s."""
+
+
+class GuardedPlanner:
+    """A planner of the user's, whose calls may fail."""
+
+    def __init__(self, planner: PursuerPlanner, guard: Guard) -> None:
+        self._planner = planner
+        self.guard = guard
+
+    def plan(self, vehicle: VehicleView, situation: Situation) -> tuple[Vec3, Vec3] | None:
+        """Position (NED, m) and velocity (NED, m/s) of a pursuer; None where there is no good answer."""
+        self.guard.begin_tick(situation.time_s)
+        return self.guard.call(vehicle.sysid, lambda: _checked(self._planner.plan(vehicle, situation)))
+
+
+def _checked(answer: Any) -> tuple[Vec3, Vec3]:
+    """The answer as plain numbers. Raises Nonsense."""
+    try:
+        numbers = np.asarray(answer, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise Nonsense(f"returned {type(answer).__name__}, not (p_ned, v_ned) of three numbers each") from None
+    if numbers.shape != (2, 3):
+        raise Nonsense(f"returned numbers of shape {numbers.shape}, not (p_ned, v_ned) of three numbers each")
+    if not (np.abs(numbers) <= FARTHEST).all():
+        bad = numbers[~(np.abs(numbers) <= FARTHEST)][0]
+        raise Nonsense(f"returned {'NaN' if np.isnan(bad) else f'{bad:g}'}, which is no place or speed")
+    (n, e, d), (vn, ve, vd) = numbers.tolist()
+    return (n, e, d), (vn, ve, vd)

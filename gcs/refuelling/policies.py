@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 from gcs.assignment import least_cost
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
 from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
+from gcs.scenario.guard import Guard, Nonsense, PluginFault
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 
@@ -68,6 +69,72 @@ class RefuellingPolicy(Protocol):
 
     def choose(self, request: RefuellingRequest) -> int | None:
         """The candidate whom request.tanker is to serve, by system id; None: none, ask again in the next tick."""
+
+
+class PolicyCalls(Protocol):
+    """Calls of a policy, each of which may fail."""
+
+    @property
+    def assigns(self) -> bool:
+        """Whether it says for all free tankers at once whom each is to serve."""
+
+    def pairs(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receiver by tanker, both candidates of the request; empty where there is no good answer, or nobody now."""
+
+    def pop_faults(self) -> list[PluginFault]:
+        """The problems since the last call."""
+
+
+class GuardedPolicy(PolicyCalls):
+    """A policy that is called here. Docstrings are those of `PolicyCalls`."""
+
+    def __init__(self, policy: RefuellingPolicy, guard: Guard) -> None:
+        self._policy = policy
+        self._assign: Callable[[RefuellingRequest], Any] | None = getattr(policy, "assign", None)
+        self._guard = guard
+
+    @property
+    def assigns(self) -> bool:
+        return self._assign is not None
+
+    def pairs(self, request: RefuellingRequest) -> dict[int, int]:
+        assign, tanker = self._assign, request.tanker.sysid
+        self._guard.begin_tick(request.time_s)
+        if assign is not None:
+            return self._guard.call(tanker, lambda: _all_checked(assign(request), request)) or {}
+        chosen = self._guard.call(tanker, lambda: _checked(self._policy.choose(request), request))
+        return {} if chosen is None else {tanker: chosen}
+
+    def pop_faults(self) -> list[PluginFault]:
+        return self._guard.pop_faults()
+
+
+def _all_checked(answer: Any, request: RefuellingRequest) -> dict[int, int]:
+    """The answer as receivers by tanker. Raises Nonsense."""
+    if not isinstance(answer, Mapping):
+        raise Nonsense(f"returned {type(answer).__name__}, which is no mapping from tankers to receivers")
+    free = {view.sysid for view in request.free_tankers}
+    found = {}
+    for tanker, receiver in answer.items():
+        if tanker not in free:
+            raise Nonsense(f"returned {tanker!r}, which is no free tanker's system id")
+        checked = _checked(receiver, request)
+        if checked is not None:
+            found[int(tanker)] = checked
+    if len(set(found.values())) < len(found):
+        raise Nonsense("gave one vehicle to two tankers")
+    return found
+
+
+def _checked(answer: Any, request: RefuellingRequest) -> int | None:
+    """The answer as a system id or None. Raises Nonsense."""
+    if answer is None:
+        return None
+    for view in request.candidates:
+        if answer == view.sysid:
+            return view.sysid
+    told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
+    raise Nonsense(f"returned {told}, which is no candidate's system id")
 
 
 class _Stateless:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from typing import Any
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from gcs.refuelling.bidding import (
     Award,
@@ -15,12 +14,12 @@ from gcs.refuelling.bidding import (
     urgent_of,
 )
 from gcs.refuelling.giver import Giver, ServiceTimes
-from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, RefuellingPolicy, RefuellingRequest
+from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, GuardedPolicy, PolicyCalls, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
 from gcs.refuelling.winner_take_all import normalise
-from gcs.scenario import plugins
-from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.guard import Guard, PluginFault
 from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
+from gcs.scenario.plugins import POLICY, PluginClient
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
 
@@ -34,8 +33,7 @@ class PolicyBidding(BiddingRule):
         rules: CompetitionRules,
         refuelling: RefuellingRules,
         speed_m_s: Mapping[int, float],
-        policy: RefuellingPolicy,
-        guard: Guard,
+        policy: PolicyCalls,
         end_s: float,
     ) -> None:
         """`end_s`: session time at which the session ends."""
@@ -43,8 +41,6 @@ class PolicyBidding(BiddingRule):
         self._refuelling = refuelling
         self._speed_m_s = speed_m_s
         self._policy = policy
-        self._assign: Callable[[RefuellingRequest], Any] | None = getattr(policy, "assign", None)
-        self._guard = guard
         self._end_s = end_s
         self._able: list[int] = []
         self._wanting: tuple[VehicleView, ...] = ()
@@ -56,7 +52,6 @@ class PolicyBidding(BiddingRule):
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
         """Vehicles that may be served at the snapshot's time; nothing competes: bids are needs and v is empty."""
-        self._guard.begin_tick()
         self._givers, self._times = tuple(givers), times
         able = [view for view in snapshot.of_role("pursuer") if view.sysid not in served and is_servable(view)]
         self._able = [view.sysid for view in able]
@@ -70,7 +65,7 @@ class PolicyBidding(BiddingRule):
         waiting = [giver for giver in free if giver.is_tanker]
         if not waiting:
             return
-        if self._assign is not None:
+        if self._policy.assigns:
             if self._wanting:
                 yield from self._assigned(snapshot, waiting)
             return
@@ -81,9 +76,7 @@ class PolicyBidding(BiddingRule):
                 yield Award(giver, *won)
 
     def _assigned(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
-        assign, request = self._assign, self._request(snapshot, free)
-        assert assign is not None
-        pairs = self._guard.call(request.tanker.sysid, lambda: self._all_checked(assign(request), request)) or {}
+        pairs = self._policy.pairs(self._request(snapshot, free))
         for giver in free:
             if giver.name in pairs:
                 yield Award(giver, pairs[giver.name], "policy")
@@ -96,7 +89,7 @@ class PolicyBidding(BiddingRule):
         if not self._wanting:
             return None
         request = self._request(snapshot, [giver, *others])
-        chosen = self._guard.call(request.tanker.sysid, lambda: self._checked(self._policy.choose(request)))
+        chosen = self._policy.pairs(request).get(request.tanker.sysid)
         return None if chosen is None else (chosen, "policy")
 
     def _request(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> RefuellingRequest:
@@ -121,31 +114,26 @@ class PolicyBidding(BiddingRule):
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
         self.competition_state = self.competition_state.without(sysid)
 
-    def _all_checked(self, answer: Any, request: RefuellingRequest) -> dict[int, int]:
-        """The answer as receivers by tanker. Raises Nonsense."""
-        if not isinstance(answer, Mapping):
-            raise Nonsense(f"returned {type(answer).__name__}, which is no mapping from tankers to receivers")
-        free = {view.sysid for view in request.free_tankers}
-        found = {}
-        for tanker, receiver in answer.items():
-            if tanker not in free:
-                raise Nonsense(f"returned {tanker!r}, which is no free tanker's system id")
-            checked = self._checked(receiver)
-            if checked is not None:
-                found[int(tanker)] = checked
-        if len(set(found.values())) < len(found):
-            raise Nonsense("gave one vehicle to two tankers")
-        return found
 
-    def _checked(self, answer: Any) -> int | None:
-        """The answer as a system id or None. Raises Nonsense."""
-        if answer is None:
-            return None
-        for view in self._wanting:
-            if answer == view.sysid:
-                return view.sysid
-        told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
-        raise Nonsense(f"returned {told}, which is no candidate's system id")
+class PluginPolicy(PolicyCalls):
+    """A user's policy, in a process of its own. Once that has ended, urgency alone decides: who would not last until a
+    rendezvous is served. Docstrings are those of `PolicyCalls`."""
+
+    def __init__(self, plugins: PluginClient) -> None:
+        """Raises ScenarioError where it cannot be made."""
+        self._assigns = plugins.made(POLICY)
+        self._plugins = plugins
+
+    @property
+    def assigns(self) -> bool:
+        return self._assigns and not self._plugins.ended
+
+    def pairs(self, request: RefuellingRequest) -> dict[int, int]:
+        self._plugins.ask(POLICY, request)
+        return dict(self._plugins.answers(POLICY))
+
+    def pop_faults(self) -> list[PluginFault]:
+        return []  # the supervisor has them of the process
 
 
 def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> BiddingRule:
@@ -156,17 +144,19 @@ def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> Bi
     return TimeBidding(rules, refuelling)
 
 
-def make_bidding(scenario: Scenario) -> tuple[BiddingRule, Guard | None]:
-    """The bidding that a scenario names, and what guards it where it is not the competition. Raises ScenarioError."""
+def make_bidding(scenario: Scenario, plugins: PluginClient | None) -> tuple[BiddingRule, PolicyCalls | None]:
+    """The bidding that a scenario names, and the policy in it where it is not the competition.
+
+    `plugins`: the process of a user's policy, which must be there where the scenario names one. Raises ScenarioError.
+    """
     name, rules = scenario.competition.policy, scenario.competition
     if name == WINNER_TAKE_ALL:
         return make_competition(rules, scenario.refuelling), None
-    policy: RefuellingPolicy
+    policy: PolicyCalls
     if name in SHIPPED:
-        policy = SHIPPED[name](scenario)
+        policy = GuardedPolicy(SHIPPED[name](scenario), Guard(f"policy {name}"))
     else:
-        policy = plugins.make("competition.policy", name, "choose", scenario)
+        assert plugins is not None
+        policy = PluginPolicy(plugins)
     speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
-    guard = Guard(f"policy {name}")
-    end_s = scenario.goal.duration_s
-    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, guard, end_s), guard
+    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, scenario.goal.duration_s), policy

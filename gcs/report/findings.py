@@ -17,6 +17,7 @@ from gcs.recording.session_folder import Recorded
 from gcs.report import distances
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Measured, Nearest
+from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import ServedRow
 
@@ -151,7 +152,14 @@ class Findings:
             lost=self._losses() or None,
             pursuit_held_s=min(held.values()) if held and self.tracks else None,
             refuelled=len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services),
+            late=self._late(),
         )
+
+    def _late(self) -> list[tuple[float, str]]:
+        """Answers of planners and policies that did not come."""
+        failed = [d for d in self.recorded.decisions if d["kind"] == "policy failed"]
+        faults = [(d["t_s"], PluginFault(int(d["sysid"]), d["policy"], d["problem"])) for d in failed]
+        return [(t_s, f"{fault.policy} {fault.problem}") for t_s, fault in faults if fault.is_late]
 
     def _losses(self) -> list[goal.Loss]:
         """Vehicles that the session counted as lost while it flew."""

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from gcs.scenario.model import Scenario
+from gcs.scenario.plugins import named
 
 MET, INTERRUPTED = "met", "interrupted"
 NAMED = 4
@@ -67,6 +68,8 @@ class Measured:
     """how many of its way points each pursuer that has some has not passed"""
     pursuit_held_s: float | None = None
     refuelled: int | None = None
+    late: Sequence[tuple[float, str]] | None = None
+    """when a planner or policy of the user's did not answer in time or its process ended, and how"""
 
 
 @dataclass(frozen=True)
@@ -160,6 +163,10 @@ def _lost(scenario: Scenario) -> float:
     return float(scenario.goal.lost_at_most)
 
 
+def _plugins(scenario: Scenario) -> float | None:
+    return 0.0 if any(named(scenario)) else None
+
+
 def _pursue_s(scenario: Scenario) -> float | None:
     return scenario.goal.pursue.for_s if scenario.goal.pursue is not None else None
 
@@ -214,9 +221,18 @@ def _judge_refuelled(done: int, limit: float, _: Scenario) -> _Found:
     return _Found(done >= limit, progress_text(done, limit, ""), float(done))
 
 
+def _judge_plugins(late: Sequence[tuple[float, str]], _: float, __: Scenario) -> _Found:
+    if not late:
+        return _Found(True, "answered", 0.0)
+    listed = [f"{what} at {t_s:.1f} s" for t_s, what in late[:NAMED]]
+    more = f"; {len(late) - NAMED} more" if len(late) > NAMED else ""
+    return _Found(False, f"failed ({'; '.join(listed)}{more})", float(len(late)), t_s=late[0][0])
+
+
 _SEPARATION = "no two vehicles nearer than {limit:g} m, partners of a transfer aside"
 _PURSUE = "every pursuer within {within_m:g} m of its target for {limit:g} s"
 _WAYPOINTS = "every pursuer passes all its way points"
+_PLUGINS = "planner and policy of the user's own answer in time, to the end"
 PARTS: tuple[GoalPart, ...] = (
     GoalPart("lost", "1", _lost, "at most {limit:g} vehicles lost", lambda m: m.lost, _judge_lost),
     GoalPart(
@@ -229,6 +245,7 @@ PARTS: tuple[GoalPart, ...] = (
     GoalPart("waypoints", "1", _waypoints, _WAYPOINTS, lambda m: m.missed, _judge_waypoints),
     GoalPart("pursue", "s", _pursue_s, _PURSUE, lambda m: m.pursuit_held_s, _judge_pursue),
     GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", lambda m: m.refuelled, _judge_refuelled),
+    GoalPart("plugins", "1", _plugins, _PLUGINS, lambda m: m.late, _judge_plugins),
 )
 """In the order in which an outcome names them."""
 BY_NAME = {part.name: part for part in PARTS}

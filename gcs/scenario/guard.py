@@ -1,16 +1,15 @@
-"""Guard of a user's code inside a tick: it may raise, never return, or answer nonsense, and the session goes on.
+"""Guard of calls of a planner or policy: each may raise, never return, or answer nonsense, and the session goes on.
 
 A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps. A call into
-compiled code that never comes back cannot be cut: after HANGS_S the process ends, and says where it hung, so that its
-vehicles end too, whether or not anybody still waits for it. Who has been cut off is not asked again: ten of them in a
-row would end the patience that vehicles have with a silent supervisor.
+compiled code that never comes back cannot be cut: a user's code therefore runs in a process of its own
+(gcs/processes/plugin_process.py). Who has been cut off is not asked again: ten of them in a row would end the patience
+that vehicles have with a silent supervisor.
 """
 
 from __future__ import annotations
 
-import faulthandler
+import math
 import signal
-import sys
 import threading
 import time
 import traceback
@@ -22,10 +21,12 @@ from types import FrameType
 from typing import Any, TypeVar
 
 LIMIT_S = 1.0
-HANGS_S = 10.0
 AGAIN_S = 0.05
 """A call that swallows the cut is cut again."""
 MAX_TEXT = 200
+LATE = "did not answer within"
+PROCESS = 0
+"""System id of a fault that befalls all that a planner or policy decides: its process has ended."""
 T = TypeVar("T")
 
 
@@ -40,7 +41,15 @@ class PluginFault:
     @property
     def sentence(self) -> str:
         """For a person."""
-        return f"{self.policy} {self.problem}; the vehicle is held"
+        held = "the vehicle is held"
+        if self.sysid == PROCESS:
+            held = "its pursuers are held" if self.policy.startswith("planner ") else "only urgent vehicles are served"
+        return f"{self.policy} {self.problem}; {held}"
+
+    @property
+    def is_late(self) -> bool:
+        """Whether an answer never came, by a wall clock: the session would go another way in the next flight."""
+        return self.sysid == PROCESS or self.problem.startswith(LATE)
 
     def record(self) -> dict[str, Any]:
         """For decisions.jsonl."""
@@ -61,10 +70,12 @@ class Guard:
         self._cut: set[int] = set()
         self._new: list[PluginFault] = []
         self._cut_now = False
+        self._time_s = math.nan
 
-    def begin_tick(self) -> None:
-        """One call at most is cut off in each tick."""
-        self._cut_now = False
+    def begin_tick(self, time_s: float) -> None:
+        """Calls from now on are of the tick at this session time: one at most is cut off in each."""
+        if time_s != self._time_s:
+            self._time_s, self._cut_now = time_s, False
 
     def call(self, sysid: int, function: Callable[[], T]) -> T | None:
         """Result of `function` for this vehicle; None where it failed, now or for good, and the vehicle is held.
@@ -79,7 +90,7 @@ class Guard:
         except _Overrun:
             self._cut.add(sysid)
             self._cut_now = True
-            self._blame(sysid, f"did not answer within {self._limit_s:g} s and is not asked again")
+            self._blame(sysid, f"{LATE} {self._limit_s:g} s and is not asked again")
         except Nonsense as problem:
             self._blame(sysid, str(problem))
         except (Exception, SystemExit, KeyboardInterrupt) as error:
@@ -127,13 +138,11 @@ def _cut_off_after(limit_s: float) -> Iterator[None]:
         return
     handler = signal.signal(signal.SIGALRM, _cut)
     begun_s = time.monotonic()
-    faulthandler.dump_traceback_later(HANGS_S, exit=True, file=sys.__stderr__ or 2)
     left_s, every_s = signal.setitimer(signal.ITIMER_REAL, limit_s, AGAIN_S)
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
-        faulthandler.cancel_dump_traceback_later()
         signal.signal(signal.SIGALRM, handler)
         if left_s:
             signal.setitimer(signal.ITIMER_REAL, max(left_s - (time.monotonic() - begun_s), 1e-3), every_s)

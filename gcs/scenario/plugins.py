@@ -1,5 +1,7 @@
 """Planners and policies that a scenario names as MODULE:CLASS: found, imported, made; what is wrong is a sentence.
 
+They are made and asked in a process of their own (gcs/processes/plugin_process.py).
+
 Modules are looked for where Python looks, and then in the scenario's folder and in the current one: a file there can
 stand for no module that is installed, and nothing there is found where a scenario names no code.
 """
@@ -10,22 +12,54 @@ import importlib
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 from gcs.renamed import RenamedWarning
 from gcs.scenario import plugin_source
 from gcs.scenario.document import Problem, ScenarioError, did_you_mean, read
+from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
+
+PLANNER, POLICY = "planner.method", "competition.policy"
+"""Keys that may name an implementation that is not Skytender's own."""
+
+
+class PluginClient(Protocol):
+    """Process of a scenario's own planner and policy, as those see it that ask them; `key` is PLANNER or POLICY."""
+
+    @property
+    def ended(self) -> bool:
+        """Whether the process is no more: it answers nothing."""
+
+    def made(self, key: str) -> bool:
+        """Wait until the implementation is made; whether it has a method `assign`. Raises ScenarioError where it
+        cannot be made."""
+
+    def ask(self, key: str, question: Any) -> None:
+        """Put a question, which is answered meanwhile: for a planner (system ids, Situation), for a policy a
+        RefuellingRequest."""
+
+    def answers(self, key: str) -> list[Any]:
+        """Wait for the answers to the last question: (system id, n, e, d, v_n, v_e, v_d) for each vehicle that is
+        planned for, or (tanker, receiver). There are none once the process has ended."""
+
+    def pop_faults(self) -> list[PluginFault]:
+        """The problems since the last call."""
 
 
 def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
     """(key, MODULE:CLASS, method that it must have) of each implementation that is not Skytender's own."""
     if ":" in scenario.planner.method:
-        yield "planner.method", scenario.planner.method, "plan"
+        yield PLANNER, scenario.planner.method, "plan"
     if ":" in scenario.competition.policy:
-        yield "competition.policy", scenario.competition.policy, "choose"
+        yield POLICY, scenario.competition.policy, "choose"
+
+
+def policy_of(key: str, name: str) -> str:
+    """Name for people of what a key names: `planner my_planner:Ring`."""
+    return f"{'planner' if key == PLANNER else 'policy'} {name}"
 
 
 def look_in(folders: Iterable[str | Path]) -> None:
@@ -33,16 +67,6 @@ def look_in(folders: Iterable[str | Path]) -> None:
     for folder in [str(Path(folder).resolve()) for folder in folders]:
         if folder not in sys.path:
             sys.path.append(folder)
-
-
-@contextmanager
-def output_kept(scenario: Scenario, folder: Path) -> Iterator[None]:
-    """Print a user's code's output to FOLDER/policies.log: the supervisor's own output is a protocol."""
-    if not any(named(scenario)):
-        yield
-        return
-    with (folder / "policies.log").open("w", encoding="utf-8", buffering=1) as log, redirect_stdout(log):
-        yield
 
 
 def check(scenario: Scenario, file: Path | None) -> None:

@@ -15,7 +15,6 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import ctypes
 import gc
 import json
 import os
@@ -31,10 +30,10 @@ from typing import Any
 
 from setproctitle import setproctitle
 
-from gcs.exit import INTERNAL_ERROR
 from gcs.loading import gathered
 from gcs.processes.forked import be
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
+from gcs.processes.python import end_with
 from gcs.recording import truth
 from gcs.recording.recorder import RecorderError
 from gcs.scenario.file import load, shipped_folder
@@ -47,7 +46,6 @@ from gcs.session.supervised import Signals
 from gcs.supervisor import summarise
 from gcs.supervisor.warmup import find_way, rehearse
 
-PR_SET_PDEATHSIG = 1
 WARMED_BY = ("demo", "paper/example1")
 """Shipped scenarios whose first tick loads and compiles what others need."""
 REHEARSED, REHEARSED_S = "paper/example1", 3.0
@@ -58,7 +56,6 @@ class SessionForks:
     """Forks supervisors one after the other, and keeps the hatch that forks their vehicles."""
 
     def __init__(self) -> None:
-        self._libc = ctypes.CDLL(None, use_errno=True)
         self._hatch = Hatch(kept=True)
         self._hatch_is_good = True
         self._vehicles_cpu_s = 0.0
@@ -104,9 +101,7 @@ class SessionForks:
 
         def run() -> int:
             gc.disable()  # until it flies
-            self._libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-            if os.getppid() != parent:
-                return INTERNAL_ERROR
+            end_with(parent)
             folder = Path(order["folder"])
             with (folder / "stderr.log").open("ab") as errors:
                 os.dup2(errors.fileno(), 2)

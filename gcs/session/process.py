@@ -19,9 +19,9 @@ import click
 from gcs.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE, leave
 from gcs.link.keys import KeyRefused
 from gcs.link.socket import AddressRefused
+from gcs.processes import plugin_process
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.recording.recorder import RecorderError
-from gcs.scenario import plugins
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.session.arrival import BadVehicleError, SessionFailed
@@ -71,10 +71,8 @@ def fly(
     status, outcome, error = INTERNAL_ERROR, "", None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
-        if any(plugins.named(scenario)):
-            plugins.look_in(modules)
-        with plugins.output_kept(scenario, folder):
-            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch, ordered=ordered)
+        with plugin_process.started(scenario, modules, folder, parent=0) as plugins:
+            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch, ordered=ordered, plugins=plugins)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))

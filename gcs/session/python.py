@@ -25,6 +25,8 @@ from gcs.recording.summary import FILE, Summary
 from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.reach import reached
+from gcs.scenario.parts.trust import digest_of, require
 from gcs.session.arrays import Snapshot, from_message
 from gcs.session.client import NEXT, READ_BYTES, STOP
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
@@ -42,7 +44,11 @@ class Session:
     every_s: session time between snapshots, a multiple of the scenario's clock.period_s; each period without it.
 
     On the real clock the fleet does not wait: a slow body misses snapshots. Ending the context before the session's
-    end stops it and saves what was flown. Raises ScenarioError, ValueError for options, SessionError.
+    end stops it and saves what was flown.
+
+    trust: let the scenario use the code, programs, key files, devices and addresses that it names, which for a file is
+    remembered until it changes, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError,
+    ValueError for options, SessionError.
     """
 
     def __init__(
@@ -54,16 +60,18 @@ class Session:
         seed: int | None = None,
         out: str | os.PathLike[str] | None = None,
         every_s: float | None = None,
+        trust: bool = False,
     ) -> None:
         if lockstep and speed is not None:
             raise ValueError("lockstep and speed exclude each other: lockstep is as fast as the machine can")
         folders = [Path.cwd()]
         if isinstance(scenario, Scenario):
-            loaded, file = scenario, None
+            loaded, file, key = scenario, None, None
         else:
             file = find(os.fspath(scenario))
-            loaded = load(file)
+            loaded, key = load(file), digest_of(file)
             folders.insert(0, file.parent)
+        require(loaded.name if file is None else str(scenario), reached(loaded), key, trust=trust)
         if any(plugins.named(loaded)):
             plugins.look_in(folders)
             plugins.check(loaded, file)

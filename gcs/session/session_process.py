@@ -29,6 +29,7 @@ from gcs.recording.reserve import Reserve
 from gcs.scenario import goal
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
+from gcs.scenario.plugins import PluginClient
 from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, arriving
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
@@ -68,8 +69,10 @@ class SessionProcess:
         drop: float = 0.0,
         hatch: Hatch | None = None,
         ordered: Ordered | None = None,
+        plugins: PluginClient | None = None,
     ) -> None:
-        """ordered: what that hatch has been told to start already, which is all of the session's own."""
+        """ordered: what that hatch has been told to start already, which is all of the session's own. plugins: the
+        process of what the scenario names as its planner and policy. Raises ScenarioError."""
         self._kept_hatch = hatch
         self._ordered = ordered
         self._rehearsed = hatch is not None and hatch.kept and scenario.clock.mode == "lockstep"
@@ -105,7 +108,7 @@ class SessionProcess:
         )
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
-        self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder)
+        self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder, plugins=plugins)
         self._supervisor.faults.signal_process = self._signal
         self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []

@@ -88,6 +88,8 @@ class GoalWatch:
         self._fell: dict[int, Loss] = {}
         """who touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
+        self.late: list[tuple[float, str]] = []
+        """when a planner or policy of the user's did not answer in time or its process ended, and how"""
 
     # in flight
 
@@ -312,7 +314,12 @@ class GoalWatch:
     def _measured(self, lost: list[Loss]) -> Measured:
         near = self.judged
         return Measured(
-            separation=near.separation, clearance=near.clearance, traffic=near.traffic, ground=near.ground, lost=lost
+            separation=near.separation,
+            clearance=near.clearance,
+            traffic=near.traffic,
+            ground=near.ground,
+            lost=lost,
+            late=self.late,
         )
 
     # reports

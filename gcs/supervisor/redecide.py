@@ -28,6 +28,7 @@ from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
+from gcs.scenario.plugins import PluginClient
 from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS
 from gcs.supervisor.supervisor import Supervisor
@@ -232,10 +233,10 @@ class _Recorded:
         return self._next is None and not self._waiting
 
 
-def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
-    """Decide a recorded session again. Raises RedecideError, ScenarioError, OSError.
+def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginClient | None = None) -> Comparison:
+    """Decide a recorded session again; `plugins`: the process of what its scenario names, if anything.
 
-    Modules that the scenario names must be importable (`gcs.scenario.plugins.look_in`).
+    Raises RedecideError, ScenarioError, OSError.
     """
     for name in (TLOG, DECISIONS, "scenario.yaml"):
         if not rotation.exists(folder / name):
@@ -257,7 +258,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None) -> Comparison:
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
     comparer = Comparer(changes_only=scenario.record.decisions == "changes")
     # The supervisor asks of link and recorder only what these two have.
-    supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False)
+    supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False, plugins=plugins)
     verdict = Comparison()
     whole = (folder / SUMMARY).exists()
     supervisor.begin()

@@ -34,7 +34,9 @@ from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
+from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
+from gcs.scenario.plugins import PluginClient
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
@@ -74,9 +76,11 @@ class Supervisor:
         *,
         impaired: bool = True,
         forwarder: Forwarder | None = None,
+        plugins: PluginClient | None = None,
     ) -> None:
         """`impaired`: the radio does what the scenario says; not where frames come from a recording of it.
-        `forwarder`: other ground stations that hear what vehicles say."""
+        `forwarder`: other ground stations that hear what vehicles say. `plugins`: the process of the planner and policy
+        that are the user's own, where the scenario names some. Raises ScenarioError where they cannot be made."""
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
@@ -85,9 +89,9 @@ class Supervisor:
         self._forwarder = forwarder
         self.digest = Digest()
         self.fleet = make_fleet(scenario)
-        self.planner, planner_guard = make_planner(scenario)
-        bidding, policy_guard = make_bidding(scenario)
-        self._guards = [guard for guard in (planner_guard, policy_guard) if guard is not None]
+        self.planner = make_planner(scenario, plugins)
+        bidding, policy = make_bidding(scenario, plugins)
+        self._fallible = [one for one in (plugins, policy) if one is not None]
         self.schedule = make_schedule(scenario, bidding)
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
@@ -530,7 +534,7 @@ class Supervisor:
             set_points,
             pursued=self.pursuit.records if self.pursuit else (),
             facts=self.fleet.pop_facts() if self.fleet.facts else (),
-            problems=[problem for guard in self._guards for problem in guard.pop_faults()] if self._guards else (),
+            problems=self._new_faults(t_s) if self._fallible else (),
             competition_states=self.schedule.competition_states,
         )
         self.events += events
@@ -538,6 +542,12 @@ class Supervisor:
         if interventions:
             self.events += [event_of(record) for record in interventions]
         return [*self._new_records(), *interventions, *records]
+
+    def _new_faults(self, t_s: float) -> list[PluginFault]:
+        """Faults of planners and policies since the last call."""
+        faults = [fault for one in self._fallible for fault in one.pop_faults()]
+        self.goal_watch.late += [(t_s, f"{fault.policy} {fault.problem}") for fault in faults if fault.is_late]
+        return faults
 
     def _new_records(self) -> list[dict[str, Any]]:
         """Records of faults, of deaths and of operators' commands since the last call."""

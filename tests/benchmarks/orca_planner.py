@@ -19,8 +19,8 @@ import pyrvo
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner import goals
-from gcs.planner.custom import Situation
 from gcs.planner.guide import RouteFollower
+from gcs.planner.request import Situation
 from gcs.planner.route import Router
 from gcs.scenario import geometry
 from gcs.scenario.model import Scenario

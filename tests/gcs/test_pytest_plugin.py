@@ -10,6 +10,8 @@ from importlib.metadata import entry_points
 from pathlib import Path
 
 import psutil
+import yaml
+from sessions import small
 
 THEIRS = """
 import pytest
@@ -49,6 +51,39 @@ def test_real_vehicles_are_there_for_a_test_and_gone_after_it(tmp_path: Path) ->
     folders = (tmp_path / "pids").read_text().split()
     assert not [folder for folder in folders if os.path.exists(folder)]
     assert not [p for p in psutil.process_iter(["cmdline"]) if folders[0] in " ".join(p.info["cmdline"] or ())]
+
+
+UNASKED = """
+import pytest
+
+@pytest.mark.fleet("{folder}/theirs.yaml")
+def test_refused(fleet):
+    pass
+
+@pytest.mark.fleet("{folder}/theirs.yaml", trust=True)
+def test_flies(fleet):
+    assert len(fleet) == 1
+
+@pytest.mark.campaign("{folder}/many.yaml")
+def test_refused_campaign():
+    pass
+"""
+
+
+def test_a_scenario_that_names_more_than_its_vehicles_needs_the_marks_word(tmp_path: Path) -> None:
+    scenario = {**small(), "forward": {"to": ["udpin:0.0.0.0:0"]}, "goal": {"duration_s": 1.0}}
+    scenario["vehicles"] = {"pursuers": scenario["vehicles"]["pursuers"]}
+    del scenario["formation"]
+    (tmp_path / "theirs.yaml").write_text(yaml.safe_dump(scenario))
+    campaign = {"schema": 1, "name": "many", "scenario": "theirs.yaml", "sessions": 1}
+    (tmp_path / "many.yaml").write_text(yaml.safe_dump(campaign))
+    (tmp_path / "test_theirs.py").write_text(UNASKED.format(folder=tmp_path))
+    words = [sys.executable, "-m", "pytest", "-q", "--strict-markers", "-p", "no:cacheprovider", "test_theirs.py"]
+    state = {**os.environ, "XDG_STATE_HOME": str(tmp_path / "state")}
+    done = subprocess.run(words, cwd=tmp_path, env=state, capture_output=True, text=True, timeout=200, check=False)
+    assert "1 passed, 2 errors" in done.stdout, done.stdout + done.stderr
+    said = "names address udpin:0.0.0.0:0 (forward.to): read it, then let it use them with trust=True in its mark"
+    assert " ".join(done.stdout.split()).count(said) >= 2, done.stdout
 
 
 def test_pytest_finds_the_plugin_by_itself() -> None:

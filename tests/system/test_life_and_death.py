@@ -7,7 +7,9 @@ import signal
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import psutil
 import pytest
 import yaml
@@ -88,29 +90,86 @@ def test_nothing_outlives_a_killed_process(running: Running, victim: Callable[[R
     assert not all_gone(family)
 
 
-@pytest.mark.parametrize("killed", [False, True])
-def test_a_planner_that_hangs_in_compiled_code_holds_no_process(killed: bool, tmp_path: Path) -> None:
-    """Whether the command still waits for its supervisor or has been killed meanwhile."""
-    code = "class Hangs:\n    def __init__(self, scenario):\n        pass\n\n    def plan(self, vehicle, situation):\n"
-    code += "        open('asked', 'w').close()\n        return sum(range(10**13))\n"
-    (tmp_path / "hanging.py").write_text(code)
-    scenario = tmp_path / "scenario.yaml"
-    scenario.write_text(yaml.safe_dump(small(planner="hanging:Hangs")))
-    command = [*GCS, "run", scenario.name, "--trust", "--lockstep", "--plain", "--out", "session"]
-    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run:
-        family = [psutil.Process(run.pid)]
+HANGS = """
+from pathlib import Path
+
+class Hangs:
+    def __init__(self, scenario):
+        pass
+
+    def plan(self, vehicle, situation):
+        if situation.time_s < 6.0:
+            return vehicle.p_now_ned(), (0.0, 0.0, 0.0)
+        Path(__file__).with_name("asked").touch()
+        return sum(range(10**13))
+"""
+
+
+def hanging(folder: Path, **changes: Any) -> Path:
+    """A scenario whose planner hangs in compiled code from 6 s on."""
+    (folder / "hanging.py").write_text(HANGS)
+    scenario = folder / "scenario.yaml"
+    scenario.write_text(yaml.safe_dump(small(planner="hanging:Hangs", **changes)))
+    return scenario
+
+
+def test_a_planner_that_hangs_in_compiled_code_is_ended_and_named_and_its_pursuers_are_held(tmp_path: Path) -> None:
+    """In lockstep the session goes on, the same each time, and its status tells."""
+    goal = {"duration_s": 15.0, "refuelled_at_least": 0}
+    outcomes = []
+    for folder in (tmp_path / "first", tmp_path / "second"):
+        folder.mkdir()
+        outcome = fly(yaml.safe_load(hanging(folder, goal=goal).read_text()), folder, "--plain", "--no-report")
+        outcomes.append(outcome)
+        assert outcome.status == 1, outcome.stderr
+        said = "planner hanging:Hangs did not answer within 3 s at hanging.py:12 in plan and was ended"
+        assert f"{said}; its pursuers are held" in outcome.stdout
+        assert outcome.stdout.count("and was ended; its") == 1
+        (part,) = outcome.summary["unmet"]
+        assert (part["part"], part["reached"]) == ("plugins", f"failed ({said} at {part['t_s']:.1f} s)")
+        assert [d["sysid"] for d in outcome.decisions if d["kind"] == "policy failed"] == [0]
+        truth = outcome.truth(1)
+        assert np.ptp(truth.p_ned[truth.time_s > 7.0], axis=0).max() < 0.3
+        assert outcome.vehicle(1)["final_mode"] == "offboard"
+        assert outcome.summary["completed"]
+    assert outcomes[0].summary["digest"] == outcomes[1].summary["digest"]
+
+
+def the_plugins(run: psutil.Process) -> psutil.Process:
+    return next(p for p in run.children(recursive=True) if p.cmdline()[0] == "gcs plug-ins")
+
+
+def the_owner(run: psutil.Process) -> psutil.Process:
+    parent = the_plugins(run).parent()
+    assert parent is not None
+    return parent
+
+
+@pytest.mark.parametrize(
+    ("victim", "number", "status"),
+    [
+        (lambda run: run, signal.SIGKILL, -9),
+        (the_owner, signal.SIGKILL, 70),
+        (the_plugins, signal.SIGKILL, 1),
+        (lambda run: run, signal.SIGINT, 130),
+    ],
+    ids=["kill gcs run", "kill the supervisor", "kill the plug-in", "Ctrl-C"],
+)
+def test_nothing_is_left_of_a_session_whose_planner_hangs(
+    victim: Callable[[psutil.Process], psutil.Process], number: int, status: int, tmp_path: Path
+) -> None:
+    """While it hangs, before its deadline."""
+    name = hanging(tmp_path, goal={"duration_s": 12.0, "refuelled_at_least": 0}).name
+    command = [*GCS, "run", name, "--trust", "--lockstep", "--plain", "--no-report", "--out", "session"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as run:
+        process = psutil.Process(run.pid)
         while not (tmp_path / "asked").exists():
             assert run.poll() is None
-            family = [psutil.Process(run.pid), *psutil.Process(run.pid).children(recursive=True)]
-            all_gone(family[:1], within_s=0.1)
-        if killed:
-            run.kill()
-        assert not all_gone(family, within_s=30.0)
-        assert run.stderr is not None
-        said = run.stderr.read()
-    assert "line 7 in plan" in said
-    if not killed:
-        assert run.returncode == 70
+            all_gone([process], within_s=0.05)
+        family = [process, *process.children(recursive=True)]
+        victim(process).send_signal(number)
+        assert not all_gone(family)
+    assert run.returncode == status
 
 
 def test_the_supervisor_saves_the_session_when_its_parent_is_killed(running: Running) -> None:

@@ -134,7 +134,10 @@ def test_who_raises_hangs_or_returns_nan_is_named_and_held_and_the_session_goes_
     content["vehicles"]["pursuers"] += pursuers
     content |= {"planner": "bad:Planner", "competition": "bad:Policy"}
     outcome = fly(content, tmp_path, "--plain")
-    assert outcome.status == 0, outcome.stdout + outcome.stderr
+    assert outcome.status == 1, outcome.stdout + outcome.stderr
+    assert [part["part"] for part in outcome.summary["unmet"]] == ["plugins"]
+    late = "planner bad:Planner did not answer within 1 s and is not asked again at"
+    assert outcome.summary["outcome_text"].startswith(f"not met: plugins failed ({late} 6.")
     told = {d["sysid"]: d for d in outcome.decisions if d["kind"] == "policy failed"}
     assert {sysid: d["problem"].split(" at ")[0].split(",")[0] for sysid, d in told.items()} == {
         1: "raised KeyError",

@@ -17,6 +17,7 @@ from commands import gcs
 from pydantic import BaseModel, TypeAdapter, ValidationError
 from sessions import ROOT, fly, small
 
+import gcs as skytender
 from gcs.campaign.file import from_data
 from gcs.campaign.model import CampaignRules
 from gcs.campaign.plan import NotAllowed, make
@@ -232,6 +233,46 @@ def test_a_campaign_asks_too_and_refuses_rows_that_draw_what_was_not_asked_for(t
     plan = make(from_data({**rules, "scenario": "demo", "set": {"planner.method": "theirs:Mine"}}), [tmp_path])
     with pytest.raises(NotAllowed, match=r"names code theirs:Mine \(planner.method\)"):
         plan.resolved(plan.row(0))
+
+
+@pytest.mark.parametrize("number", range(8))
+def test_python_refuses_what_was_not_agreed_to_with_a_list(number: int, tmp_path: Path, forgotten: Path) -> None:
+    content, said = reaching(tmp_path)[number]
+    path = tmp_path / "theirs.yaml"
+    path.write_text(yaml.safe_dump(content))
+    for scenario in (str(path), load(path)):
+        with pytest.raises(skytender.TrustError, match=re.escape(said)) as refused:
+            skytender.Session(scenario, out=tmp_path / "out")
+        assert str(refused.value).endswith(": read it, then let it use them with trust=True")
+        assert any(one.text.startswith(said) for one in refused.value.named)
+    assert not (tmp_path / "out").exists()
+    assert not forgotten.exists()
+
+
+def test_python_flies_what_was_agreed_to_there_or_at_the_command(named: Path, tmp_path: Path) -> None:
+    with pytest.raises(skytender.TrustError):
+        skytender.Session(str(named))
+    assert not named.with_name("ran").exists()
+    skytender.Session(str(named), trust=True)
+    skytender.Session(str(named))
+    named.write_text(named.read_text() + "description: another\n")
+    with pytest.raises(skytender.TrustError):
+        skytender.Session(str(named))
+    assert gcs("validate", str(named), "--trust", "--quiet").returncode == 0
+    with skytender.Session(str(named), lockstep=True, out=tmp_path / "out") as session:
+        assert session.finish().outcome == "met"
+
+
+def test_a_campaign_in_python_refuses_too(named: Path) -> None:
+    campaign = named.with_name("many.yaml")
+    campaign.write_text(yaml.safe_dump({"schema": 1, "name": "many", "scenario": named.name, "sessions": 1}))
+    for what in (str(campaign), {**yaml.safe_load(campaign.read_text()), "scenario": str(named)}):
+        with pytest.raises(skytender.TrustError, match=rf"names code {named.stem}:Mine \(planner.method\)"):
+            skytender.Campaign(what)
+    assert not named.with_name("ran").exists()
+    assert skytender.Campaign(str(campaign), trust=True).plan.trusted
+    assert skytender.Campaign(str(campaign)).plan.trusted
+    assert named.with_name("ran").exists()
 
 
 @pytest.mark.parametrize("name", [*shipped_names()])

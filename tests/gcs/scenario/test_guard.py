@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import signal
-import subprocess
-import sys
 import time
 
 import pytest
@@ -78,11 +76,12 @@ def test_an_interrupt_is_the_policys_own_only_where_a_person_cannot_interrupt() 
 
 def test_who_hangs_is_cut_off_and_not_asked_again_and_one_is_cut_per_tick() -> None:
     guard = Guard("planner a:B", limit_s=0.05)
-    guard.begin_tick()
+    guard.begin_tick(0.1)
     assert guard.call(1, hangs) is None
+    guard.begin_tick(0.1)
     assert guard.call(2, hangs) is None
     assert [problem.sysid for problem in guard.pop_faults()] == [1]
-    guard.begin_tick()
+    guard.begin_tick(0.2)
     assert guard.call(1, lambda: 5) is None
     assert guard.call(3, lambda: 5) is not None
 
@@ -95,23 +94,3 @@ def test_a_timer_that_was_running_goes_on() -> None:
     after = signal.getitimer(signal.ITIMER_REAL)[0]
     assert 0.0 < after <= before
     assert after > before - 5.0
-
-
-HANGS = """
-from gcs.scenario import guard
-guard.HANGS_S = 0.3
-guard.Guard("planner a:B", limit_s=0.1).call(1, lambda: sum(range(10**13)))
-"""
-
-
-def test_a_call_into_compiled_code_that_never_comes_back_ends_the_process_and_names_its_line() -> None:
-    done = subprocess.run([sys.executable, "-c", HANGS], capture_output=True, text=True, timeout=60, check=False)
-    assert done.returncode == 1
-    assert "Timeout (0:00:00.300000)!" in done.stderr
-    assert 'File "<string>", line 4 in <lambda>' in done.stderr
-
-
-def test_a_call_that_comes_back_leaves_nothing_that_could_end_the_process() -> None:
-    code = HANGS.replace("sum(range(10**13))", "5") + "import time\ntime.sleep(0.6)\n"  # longer than a hang may be
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
-    assert (done.returncode, done.stderr) == (0, "")

@@ -16,7 +16,7 @@ from gcs.campaign.plan import Plan, PlannedRow
 from gcs.extras import require
 
 DEFAULT_FOLDER = "campaigns"
-NEEDED = {"pyarrow": "pyarrow"}
+NEEDED = {"pyarrow": "pyarrow", "matplotlib": "Matplotlib"}
 
 
 def make_folder(plan: Plan, out: Path | None) -> Path:

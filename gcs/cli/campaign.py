@@ -211,9 +211,13 @@ def report(folder: Path) -> int:
       1    it could not be written
       2    DIR holds no campaign
     """
-    from gcs.campaign import report as pages
+    from gcs.campaign.runner import NEEDED
+    from gcs.extras import require
 
     plan = _found(folder)
+    require("a campaign's page", NEEDED, "campaign")
+    from gcs.campaign import report as pages
+
     try:
         path = pages.make(folder, plan)
     except OSError as error:
@@ -419,10 +423,12 @@ def _found(folder: Path, *, trust: bool | None = None) -> Plan:
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
     from gcs.campaign import statistics, table
     from gcs.campaign.engine import EngineError
-    from gcs.campaign.runner import Runner
+    from gcs.campaign.runner import NEEDED, Runner
+    from gcs.extras import require
 
     if scheduler is not None and workers is not None:
         raise click.UsageError("--scheduler and --workers exclude each other: its workers are those that it has.")
+    require("a campaign", NEEDED, "campaign")
     shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
     if not quiet:
         click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")

@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
-from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
 from gcs.cli.options import out_option
 from gcs.exit import NOT_DONE
-from gcs.extras import missing
+from gcs.extras import require
 
 
 @click.command(short_help="Fly the paper's examples and judge its claims.")
@@ -43,8 +42,7 @@ def paper(out: Path | None, only: str | None) -> int:
     """
     from rich.console import Console
 
-    if find_spec("scipy") is None:
-        raise missing("gcs paper", "SciPy", "paper")
+    require("gcs paper", {"scipy": "SciPy", "matplotlib": "Matplotlib"}, "paper")
     from gcs.report.paper import make as maker
     from gcs.report.paper import page
     from gcs.report.paper.study import PaperError

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from gcs.extras import require
 from gcs.scenario.colours import LIGHT
 from gcs.scenario.model import Obstacle, Scenario, Target, VehicleBase
 
@@ -176,7 +177,9 @@ def _covers(shape: Obstacle, n: float, e: float) -> bool:
 
 
 def image(scenario: Scenario, path: Path) -> None:
-    """Draw the plan to a file whose ending says the format: png, svg, pdf. Raises OSError, ValueError for others."""
+    """Draw the plan to a file whose ending says the format: png, svg, pdf. Raises OSError, ValueError for others,
+    MissingExtra without Matplotlib."""
+    require("an image of a plan", {"matplotlib": "Matplotlib"}, "plots")
     from matplotlib.figure import Figure  # noqa: PLC0415 - only an image needs it, and it takes half a second
 
     figure = Figure(figsize=(8.0, 8.0), layout="constrained")

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
@@ -32,7 +33,6 @@ def paper(out: Path, only: str | None, plans: Path | None) -> None:
     noise the three in flight on an estimate that errs.
     """
     from simvehicle.paper import energies
-    from simvehicle.paper.studies import STUDIES, make
 
     if plans is not None:
         try:
@@ -43,6 +43,12 @@ def paper(out: Path, only: str | None, plans: Path | None) -> None:
             print(f"simvehicle: cannot write {error.filename or out}: {error.strerror}", file=sys.stderr)
             click.get_current_context().exit(CANNOT_WRITE)
         return
+    if find_spec("matplotlib") is None:
+        raise click.UsageError(
+            "figures need Matplotlib, which is not installed: pip install '.[paper]' in Skytender's checkout."
+        )
+    from simvehicle.paper.studies import STUDIES, make
+
     names = list(STUDIES) if only is None else [name.strip() for name in only.split(",")]
     for name in names:
         if name not in STUDIES:

@@ -194,7 +194,7 @@ def test_the_shipped_campaigns_can_be_flown() -> None:
 
 
 @pytest.mark.parametrize(
-    ("module", "options"), [("distributed.security", ["--scheduler", "tls://a:1"]), ("pyarrow", [])]
+    ("module", "options"), [("distributed.security", ["--scheduler", "tls://a:1"]), ("pyarrow", []), ("matplotlib", [])]
 )
 def test_a_campaign_without_its_extra_is_refused_before_it_leaves_a_folder(
     module: str, options: list[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path

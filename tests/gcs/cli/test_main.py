@@ -64,10 +64,20 @@ def test_a_full_disk_behind_standard_output_is_one_sentence(words: tuple[str, ..
 
 
 def test_what_needs_an_extra_says_which(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr("gcs.cli.paper.find_spec", lambda _: None)
+    monkeypatch.setitem(sys.modules, "scipy", None)
     assert run_argv(["paper"]) == 2
     said = "gcs: gcs paper needs SciPy, which is not installed: pip install '.[paper]' in Skytender's checkout\n"
     assert capsys.readouterr().err == said
+
+
+def test_a_plan_is_drawn_with_an_extra_alone(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    assert run_argv(["validate", "demo", "--image", str(tmp_path / "plan.svg")]) == 2
+    said = "gcs: an image of a plan needs Matplotlib, which is not installed: pip install '.[plots]' in "
+    assert capsys.readouterr().err.startswith(said)
+    assert run_argv(["validate", "demo", "--quiet"]) == 0
 
 
 @pytest.mark.parametrize("command", ["run", "launch", "paper"])

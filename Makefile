@@ -16,10 +16,16 @@ DOCS_READY := $(DOCS)/.ready
 export PYTHONDONTWRITEBYTECODE :=
 INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check --progress-bar on --no-compile -c $(CONSTRAINTS)
 
-.PHONY: run test bench fuzz faults docs picture clean
+# Each Python file with a .pxd beside it is compiled, and again once it changes.
+DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
+BUILT := $(VENV)/.built
 
-run: $(READY)
+.PHONY: run build test bench fuzz faults docs picture clean
+
+run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
+
+build: $(BUILT)
 
 test: $(DEV_READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
@@ -47,24 +53,30 @@ picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
 
 clean:
-	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache
+	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache build
+	find gcs simvehicle skytender -name '*.so' -delete
 
 $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	  { echo "Skytender needs Python 3.11 or newer; set one with: make PYTHON=python3.12 $(MAKECMDGOALS)"; exit 2; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
 	  { echo "Python's venv module is missing: install it (Debian, Ubuntu: apt install python3-venv) and call make again."; exit 2; }
+	@.ci/compiler $(PYTHON)
 	@echo "[1/3] making the environment in $(VENV)"
 	@$(PYTHON) -m venv $(VENV)
-	@echo "[2/3] installing Skytender and what it needs (half a minute)"
-	@$(INSTALL) -e .
-	@echo "[3/3] compiling what flies, plans and reports, by flying the demo unseen (once, half a minute)"
-	@rm -rf $(VENV)/rehearsal && $(VENV)/bin/gcs run demo --lockstep --quiet --out $(VENV)/rehearsal && rm -rf $(VENV)/rehearsal
+	@echo "[2/3] installing what Skytender needs (half a minute)"
+	@$(INSTALL) setuptools cython
+	@echo "[3/3] compiling and installing Skytender (half a minute)"
+	@$(INSTALL) --no-build-isolation -e .
 	@touch $@
 
-$(DEV_READY): $(READY)
+$(BUILT): $(READY) setup.py $(DECLARED) $(wildcard $(DECLARED:.pxd=.py))
+	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
+	@touch $@
+
+$(DEV_READY): $(READY) $(BUILT)
 	@echo "[tests] installing what only tests, benchmarks and documentation need"
-	@$(INSTALL) -e '.[dev]'
+	@$(INSTALL) --no-build-isolation -e '.[dev]'
 	@touch $@
 
 # MAVSDK and MAVProxy, which only tests/peers run; without MAVProxy's graphical part, whole it is 1.2 GB. Where they cannot

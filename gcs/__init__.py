@@ -9,6 +9,7 @@ from __future__ import annotations
 from importlib import import_module
 
 from gcs.renamed import install, old_classes
+from skytender.compiled import check
 
 TYPE_CHECKING = False  # as from typing, which would take longer to load than all else here
 
@@ -46,6 +47,9 @@ __all__ = [
     "VehicleView",
     "load",
 ]
+
+check("skytender")
+check("gcs")
 
 _HOME = {
     "Campaign": "campaign.python",

@@ -8,9 +8,8 @@ and one that is free before one that is taken.
 from __future__ import annotations
 
 import numpy as np
+from cython.cimports.libc.math import INFINITY
 from numpy.typing import NDArray
-
-from gcs.kernels import kernel
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -31,19 +30,25 @@ def least_cost(cost: FloatArray) -> tuple[IntArray, IntArray]:
     return rows[columns], columns
 
 
-@kernel()
 def _columns(cost: FloatArray) -> IntArray:
     """The column of each row; there are no more rows than columns."""
     n, m = cost.shape
-    row_price, column_price = np.zeros(n), np.zeros(m)
     column_of, row_of = np.full(n, -1), np.full(m, -1)
-    before = np.full(m, -1)  # the row from which the shortest path enters a column
-    left = np.empty(m, dtype=np.int64)
+    before, left, reached = np.empty((3, m), np.int64)
+    _match(cost, np.zeros(n), np.zeros(m), column_of, row_of, before, left, reached, np.empty(m))
+    return column_of
+
+
+def _match(
+    cost: FloatArray, row_price: FloatArray, column_price: FloatArray, column_of: IntArray, row_of: IntArray,
+    before: IntArray, left: IntArray, reached: IntArray, way: FloatArray,
+) -> None:  # fmt: skip
+    """Fill column_of (n,) and row_of (m,), -1 at first; prices are 0 at first, and the rest, (m,) each, is scratch:
+    `before` is the row from which the shortest path, `way` long, enters a column."""
+    n, m = cost.shape[0], cost.shape[1]
     for start in range(n):
-        way = np.full(m, np.inf)
-        reached = np.zeros(m, dtype=np.bool_)
         for j in range(m):
-            left[j] = m - 1 - j
+            way[j], reached[j], left[j] = INFINITY, 0, m - 1 - j
         row, length, count = start, 0.0, m
         while True:
             nearest = -1
@@ -56,7 +61,7 @@ def _columns(cost: FloatArray) -> IntArray:
                     nearest = k
             column = left[nearest]
             length = way[column]
-            reached[column] = True
+            reached[column] = 1
             count -= 1
             left[nearest] = left[count]
             if row_of[column] < 0:
@@ -74,4 +79,3 @@ def _columns(cost: FloatArray) -> IntArray:
             column_of[row], column = column, column_of[row]
             if row == start:
                 break
-    return column_of

@@ -25,7 +25,6 @@ PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)
 COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
-CODE_BYTES = 64 << 20
 COLUMNS, LINES = 80, 24
 _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]([^'\"]+)['\"])?")
 
@@ -217,23 +216,6 @@ def _folder() -> Iterator[MachineFinding]:
         yield MachineFinding("ok", "this folder", f"{here}, {free >> 20} MiB free")
 
 
-def _cache() -> Iterator[MachineFinding]:
-    named = os.environ.get("NUMBA_CACHE_DIR")
-    folder = Path(named) if named else Path(__file__).resolve().parent / "__pycache__"
-    while not folder.exists():
-        folder = folder.parent
-    if os.access(folder, os.W_OK):
-        free = shutil.disk_usage(folder).free
-        if free < CODE_BYTES:
-            advice = "each start compiles for up to a minute: make room, or set NUMBA_CACHE_DIR to a folder with some"
-            yield MachineFinding("note", "compiled code", f"{folder}: {free >> 20} MiB free", advice)
-        else:
-            yield MachineFinding("ok", "compiled code", f"kept in {folder}")
-    else:
-        advice = "each start compiles for up to a minute: set NUMBA_CACHE_DIR to a folder that you may write in"
-        yield MachineFinding("note", "compiled code", f"{folder} cannot be written", advice)
-
-
 def _terminal() -> Iterator[MachineFinding]:
     if sys.__stdout__ is None or not sys.stdout.isatty():
         yield MachineFinding("ok", "terminal", "none: `gcs run` writes lines of text")
@@ -303,7 +285,6 @@ CHECKS = (
     _session_socket,
     _port,
     _folder,
-    _cache,
     _terminal,
     _autopilots,
     _own_scenarios,

@@ -86,7 +86,7 @@ def _plans(file: Path, sysid: int | None) -> Iterator[tuple[str, MissionPlan]]:
         return
     reader = PlansReader()
     with opened(file / TLOG if file.is_dir() else file) as source:
-        log = tlog_reader.read(source)
+        log = tlog_reader.read(source.path)
         for chunk in log.chunks():
             reader.add(chunk)
     for sysids, plan, _ in reader.plans(0.0).at(math.inf):

@@ -8,27 +8,27 @@ from itertools import groupby
 from operator import itemgetter
 from typing import NamedTuple
 
+import cython
 import numpy as np
+from cython.cimports.gcs.link.bundles import NO_SOCKET, SHARED_BYTES, receiver_at
+from cython.cimports.gcs.mavlink.bundle_frames import LEFT_OUT, NONE, write_bundles
+from cython.cimports.skytender.system_calls import sendto, sockaddr
 
-from gcs.kernel_files import checksum
-from gcs.kernels import UNCOUNTED, external, kernel
 from gcs.link.inbox import Address, packed
 from gcs.link.link import Key, TickGrants
-from gcs.mavlink import bundle_frames, codec, datagram
-from gcs.mavlink.bundle_frames import LEFT_OUT, NONE, Bytes, Floats, Ints, write_bundles
+from gcs.mavlink import bundle_frames, codec
+from gcs.mavlink.bundle_frames import Bytes, Floats, Ints
 from gcs.mavlink.ids import STATION
 
-SHARED_BYTES = 4096
-"""Bundles for one address are sent as soon as they are so long together: who gets them flies while others' are made."""
+__all__ = ["NO_SOCKET", "SHARED_BYTES", "Address", "Bundles", "DatagramGatherer", "Roster"]
 
-NO_SOCKET = -1
-"""Where nothing is to be sent."""
+# Bundles for one address are sent as soon as they are SHARED_BYTES long together: its vehicles fly while bundles of
+# others are made. NO_SOCKET: where nothing is to be sent.
+
 _END = itemgetter(1)
 _TO = 3
 _SHARED = 2
-"""Of a vehicle's address: behind what the system has of it, whether it is shared."""
-
-_sendto = external("sendto", "intp", "int32", "uintp", "uintp", "int32", "uintp", "uint32")
+"""Columns of where a bundle goes, in the order of the struct Receiver in bundles.pxd; the place of the last."""
 
 
 class Bundles(NamedTuple):
@@ -63,7 +63,7 @@ class Roster:
         """(first, one behind the last, address, whether it is shared) of neighbours in the order with one address"""
         for (address, shared), run in groupby(range(count), lambda k: (addresses[k], bool(markers[k]))):
             places = list(run)
-            self.stretches.append((places[0], places[-1] + 1, address, shared))
+            self.stretches.append((places[0], places[0] + len(places), address, shared))
         self.in_turn = len({stretch[2] for stretch in self.stretches}) == len(self.stretches)
         """whether those with one address are neighbours: `bundled` can send to all of them"""
         self._out = np.empty(count * bundle_frames.BUNDLE_BYTES, np.uint8)
@@ -142,48 +142,43 @@ class DatagramGatherer:
             self._send(*self._gathered.popitem())
 
 
-def _compiled(build: int) -> Callable[..., tuple[int, int, int]]:
-    """The entry point; `build`: checksum of the other files that it is made of."""
-
-    @kernel(**UNCOUNTED)
-    def bundle(
-        out: Bytes,
-        rows: Ints,
-        markers: Bytes,
-        values: Floats,
-        templates: Bytes,
-        sizes: Ints,
-        cuts: Ints,
-        spans: Ints,
-        point_ms: int,
-        unix_us: int,
-        grant_ms: int,
-        fd: int,
-        to: Ints,
-    ) -> tuple[int, int, int]:
-        _ = build
-        count = len(rows)
-        end, refused = write_bundles(
-            out, rows, markers, values, templates, sizes, cuts, spans, point_ms, unix_us, grant_ms
-        )
-        frames = cuts[count - 1, 2] if count and refused == NONE else 0
-        k = 0
-        while fd != NO_SOCKET and refused == NONE and k < count:
-            first = k
+def _send_all(fd: int, out: Bytes, cuts: Ints, to: Ints) -> None:
+    """Send bundles, those for a shared address together."""
+    count, k = cuts.shape[0], 0
+    while k < count:
+        first, receiver = k, receiver_at(to, k)
+        k += 1
+        while k < count and receiver.shared and receiver_at(to, k).address[0] == receiver.address[0]:
+            if cuts[k - 1, 1] - cuts[first, 0] >= SHARED_BYTES:
+                break
             k += 1
-            while k < count and to[first, _SHARED] and to[k, 0] == to[first, 0]:
-                if cuts[k - 1, 1] - cuts[first, 0] >= SHARED_BYTES:
-                    break
-                k += 1
-            begin, size = cuts[first, 0], cuts[k - 1, 1] - cuts[first, 0]
-            if size:
-                _sendto(fd, out.ctypes.data + begin, size, 0, to.ctypes.data + first * 8 * _TO, 8 * _SHARED)
-        return end, frames, refused
-
-    return bundle
+        begin, size = cuts[first, 0], cuts[k - 1, 1] - cuts[first, 0]
+        if size:
+            address = cython.cast(cython.pointer(sockaddr), receiver.address)
+            sendto(fd, cython.address(out[begin]), size, 0, address, cython.sizeof(receiver.address))
 
 
-_bundle = _compiled(checksum(bundle_frames, datagram))
-"""Write bundles as `write_bundles` does, and send them through the socket `fd` unless that is NO_SOCKET. to (n, _TO): a
-`struct sockaddr_in` of each, and whether it is shared. (Where they end, frames, row of a set point that no frame can
-hold, or NONE.)"""
+def _bundle(
+    out: Bytes,
+    rows: Ints,
+    markers: Bytes,
+    values: Floats,
+    templates: Bytes,
+    sizes: Ints,
+    cuts: Ints,
+    spans: Ints,
+    point_ms: int,
+    unix_us: int,
+    grant_ms: int,
+    fd: int,
+    to: Ints,
+) -> tuple[int, int, int]:
+    """Write bundles as `write_bundles` does, and send them through the socket `fd` unless that is NO_SOCKET, to (n,
+    _TO). (Where they end, frames, row of a set point that no frame can hold, or NONE.)"""
+    end, refused = write_bundles(out, rows, markers, values, templates, sizes, cuts, spans, point_ms, unix_us, grant_ms)
+    count = cuts.shape[0]
+    if refused != NONE or not count:
+        return end, 0, refused
+    if fd != NO_SOCKET:
+        _send_all(fd, out, cuts, to)
+    return end, cuts[count - 1, 2], refused

@@ -9,64 +9,50 @@ from __future__ import annotations
 
 import socket
 import struct
-from collections.abc import Callable
 from typing import Any
 
+import cython
 import numpy as np
-from numpy.typing import NDArray
-
-from gcs.frame_spans import FrameSpans
-from gcs.kernel_files import checksum
-from gcs.kernels import UNCOUNTED, external, inner, kernel
-from gcs.mavlink import datagram
-from gcs.mavlink.datagram import (
-    ADDRESS,
-    COLUMNS,
-    COMPID,
-    COMPID_OF,
-    CRC_TABLE,
-    FIRST,
-    GRANTED_MS,
+from cython.cimports.gcs.link.inbox import (
+    _ADDRESS_BYTES,
+    ALONE,
+    ENOUGH,
+    FULL,
+    LOST,
+    NOTHING,
+    SHARED_BY,
+    UNKNOWN,
+    Datagram,
+)
+from cython.cimports.gcs.mavlink.frame_runs import (
     HALF,
-    HELD,
-    IN_STEP,
-    LAST,
-    NEXT,
     NO_RUN,
     NOT_GRANTED,
     NOWHERE,
     NUMBERS,
-    RUN,
-    SEEDS,
-    SEQ,
     SMALLEST_FRAME,
-    SYSID,
-    TIME_MS,
-    AnswerRuns,
+    Found,
+    awaited_at,
     find,
+    run_at,
 )
+from cython.cimports.skytender.system_calls import MSG_DONTWAIT, recvfrom, sched_yield, sockaddr
+from numpy.typing import NDArray
+
+from gcs.frame_spans import FrameSpans
+from gcs.mavlink.datagram import AnswerRuns
+from gcs.mavlink.frame_runs import COLUMNS
+
+__all__ = [
+    "ALONE", "ENOUGH", "FULL", "LOST", "NOTHING", "SHARED_BY", "UNKNOWN", "Address", "Bytes", "Inbox", "Ints", "packed",
+]  # fmt: skip
 
 Address = tuple[str, int]
 Ints = NDArray[np.int64]
 Bytes = NDArray[np.uint8]
 
-NOTHING, ENOUGH, UNKNOWN, FULL, LOST = range(5)
-"""How `Inbox.receive` ends: no further datagram is there; as many wait to be looked into as were asked for, or as many
-have been taken as may be; one came from an address that nobody knows; there is no place for one; one was let go."""
-ALONE, SHARED_BY = 0, 1
-"""The last bit of an address's number: whether one vehicle speaks from there or several."""
-
-_BOUNDS = 3  # begin, end, number of the address
-_CELLS = 10
-_FRAMES, _RUNS, _ANSWERS, _STOPPED_AT, _USED, _COUNT, _LOOKED, _TAKEN, _STRAY_AT, _STRAY_BYTES = range(_CELLS)
-"""Of what the buffer holds: frames, runs and answers; where looking has stopped; bytes and datagrams, and how many of
-these were looked into. Of the last call: datagrams received; the place and length of the one that it ended with."""
 _DATAGRAM_FROM = struct.Struct("=HH4s8x")
-_ADDRESS_BYTES = _DATAGRAM_FROM.size
-_DONTWAIT = int(socket.MSG_DONTWAIT)
-
-_sched_yield = external("sched_yield", "int32")
-_recvfrom = external("recvfrom", "intp", "int32", "uintp", "uintp", "int32", "uintp", "uintp")
+_BOUNDS = 3  # columns, as Datagram in inbox.pxd
 
 
 def packed(address: Address) -> bytes:
@@ -76,22 +62,29 @@ def packed(address: Address) -> bytes:
 
 
 class Inbox:
-    """Datagrams, and the runs of frames that were found in them."""
+    """Datagrams, and the runs of frames that were found in them.
+
+    A call of `receive` ends with NOTHING: no further datagram is there; ENOUGH: as many wait to be looked into as were
+    asked for, or as many have been taken as may be; UNKNOWN: one came from an address that is not known; FULL: there is
+    no place for one; LOST: one was let go. The last bit of an address's number is ALONE where one vehicle speaks from
+    there, SHARED_BY where several do.
+    """
 
     def __init__(self, most_bytes: int, most_datagrams: int, room_bytes: int, unknown_bytes: int) -> None:
-        """room_bytes: a datagram's, at most; what is longer is cut. unknown_bytes: a longer datagram of somebody who
-        is not known is passed over."""
+        """room_bytes: a datagram's, at most; what is longer is cut. unknown_bytes: a longer datagram of an unknown
+        sender is passed over."""
+        self._most_bytes, self._room_bytes, self._unknown_bytes = most_bytes, room_bytes, unknown_bytes
         self._data = np.zeros(most_bytes + 2 * room_bytes, np.uint8)
         most_frames = (most_bytes + room_bytes) // SMALLEST_FRAME
         self._begins = np.empty(most_frames + most_datagrams, np.int64)
         self._rows = np.empty((most_frames, COLUMNS), np.int64)
-        self._order = np.empty(NUMBERS, np.int64)
         self._bounds = np.empty((most_datagrams, _BOUNDS), np.int64)
-        self._cells = np.zeros(_CELLS, np.int64)
-        self._cell = self._cells.data
-        self._sizes = np.array([most_bytes, room_bytes, unknown_bytes])
-        self._sender = np.zeros(_ADDRESS_BYTES // 8 + 1, np.int64)
         self._origins = np.empty((0, 2), np.int64)
+        """the first 8 bytes of each address, which hold all of it, and its number"""
+        self._sender = np.zeros(_ADDRESS_BYTES // 8, np.int64)
+        self._order = np.empty(NUMBERS, np.int64)
+        self._order_row = self._order
+        self._forget()
 
     def know(self, address: Address, number: int) -> None:
         """Take in what comes from this address from now on, under this number."""
@@ -100,7 +93,8 @@ class Inbox:
 
     def forget(self, number: int) -> None:
         """Take in nothing more of the address with this number."""
-        self._origins = self._origins[self._origins[:, 1] != number]
+        origins = np.asarray(self._origins)
+        self._origins = origins[origins[:, 1] != number]
 
     def receive(
         self, fd: int, most: int, left: int, awaited: Ints, lanes: Ints, *, yields: int = 0, lost: bool = False
@@ -112,196 +106,151 @@ class Inbox:
         system id, else -1. `yields`: so often, where nothing is there, let another process run, and look again. `lost`:
         let one datagram go. With `most` 0 nothing is received. What it ends with; then
         `answered`, `taken`, `stray` and `stopped` have more to say.
-        """
-        self._before = self._cell[_ANSWERS]
-        return _receive(
-            fd, most, left, yields, lost, self._sizes, self._data, self._sender, self._origins, self._bounds,
-            self._cells, SEEDS, CRC_TABLE, self._begins, self._rows, lanes, awaited, self._order,
-        )  # fmt: skip
 
-    @property
-    def taken(self) -> int:
-        """Datagrams that the last call has received."""
-        return self._cell[_TAKEN]
+        `taken` is the number of datagrams that the last call has received, `answers` that of the answers that were
+        found and have not been taken.
+        """
+        self._before = self.answers
+        met: int = self._receive(fd, most, left, yields, lost)
+        self._look(lanes, awaited)
+        return met
 
     @property
     def answered(self) -> Ints:
         """Rows of `awaited` whose answers the last call has found."""
-        return self._order[self._before : self._cell[_ANSWERS]]
-
-    @property
-    def answers(self) -> int:
-        """Answers that were found, and have not been taken."""
-        return self._cell[_ANSWERS]
+        return self._order[self._before : self.answers]
 
     def stray(self) -> tuple[bytes, Address]:
         """The datagram that the last call ended with, and where it came from."""
-        begin, size = self._cell[_STRAY_AT], self._cell[_STRAY_BYTES]
-        _, port, host = _DATAGRAM_FROM.unpack(self._sender[:2].tobytes())
+        _, port, host = _DATAGRAM_FROM.unpack(np.asarray(self._sender).tobytes())
         address = socket.inet_ntoa(host), socket.ntohs(port)
-        return self._data[begin : begin + size].tobytes(), address
+        return self._bytes(self._stray_at, self._stray_at + self._stray_bytes), address
 
     def stopped(self) -> tuple[int, bytes] | None:
         """(number of the address, rest) of the datagram at which looking has stopped; it waits no more. None: at
         none."""
-        looked = self._cell[_LOOKED]
-        if looked == self._cell[_COUNT]:
+        if self._looked == self._count:
             return None
-        self._cell[_LOOKED] = looked + 1
-        _, end, number = self._bounds[looked].tolist()
-        return number, self._data[self._cell[_STOPPED_AT] : end].tobytes()
+        datagram = self._datagram(self._looked)
+        self._looked += 1
+        return datagram.address, self._bytes(self._stopped_at, datagram.end)
 
     def pop_answers(self, awaited: Ints) -> tuple[Ints, AnswerRuns]:
         """The answers that were found: their rows (n,) of `awaited`, in order, and their runs. Nothing is left."""
-        cell = self._cell
-        rows, spans = np.empty((cell[_ANSWERS], COLUMNS), np.int64), np.empty((cell[_FRAMES], 2), np.int64)
-        used = cell[_USED]
-        count, frames = _cut(awaited, self._rows, self._begins, self._order, rows, spans, self._cells)
-        return self._order[:count], AnswerRuns(FrameSpans(self._data[:used].tobytes(), spans[:frames]), rows[:count])
+        data = self._bytes(0, self._used)
+        rows, spans = np.empty((self.answers, COLUMNS), np.int64), np.empty((self._found.frames, 2), np.int64)
+        cut = self._cut(awaited, rows, spans)
+        self._forget()
+        return self._order[: cut.runs], AnswerRuns(FrameSpans(data, spans[: cut.frames]), rows[: cut.runs])
 
+    def _bytes(self, begin: int, end: int) -> bytes:
+        data: bytes = cython.address(self._data[0])[begin:end]
+        return data
 
-@inner(**UNCOUNTED)
-def _look(
-    data: Bytes,
-    bounds: Ints,
-    seeds: NDArray[np.int16],
-    table: NDArray[np.uint16],
-    begins: Ints,
-    rows: Ints,
-    lanes: Ints,
-    awaited: Ints,
-    order: Ints,
-    cells: Ints,
-) -> Any:
-    """Kernel: look into datagrams, from the first that has not been; which it stops at."""
-    for k in range(cells[_LOOKED], cells[_COUNT]):
-        at, end, address = bounds[k, 0], bounds[k, 1], bounds[k, 2]
-        cells[_STOPPED_AT] = at
-        before = cells[_RUNS]
-        frames, runs = find(data, at, end, seeds, table, begins, cells[_FRAMES], rows, before)
-        if runs < 0:
-            return k
-        cells[_FRAMES], cells[_RUNS] = frames, runs
-        if address == NOWHERE or (address & SHARED_BY == ALONE and runs != before + 1):
-            return k
-        for r in range(before, runs):
-            row = rows[r]
-            lane = lanes[row[SYSID]]
-            if lane < 0:
-                cells[_STOPPED_AT] = begins[row[FIRST]]
-                return k
-            one, length = awaited[lane], row[LAST] - row[FIRST]
-            whole = row[IN_STEP] == 1 and row[SEQ] == one[NEXT] and length < HALF
-            whole = whole and row[COMPID] == one[COMPID_OF] and one[ADDRESS] == address
-            if not whole or row[TIME_MS] != one[GRANTED_MS] or one[HELD] or cells[_ANSWERS] == order.size:
-                cells[_STOPPED_AT] = begins[row[FIRST]]
-                return k
-            one[NEXT] = (one[NEXT] + length) % NUMBERS
-            one[GRANTED_MS], one[RUN] = NOT_GRANTED, r
-            order[cells[_ANSWERS]] = lane
-            cells[_ANSWERS] += 1
-    return cells[_COUNT]
+    def _datagram(self, k: int) -> Any:
+        return cython.cast(cython.pointer(Datagram), cython.address(self._bounds[k, 0]))
 
+    def _forget(self) -> None:
+        """Begin again with an empty buffer."""
+        self._found = Found(0, 0)
+        self._used = self._count = self._looked = self.answers = 0
 
-@inner(**UNCOUNTED)
-def _forget(cells: Ints) -> None:
-    """Kernel: begin again with an empty buffer."""
-    cells[_FRAMES] = cells[_RUNS] = cells[_ANSWERS] = 0
-    cells[_USED] = cells[_COUNT] = cells[_LOOKED] = 0
+    def _number(self, known: Any) -> Any:
+        """Number of the address that the last datagram came from, else NOWHERE. known: the place of that of the one
+        before, changed; most answer in turn."""
+        count = self._origins.shape[0]
+        for k in range(count):
+            place = (known[0] + k) % count
+            if self._origins[place, 0] == self._sender[0]:
+                known[0] = place
+                return self._origins[place, 1]
+        return NOWHERE
 
-
-def _compiled(build: int) -> Callable[..., int]:
-    """The entry point; `build`: checksum of the other file that it is made of."""
-
-    @kernel(error_model="numpy")
-    def receive(
-        fd: int,
-        most: int,
-        left: int,
-        yields: int,
-        lost: bool,
-        sizes: Ints,
-        data: Bytes,
-        sender: Ints,
-        origins: Ints,
-        bounds: Ints,
-        cells: Ints,
-        seeds: NDArray[np.int16],
-        table: NDArray[np.uint16],
-        begins: Ints,
-        rows: Ints,
-        lanes: Ints,
-        awaited: Ints,
-        order: Ints,
-    ) -> int:
-        _ = build
-        if cells[_LOOKED] == cells[_COUNT] and cells[_ANSWERS] == 0:
-            _forget(cells)
-        met, known = ENOUGH, 0
-        cells[_TAKEN] = 0
-        while cells[_COUNT] - cells[_LOOKED] < most and cells[_TAKEN] < left:
-            at = cells[_USED]
-            sender[2] = _ADDRESS_BYTES
-            where = sender.ctypes.data
-            size = _recvfrom(fd, data.ctypes.data + at, sizes[1], _DONTWAIT, where, where + _ADDRESS_BYTES)
+    def _receive(self, fd: int, most: int, left: int, yields: int, lost: bool) -> Any:
+        """As `receive`, without looking into what came."""
+        if self._looked == self._count and self.answers == 0:
+            self._forget()
+        known = 0
+        self.taken = 0
+        while self._count - self._looked < most and self.taken < left:
+            at = self._used
+            origin_bytes = _ADDRESS_BYTES
+            origin = cython.cast(cython.pointer(sockaddr), cython.address(self._sender[0]))
+            into = cython.address(self._data[at])
+            size = recvfrom(fd, into, self._room_bytes, MSG_DONTWAIT, origin, cython.address(origin_bytes))
             if size < 0 and yields > 0:
                 yields -= 1
-                _sched_yield()
+                sched_yield()
                 continue
             if size < 0:
-                met = NOTHING
-                break
-            cells[_TAKEN] += 1
-            number = NOWHERE
-            for k in range(len(origins)):  # most answer in turn
-                if origins[(known + k) % len(origins), 0] == sender[0]:
-                    known = (known + k) % len(origins)
-                    number = origins[known, 1]
-                    break
-            cells[_STRAY_AT], cells[_STRAY_BYTES] = at, size
+                return NOTHING
+            self.taken += 1
+            number = self._number(cython.address(known))
+            self._stray_at, self._stray_bytes = at, size
             if lost:
-                met = LOST
-                break
+                return LOST
             if number == NOWHERE:
-                if size <= sizes[2]:
-                    met = UNKNOWN
-                    break
+                if size <= self._unknown_bytes:
+                    return UNKNOWN
                 continue
-            count = cells[_COUNT]
-            if at > sizes[0] or count == len(bounds):
-                met = FULL
-                break
-            bounds[count, 0], bounds[count, 1], bounds[count, 2] = at, at + size, number
-            cells[_USED], cells[_COUNT] = at + size, count + 1
-        cells[_LOOKED] = _look(data, bounds, seeds, table, begins, rows, lanes, awaited, order, cells)
-        return met
+            if at > self._most_bytes or self._count == self._bounds.shape[0]:
+                return FULL
+            self._datagram(self._count)[0] = Datagram(at, at + size, number)
+            self._used += size
+            self._count += 1
+        return ENOUGH
 
-    return receive
+    def _look(self, lanes: Ints, awaited: Ints) -> None:
+        """Look into datagrams, from the first that has not been, up to the one that it stops at."""
+        while self._looked < self._count:
+            datagram = self._datagram(self._looked)
+            self._stopped_at = datagram.begin
+            before = self._found.runs
+            begins, rows = cython.address(self._begins[0]), run_at(self._rows, 0)
+            found = find(cython.address(self._data[0]), datagram.begin, datagram.end, begins, rows, self._found)
+            if found.runs < 0:
+                return
+            self._found = found
+            address = datagram.address
+            if address == NOWHERE or (address & 1 == ALONE and found.runs != before + 1):
+                return
+            for k in range(before, found.runs):
+                run = run_at(self._rows, k)
+                lane = lanes[run.sysid]
+                if lane < 0 or not self._is_answer(run, awaited_at(awaited, lane), address):
+                    self._stopped_at = self._begins[run.first]
+                    return
+                one = awaited_at(awaited, lane)
+                one.next = (one.next + run.last - run.first) & 0xFF
+                one.granted_ms, one.run = NOT_GRANTED, k
+                self._order_row[self.answers] = lane
+                self.answers += 1
+            self._looked += 1
 
+    def _is_answer(self, run: Any, one: Any, address: int) -> bool:
+        """Whether a run is the whole answer of a vehicle that is awaited."""
+        if not run.in_step or run.seq != one.next or run.last - run.first >= HALF or run.compid != one.compid:
+            return False
+        if one.address != address or run.time_ms != one.granted_ms or one.held:
+            return False
+        return bool(self.answers < NUMBERS)
 
-_receive = _compiled(checksum(datagram))
-"""As `Inbox.receive`. sizes: as `Inbox` is given them, in that order; sender (3,): room for an address and its length;
-origins (n, 2): the first 8 bytes of each address, which hold all of it, and its number; bounds (datagrams, _BOUNDS)."""
-
-
-@kernel(**UNCOUNTED)
-def _cut(awaited: Ints, rows: Ints, begins: Ints, lanes: Ints, found: Ints, spans: Ints, cells: Ints) -> Any:
-    """Kernel: as `Inbox.pop_answers`, which fills lanes (n,), found (n, COLUMNS) and spans (frames, 2); how many runs
-    and frames there are."""
-    count = frames = 0
-    for lane in range(awaited.shape[0]):
-        if awaited[lane, RUN] == NO_RUN:
-            continue
-        row = rows[awaited[lane, RUN]]
-        awaited[lane, RUN] = NO_RUN
-        lanes[count] = lane
-        for column in range(COLUMNS):
-            found[count, column] = row[column]
-        found[count, FIRST] = frames
-        for k in range(row[FIRST], row[LAST]):
-            spans[frames, 0], spans[frames, 1] = begins[k], begins[k + 1]
-            frames += 1
-        found[count, LAST] = frames
-        count += 1
-    _forget(cells)
-    return count, frames
+    def _cut(self, awaited: Ints, rows: Ints, spans: Ints) -> Any:
+        """Fill the first answers of `_order`, rows (n, COLUMNS) and spans (frames, 2) as `pop_answers` gives them; how
+        many runs and frames there are."""
+        count = frames = 0
+        for lane in range(awaited.shape[0]):
+            one = awaited_at(awaited, lane)
+            if one.run == NO_RUN:
+                continue
+            run, cut = run_at(self._rows, one.run), run_at(rows, count)
+            one.run = NO_RUN
+            self._order_row[count] = lane
+            cut[0] = run[0]
+            cut.first = frames
+            for k in range(run.first, run.last):
+                spans[frames, 0], spans[frames, 1] = self._begins[k], self._begins[k + 1]
+                frames += 1
+            cut.last = frames
+            count += 1
+        return Found(frames, count)

@@ -6,11 +6,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import numpy as np
+from cython.cimports.gcs.link.inbox import ALONE, SHARED_BY
+from cython.cimports.gcs.mavlink.frame_runs import NOT_GRANTED, NOWHERE, NUMBERS, awaited_at
 
-from gcs.kernels import UNCOUNTED, kernel
-from gcs.link.inbox import ALONE, SHARED_BY, Inbox, Ints
+from gcs.link.inbox import Inbox, Ints
 from gcs.link.link import Key
-from gcs.mavlink.datagram import ADDRESS, AWAITED, GRANTED_MS, NOT_GRANTED, NOWHERE, NUMBERS, AnswerRuns
+from gcs.mavlink.datagram import AnswerRuns
+from gcs.mavlink.frame_runs import ADDRESS, AWAITED
 from gcs.mavlink.sequence import TickCollector
 
 BUFFER_BYTES = 1 << 20
@@ -67,15 +69,15 @@ class Intake:
 
 def numbered(count: int, *, shared: bool) -> int:
     """Number of the address that is counted so: as datagrams from there are marked."""
-    return count << 1 | (SHARED_BY if shared else ALONE)
+    number: int = count << 1 | (SHARED_BY if shared else ALONE)
+    return number
 
 
-@kernel(**UNCOUNTED)
 def _begin(table: Ints, t_ms: int) -> bool:
-    """Kernel: as `Intake.begin`, for all of the table."""
-    for k in range(len(table)):
-        if table[k, GRANTED_MS] != NOT_GRANTED:
+    """As `Intake.begin`, for all of the table."""
+    for k in range(table.shape[0]):
+        if awaited_at(table, k).granted_ms != NOT_GRANTED:
             return False
-    for k in range(len(table)):
-        table[k, GRANTED_MS] = t_ms
+    for k in range(table.shape[0]):
+        awaited_at(table, k).granted_ms = t_ms
     return True

@@ -32,7 +32,8 @@ from gcs.link.socket import kernel_drops, widen
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import ComparedClocks
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.datagram import NOWHERE, NUMBERS, FrameRun, runs_of
+from gcs.mavlink.datagram import FrameRun, runs_of
+from gcs.mavlink.frame_runs import NOWHERE, NUMBERS
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.sequence import TickCollector, hello_of
 

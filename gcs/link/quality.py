@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from gcs.link.link import Key
-from gcs.mavlink.datagram import FIRST, LAST, AnswerRuns
+from gcs.mavlink.datagram import AnswerRuns
+from gcs.mavlink.frame_runs import FIRST, LAST
 from gcs.mavlink.gaps import GapCounter
 
 WINDOW_S = 10.0

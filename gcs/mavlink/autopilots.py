@@ -71,6 +71,8 @@ class Profile:
     """file of all its parameters, packed, that it gives by MAVFTP; empty where it has none"""
     log_folders: tuple[str, ...] | None
     """where it may keep its logs for MAVFTP to read; None where LOG_* brings them faster"""
+    plans_begin_with_home: bool
+    """whether item 0 of its mission is home"""
     parameter_encoding_said: bool
     """whether its capabilities say how integers stand in PARAM_VALUE"""
     fence_in_status: bool
@@ -156,6 +158,7 @@ PX4 = Profile(
     not_given=math.nan,
     integers_bytewise=True,
     home_is_local=True,
+    plans_begin_with_home=False,
     streams_on_request=False,
     logs_while_armed=True,
     pinged=True,
@@ -207,6 +210,7 @@ ARDUCOPTER = Profile(
     not_given=0.0,
     integers_bytewise=False,
     home_is_local=False,
+    plans_begin_with_home=True,
     streams_on_request=True,
     logs_while_armed=False,
     pinged=False,
@@ -263,6 +267,11 @@ GENERIC = replace(
 _BY_AUTOPILOT = {mav.MAV_AUTOPILOT_PX4: PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA: ARDUCOPTER}
 PROFILES = {profile.name: profile for profile in (PX4, ARDUCOPTER, GENERIC)}
 SPEED_SETTINGS = " or ".join(dict.fromkeys(profile.speed_setting for profile in PROFILES.values()))
+
+
+def in_table(autopilot: int) -> bool:
+    """Whether HEARTBEAT.autopilot has a profile of its own."""
+    return autopilot in _BY_AUTOPILOT
 
 
 def profile_of(autopilot: int) -> Profile:

@@ -7,89 +7,82 @@ and copies it.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.gcs.mavlink.bundle_frames import (
+    _CRC_BYTES,
+    _GRANT,
+    _GREETING,
+    _HEADER_BYTES,
+    _SEQ_AT,
+    _SET_POINT,
+    _TARGET_AT,
+    _VALUES_AT,
+    BUNDLE_BYTES,
+    LEFT_OUT,
+    MARKER_WIDTH,
+    MOST_FRAMES,
+    NONE,
+    TEMPLATE_BYTES,
+    VALUES,
+    vehicle_at,
+)
+from cython.cimports.gcs.mavlink.payload import put, put_f32
+from cython.cimports.libc import math
+from cython.cimports.libc.string import memcpy
+from cython.cimports.skytender.checksum import crc_of, ended
 from numpy.typing import NDArray
 
-from gcs.kernels import UNCOUNTED, inner
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import CRC_TABLE, crc_of
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.setpoints import set_point_message
+
+__all__ = [
+    "BUNDLE_BYTES", "COLUMNS", "GREETED", "LEFT_OUT", "MARKER_BYTES", "MARKER_WIDTH", "MOST_FRAMES", "NONE", "NUMBER",
+    "POINT", "SYSID", "Bytes", "Floats", "Ints", "made_templates", "write_bundles",
+]  # fmt: skip
 
 Bytes = NDArray[np.uint8]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
-GREETING, SET_POINT, GRANT = 0, 1, 2
-"""Rows of the templates."""
-NUMBER, SYSID, MARKER_BYTES, POINT, GREETED = range(5)
-"""Columns of a vehicle's row: the next sequence number; its system id; the length of its marker; the row of its set
-point, NONE or LEFT_OUT; whether a HEARTBEAT is due."""
 COLUMNS = 5
-NONE, LEFT_OUT = -1, -2
-MOST_FRAMES = 3
-"""Of one vehicle, its marker aside."""
-TEMPLATE_BYTES = 72
-MARKER_WIDTH = 32
-BUNDLE_BYTES = MARKER_WIDTH + MOST_FRAMES * TEMPLATE_BYTES
-"""No bundle is longer."""
-VALUES = 6
-"""Of a set point: position and velocity."""
-
-_SEQ_AT = 4
-_VALUES_AT = codec.HEADER_BYTES + 4  # behind time_boot_ms
-_TARGET_AT = codec.HEADER_BYTES + 50
+NUMBER, SYSID, MARKER_BYTES, POINT, GREETED = range(COLUMNS)
+"""Columns of a vehicle's row, in the order of the struct Vehicle in bundle_frames.pxd."""
 
 
-@inner(**UNCOUNTED)
-def _sum(frame: Bytes, size: int, seed: int) -> None:
+def _sum(frame: Any, size: int, seed: int) -> None:
     """Write the checksum of a frame."""
-    end = size - codec.CRC_BYTES
-    crc = crc_of(frame, 1, end, CRC_TABLE)
-    crc = crc >> 8 ^ np.int64(CRC_TABLE[0, (crc ^ seed) & 0xFF])
-    frame[end], frame[end + 1] = crc & 0xFF, crc >> 8
+    put(frame, size - _CRC_BYTES, ended(crc_of(frame, 1, size - _CRC_BYTES), seed), _CRC_BYTES)
 
 
-@inner(**UNCOUNTED)
-def _aim(frame: Bytes, sysid: int, values: Floats) -> bool:
+def _aim(frame: Any, sysid: int, values: Any) -> bool:
     """Write whose set point it is, and its values; whether they can be written."""
     for i in range(VALUES):
-        value = np.float32(values[i])
+        value = values[i]
         if math.isinf(value) and not math.isinf(values[i]):
             return False
-        bits = np.int64(value.view(np.uint32))
-        for k in range(4):
-            frame[_VALUES_AT + 4 * i + k] = (bits >> (8 * k)) & 0xFF
+        put_f32(frame, _VALUES_AT + 4 * i, value)
     frame[_TARGET_AT] = sysid
     return True
 
 
-@inner(**UNCOUNTED)
-def _write_number(frame: Bytes, at: int, number: int, size: int) -> None:
-    """Write a whole number, low byte first."""
-    for k in range(size):
-        frame[at + k] = (number >> (8 * k)) & 0xFF
-
-
-@inner(**UNCOUNTED)
-def _date(templates: Bytes, sizes: Ints, point_ms: int, unix_us: int, grant_ms: int) -> None:
+def _date(templates: Any, sizes: Any, point_ms: int, unix_us: int, grant_ms: int) -> None:
     """Write the times of a tick into set point and grant, which is as long as its last byte that is not 0."""
-    _write_number(templates[SET_POINT], codec.HEADER_BYTES, point_ms, 4)
-    grant = templates[GRANT]
-    _write_number(grant, codec.HEADER_BYTES, unix_us, 8)
-    _write_number(grant, codec.HEADER_BYTES + 8, grant_ms, 4)
+    put(cython.address(templates[_SET_POINT, 0]), _HEADER_BYTES, point_ms, 4)
+    grant = cython.address(templates[_GRANT, 0])
+    put(grant, _HEADER_BYTES, unix_us, 8)
+    put(grant, _HEADER_BYTES + 8, grant_ms, 4)
     payload = 12
-    while payload > 1 and grant[codec.HEADER_BYTES + payload - 1] == 0:
+    while payload > 1 and grant[_HEADER_BYTES + payload - 1] == 0:
         payload -= 1
     grant[1] = payload
-    sizes[GRANT, 0] = codec.HEADER_BYTES + payload + codec.CRC_BYTES
-    _sum(grant, sizes[GRANT, 0], sizes[GRANT, 1])
+    sizes[_GRANT, 0] = _HEADER_BYTES + payload + _CRC_BYTES
+    _sum(grant, sizes[_GRANT, 0], sizes[_GRANT, 1])
 
 
-@inner(**UNCOUNTED)
 def write_bundles(
     out: Bytes,
     rows: Ints,
@@ -102,9 +95,9 @@ def write_bundles(
     point_ms: int,
     unix_us: int,
     grant_ms: int,
-) -> Any:
-    """Kernel: write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that
-    no frame can hold, or NONE).
+) -> tuple[int, int]:
+    """Write the bundles of n vehicles, one behind the other; (where the last one ends, row of a set point that no frame
+    can hold, or NONE).
 
     Args:
         out: (n BUNDLE_BYTES,) at least.
@@ -120,28 +113,30 @@ def write_bundles(
     _date(templates, sizes, point_ms, unix_us, grant_ms)
     at = frames = 0
     for k in range(rows.shape[0]):
-        point, number = rows[k, POINT], rows[k, NUMBER]
+        vehicle = vehicle_at(rows, k)
+        number = vehicle.number
         cuts[k, 0] = at
-        if point != LEFT_OUT:
-            for i in range(rows[k, MARKER_BYTES]):
-                out[at + i] = markers[k, i]
-            at += rows[k, MARKER_BYTES]
+        if vehicle.point != LEFT_OUT:
+            memcpy(cython.address(out[at]), cython.address(markers[k, 0]), vehicle.marker_bytes)
+            at += vehicle.marker_bytes
             for which in range(MOST_FRAMES):
-                if (which == GREETING and not rows[k, GREETED]) or (which == SET_POINT and point == NONE):
+                if which == _GREETING and not vehicle.greeted:
                     continue
-                frame, size = templates[which], sizes[which, 0]
-                if which == SET_POINT and not _aim(frame, rows[k, SYSID], values[point]):
-                    return at, point
-                if which == SET_POINT or frame[_SEQ_AT] != number:
+                if which == _SET_POINT and vehicle.point == NONE:
+                    continue
+                frame = cython.address(templates[which, 0])
+                size = sizes[which, 0]
+                if which == _SET_POINT and not _aim(frame, vehicle.sysid, cython.address(values[vehicle.point, 0])):
+                    return at, vehicle.point
+                if which == _SET_POINT or frame[_SEQ_AT] != number:
                     frame[_SEQ_AT] = number
                     _sum(frame, size, sizes[which, 1])
-                for i in range(size):
-                    out[at + i] = frame[i]
+                memcpy(cython.address(out[at]), frame, size)
                 spans[frames, 0], spans[frames, 1] = at, at + size
                 at += size
                 frames += 1
                 number = (number + 1) & 0xFF
-            rows[k, NUMBER] = number
+            vehicle.number = number
         cuts[k, 1], cuts[k, 2] = at, frames
     return at, NONE
 

@@ -3,8 +3,6 @@ found in one call of compiled code.
 
 Whether a frame is one is decided as by `codec.split`, which is asked about every other datagram. What reads such frames
 by compiled code too needs no `Frame` of each: a `FrameRun` makes them when somebody asks.
-
-Here also stands what compiled code keeps of a vehicle whose answer is awaited, which gcs/link/inbox.py takes in.
 """
 
 from __future__ import annotations
@@ -12,62 +10,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, overload
+from typing import overload
 
 import numpy as np
 from numpy.typing import NDArray
 
 from gcs.frame_spans import FrameSpans
-from gcs.kernels import UNCOUNTED, inner, kernel
-from gcs.mavlink import codec, dialect
+from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-
-MOST_BYTES = 16_384
-"""A longer datagram is not looked at."""
-NO_TIME = -1
-_NO_SEED = -1
+from gcs.mavlink.frame_runs import FIRST, LAST, NO_TIME, SYSID, found_in
 
 _new = tuple.__new__
-
-SEEDS = np.full(1 << 16, _NO_SEED, dtype=np.int16)
-"""(65536,) by message id, none of which has more than 16 bits in the dialect: the byte that its checksum ends with, or
--1."""
-for _msgid, _seed in codec.seeds():
-    SEEDS[_msgid] = _seed
-AT_ONCE = 8
-
-
-def _crc_table() -> NDArray[np.uint16]:
-    """(AT_ONCE, 256) CRC-16/MCRF4XX, from a register of 0, of one byte with so many zeros behind it as the row says: so
-    many bytes are summed in one step (Kounavis and Berry 2005)."""
-    rows = [np.array(dialect.CRC_TERMS, dtype=np.uint16)]
-    for _ in range(AT_ONCE - 1):
-        rows.append(rows[-1] >> 8 ^ rows[0][rows[-1] & 0xFF])
-    return np.array(rows, dtype=np.uint16)
-
-
-CRC_TABLE = _crc_table()
-
-COLUMNS = 7
-FIRST, LAST, SYSID, COMPID, SEQ, IN_STEP, TIME_MS = range(COLUMNS)
-"""Of a run: the places of its first frame and behind its last one in the list of frames, the first frame's sender and
-number, whether the others are of the same component and numbered on from it (1, else 0), and the `time_boot_ms` of the
-last one if that is SYSTEM_TIME, else NO_TIME."""
-_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
-_TIME_BOOT_MS = 8  # where it stands in the payload
-
-SMALLEST_FRAME = codec.HEADER_BYTES + codec.CRC_BYTES
-
-NUMBERS = 256
-HALF = 128
-"""Numbers wrap; of two the later is the one fewer than so many steps ahead, so a tick holds fewer frames."""
-
-AWAITED = 6
-NEXT, GRANTED_MS, COMPID_OF, HELD, ADDRESS, RUN = range(AWAITED)
-"""Of a vehicle whose answer may come: the number of its next frame; the time that its answer will say, or NOT_GRANTED;
-its component; whether a part of the answer is there (1, else 0); where it speaks from, else NOWHERE; and which of the
-buffer's runs its answer is, else NO_RUN."""
-NOT_GRANTED, NOWHERE, NO_RUN = -2, -1, -1
 
 
 class FrameRun(Sequence[Frame]):
@@ -140,13 +93,11 @@ def raws_of(frames: Iterable[Frame]) -> list[bytes]:
 
 def runs_of(datagram: bytes) -> list[FrameRun] | None:
     """Frames of a datagram by system, in their order; None where not every byte belongs to a frame of the dialect."""
-    if len(datagram) > MOST_BYTES:
+    found = found_in(datagram)
+    if found is None:
         return None
-    frames, runs = _find_alone(datagram, SEEDS, CRC_TABLE, _BEGINS, _ROWS)
-    if runs < 0:
-        return None
-    begins = _BEGINS[:frames].tolist()
-    return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in _ROWS[:runs].tolist()]
+    begins, rows = found
+    return [FrameRun(datagram, begins[row[FIRST] : row[LAST] + 1], row) for row in rows]
 
 
 class AnswerRuns(Sequence[FrameRun]):
@@ -196,100 +147,3 @@ class _BySystem(Mapping[int, FrameRun]):
 
     def __len__(self) -> int:
         return len(self._at)
-
-
-@inner(**UNCOUNTED)
-def crc_of(data: Any, begin: Any, end: Any, table: NDArray[np.uint16]) -> Any:
-    """Kernel: CRC-16/MCRF4XX of some bytes, of `bytes` or of an array; `table` is CRC_TABLE."""
-    crc = np.uint16(0xFFFF)
-    k = begin
-    while k + AT_ONCE <= end:
-        crc = (
-            table[7, data[k] ^ np.uint8(crc & 0xFF)]
-            ^ table[6, data[k + 1] ^ np.uint8(crc >> 8)]
-            ^ table[5, data[k + 2]]
-            ^ table[4, data[k + 3]]
-            ^ table[3, data[k + 4]]
-            ^ table[2, data[k + 5]]
-            ^ table[1, data[k + 6]]
-            ^ table[0, data[k + 7]]
-        )
-        k += AT_ONCE
-    while k < end:
-        crc = np.uint16(crc >> 8) ^ table[0, data[k] ^ np.uint8(crc & 0xFF)]
-        k += 1
-    return np.int64(crc)
-
-
-@inner(**UNCOUNTED)
-def find(
-    data: Any,
-    at: Any,
-    size: Any,
-    seeds: NDArray[np.int16],
-    table: NDArray[np.uint16],
-    begins: NDArray[np.int64],
-    frames: Any,
-    rows: NDArray[np.int64],
-    runs: Any,
-) -> Any:
-    """Kernel: goes on filling begins and rows (runs, COLUMNS) behind so many frames and runs with what lies in
-    data[at:size]; how many frames and runs there are then, both -1 where a byte is of no frame of the dialect. Behind a
-    datagram's last frame stands its end."""
-    before = runs
-    if at == size:
-        return -1, -1
-    while at < size:
-        if at + 12 > size or data[at] != 0xFD:
-            return -1, -1
-        signed = data[at + 2] == 1
-        if (data[at + 2] and not signed) or data[at + 9]:
-            return -1, -1
-        body_end = at + 10 + np.int64(data[at + 1])
-        end = body_end + (15 if signed else 2)
-        msgid = np.int64(data[at + 7]) | np.int64(data[at + 8]) << 8
-        seed = np.int64(seeds[msgid])
-        if end > size or seed < 0:
-            return -1, -1
-        crc = crc_of(data, at + 1, body_end, table)
-        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
-        if crc != (np.int64(data[body_end]) | np.int64(data[body_end + 1]) << 8):
-            return -1, -1
-        seq, sysid, compid = np.int64(data[at + 4]), np.int64(data[at + 5]), np.int64(data[at + 6])
-        if runs == before or rows[runs - 1, SYSID] != sysid:
-            row = rows[runs]
-            row[FIRST], row[SYSID], row[COMPID], row[SEQ], row[IN_STEP] = frames, sysid, compid, seq, 1
-            runs += 1
-        row = rows[runs - 1]
-        if compid != row[COMPID] or seq != (row[SEQ] + frames - row[FIRST]) & 0xFF:
-            row[IN_STEP] = 0
-        row[TIME_MS] = NO_TIME
-        if msgid == _SYSTEM_TIME:
-            row[TIME_MS] = 0
-            for k in range(4):
-                place = at + 10 + _TIME_BOOT_MS + k
-                if place < body_end:
-                    row[TIME_MS] |= np.int64(data[place]) << 8 * k
-        begins[frames] = at
-        frames += 1
-        row[LAST] = frames
-        at = end
-    begins[frames] = size
-    return frames + 1, runs
-
-
-@kernel(**UNCOUNTED)
-def _find_alone(
-    data: bytes,
-    seeds: NDArray[np.int16],
-    table: NDArray[np.uint16],
-    begins: NDArray[np.int64],
-    rows: NDArray[np.int64],
-) -> Any:
-    """Kernel: as `find`, of one datagram."""
-    return find(data, 0, len(data), seeds, table, begins, 0, rows, 0)
-
-
-_BEGINS = np.empty(MOST_BYTES // SMALLEST_FRAME + 1, np.int64)
-_ROWS = np.empty((MOST_BYTES // SMALLEST_FRAME, COLUMNS), np.int64)
-"""For one datagram at a time: one thread reads a session's links."""

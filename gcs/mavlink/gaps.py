@@ -1,7 +1,7 @@
 """Frames lost on a link: the gaps in the sequence numbers of each (system, component).
 
-One rule, `after`, counts frame by frame while a session flies (`GapCounter`) and, compiled, over a recording
-(`RecordedGaps`). A frame that comes late fills its gap and is no loss; one that comes twice changes nothing.
+One rule, `after`, counts frame by frame while a session flies (`GapCounter`) and over a recording (`RecordedGaps`).
+A frame that comes late fills its gap and is no loss; one that comes twice changes nothing.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.gcs.mavlink.frame_runs import HALF, NUMBERS, run_at
 from numpy.typing import NDArray
 
-from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import COMPID, FIRST, HALF, LAST, NUMBERS, SEQ, SYSID, AnswerRuns, FrameRun
+from gcs.mavlink.datagram import AnswerRuns, FrameRun
 
 IntArray = NDArray[np.int64]
 SENDERS = 1 << 16
@@ -29,7 +30,7 @@ def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
     missing: 256 flags of one sender, by number, changed in place. A number half a turn old can no longer be
     distinguished from a new one, and is missing no more.
     """
-    ahead = (number - newest) % NUMBERS
+    ahead = (number - newest) & 0xFF
     if newest < 0:
         return number, 0
     if ahead == 1:  # as nearly every frame
@@ -37,9 +38,9 @@ def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
         return number, 0
     if 0 < ahead < HALF:
         for step in range(ahead):
-            missing[(number - HALF - step) % NUMBERS] = 0
+            missing[(number - HALF - step) & 0xFF] = 0
         for step in range(1, ahead):
-            missing[(newest + step) % NUMBERS] = 1
+            missing[(newest + step) & 0xFF] = 1
         return number, ahead - 1
     if missing[number]:
         missing[number] = 0
@@ -47,7 +48,6 @@ def after(missing: Any, newest: int, number: int) -> tuple[int, int]:
     return newest, 0
 
 
-_after = kernel()(after)
 _NONE = bytes(NUMBERS)
 
 
@@ -101,7 +101,8 @@ class GapCounter:
             if len(self._missing_of) < MOST_SENDERS:
                 self._watch(sender, seq)
             return
-        self._newest_of[sender], lost = after(flags, self._newest_of[sender], seq)
+        missing = cython.declare(cython.uchar[::1], flags)
+        self._newest_of[sender], lost = after(cython.address(missing[0]), self._newest_of[sender], seq)
         if lost:
             self.lost_of[sysid] = self.lost_of.get(sysid, 0) + lost
 
@@ -127,9 +128,8 @@ class RecordedGaps:
     def count(self, sysids: IntArray, compids: IntArray, numbers: IntArray) -> tuple[IntArray, NDArray[np.bool_]]:
         """Go on with these frames (n,): the change of the frames lost with each, and which did not come before."""
         lost, new = np.empty(len(numbers), dtype=np.int64), np.empty(len(numbers), dtype=np.bool_)
-        # Of one layout: a column of a single row has another than that of many, and the kernel would be compiled again.
         senders, numbers = np.ascontiguousarray(sysids << 8 | compids), np.ascontiguousarray(numbers)
-        _count(senders, numbers, self._newest, self._missing, lost, new)
+        _count(senders, numbers, self._newest, self._missing, lost, new.view(np.uint8))
         np.add.at(self._lost, sysids, lost)
         return lost, new
 
@@ -149,35 +149,33 @@ def resumed(lost: IntArray, senders: IntArray, newest: IntArray, missing: NDArra
     return counter
 
 
-@kernel()
 def _count(
     senders: IntArray,
     numbers: IntArray,
     newest: IntArray,
     missing: NDArray[np.uint8],
     lost: IntArray,
-    new: NDArray[np.bool_],
+    new: NDArray[np.uint8],
 ) -> None:
-    """Kernel: fills lost (n,) and new (n,); newest (senders,) and missing (senders, 256) go on from call to call."""
-    for i in range(numbers.size):
+    """Fill lost (n,) and new (n,); newest (senders,) and missing (senders, 256) go on from call to call."""
+    for i in range(numbers.shape[0]):
         sender = senders[i]
         before = newest[sender]
-        newest[sender], lost[i] = _after(missing[sender], before, numbers[i])
+        newest[sender], lost[i] = after(cython.address(missing[sender, 0]), before, numbers[i])
         new[i] = newest[sender] != before or lost[i] < 0
 
 
-@kernel(**UNCOUNTED)
 def _go_on(rows: IntArray, first: int, newest: NDArray[np.int16], missing: NDArray[np.uint8]) -> Any:
-    """Kernel: count the runs (n, COLUMNS of gcs/mavlink/datagram.py) from the first on, up to one that does not go on
-    with the next number of its sender's; where that is."""
+    """Count the runs (n, COLUMNS of gcs/mavlink/frame_runs.py) from the first on, up to one that does not go on with
+    the next number of its sender's; where that is."""
     for k in range(first, rows.shape[0]):
-        row = rows[k]
-        sender = row[SYSID] << 8 | row[COMPID]
-        before = np.int64(newest[sender])
-        if before < 0 or (row[SEQ] - before) & 0xFF != 1:
+        run = run_at(rows, k)
+        sender = run.sysid << 8 | run.compid
+        before = newest[sender]
+        if before < 0 or (run.seq - before) & 0xFF != 1:
             return k
-        for step in range(row[LAST] - row[FIRST]):
-            number = (row[SEQ] + step) & 0xFF
+        for step in range(run.last - run.first):
+            number = (run.seq + step) & 0xFF
             missing[sender, number ^ HALF] = 0
             newest[sender] = number
     return rows.shape[0]

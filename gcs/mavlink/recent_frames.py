@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import HALF
+from gcs.mavlink.frame_runs import HALF
 
 Relation = Literal["new", "copy", "other"]
 """Of a frame to the one that another link brought with its number: there is none, it is the same, it is another one."""

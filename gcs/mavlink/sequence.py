@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import (
+from gcs.mavlink.datagram import FrameRun
+from gcs.mavlink.frame_runs import (
     ADDRESS,
     AWAITED,
     COMPID_OF,
@@ -28,7 +29,6 @@ from gcs.mavlink.datagram import (
     NOWHERE,
     NUMBERS,
     RUN,
-    FrameRun,
 )
 
 FIRST_ANSWER = 2
@@ -152,10 +152,12 @@ class TickCollector:
     def _is_whole(self, frames: Sequence[Frame]) -> bool:
         """Whether these are the next numbers, one after the other, of nobody else."""
         number, (system, component) = self._row[NEXT], self._sender
+        if len(frames) >= HALF:
+            return False
         if isinstance(frames, FrameRun) and frames.in_step:
-            return frames.first == number and frames.sender == self._sender and len(frames) < HALF
+            return frames.first == number and frames.sender == self._sender
         for sysid, compid, seq, _, _ in frames:
             if seq != number or sysid != system or compid != component:
                 return False
             number = (number + 1) % NUMBERS
-        return len(frames) < HALF
+        return True

@@ -17,30 +17,27 @@ straight line; its least value is enclosed by tangents. [lineage] of barriers ma
 Safety barrier certificates for collisions-free multirobot systems, IEEE T-RO 33(3), 2017; of braking as a contingency
 that is checked ahead: Fraichard, Asama, Inevitable collision states, Advanced Robotics 18(10), 2004. Form [choice].
 
-Frames NED, SI units. The kernels take arrays (n, 3) and row numbers.
+Frames NED, SI units. Functions take the moves of n vehicles and row numbers. A clearance is a tuple:
+in the coming period, after it, when after its end in s, and the direction (n, e, d) to where the distance grows.
 """
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
 import numpy as np
+from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, WALL, past_wall, shape_surface
+from cython.cimports.libc import math
 from numpy.typing import NDArray
-
-from gcs.kernels import inner
-from gcs.scenario.geometry import BOX, CYLINDER, DOWN, EAST, KIND, NORTH, WALL, past_wall, shape_surface
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-Clearance = tuple[float, float, float, float, float, float]
-"""(in the coming period, after it, when after its end s, direction to where the distance grows n, e, d)."""
 
 TINY = 1e-12
 _GAP_M = 1e-10  # between the tangents and the distance: small against the filter's tolerance
 _TANGENTS = 60
 
 
-@inner(error_model="numpy")
 def braking(vn: float, ve: float, vd: float, brake: float, dt: float) -> tuple[float, float, float]:
     """Acceleration of one period of braking."""
     speed = math.sqrt(vn * vn + ve * ve + vd * vd)
@@ -48,13 +45,11 @@ def braking(vn: float, ve: float, vd: float, brake: float, dt: float) -> tuple[f
     return -k * vn, -k * ve, -k * vd
 
 
-@inner(error_model="numpy")
 def stop_distance(speed: float, brake: float, dt: float) -> float:
     """Upper bound of the way to a stand; the exact one is at most brake dt²/8 shorter."""
     return speed * speed / (2.0 * brake) + brake * dt * dt / 8.0
 
 
-@inner(error_model="numpy")
 def stop_way(speed: float, brake: float, dt: float) -> float:
     """Way to a stand, exactly: whole periods of braking and the last, shorter one."""
     whole = math.ceil(speed / (brake * dt)) - 1.0
@@ -62,11 +57,10 @@ def stop_way(speed: float, brake: float, dt: float) -> float:
     return (speed * speed - rest * rest) / (2.0 * brake) + 0.5 * rest * dt
 
 
-@inner(error_model="numpy")
 def _period(
     an: float, ae: float, ad: float, bn: float, be: float, bd: float, cn: float, ce: float, cd: float,
     span: float, growth: float,
-) -> Clearance:  # fmt: skip
+) -> Any:  # fmt: skip
     """Lower bound (2) of |a + b t + c t²/2| - growth t for 0 <= t <= span: (bound, chord's value, t, direction)."""
     en, ee, ed = bn + 0.5 * cn * span, be + 0.5 * ce * span, bd + 0.5 * cd * span
     square = en * en + ee * ee + ed * ed
@@ -92,7 +86,6 @@ def _period(
     return max(bound, _least(a, b, c, span)), distance - growth * t, t, xn, xe, xd
 
 
-@inner(error_model="numpy")
 def _least(a: float, b: float, c: float, span: float) -> float:
     """Least value of a + b t + c t²/2 for 0 <= t <= span."""
     least = min(a, a + b * span + 0.5 * c * span * span)
@@ -101,16 +94,14 @@ def _least(a: float, b: float, c: float, span: float) -> float:
     return least
 
 
-@inner(error_model="numpy")
-def pair_clearance(
-    p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, j: int, dt: float, enough: float
-) -> Clearance:
+def pair_clearance(m: Any, i: int, j: int, dt: float, enough: float) -> Any:
     """Least distance of i and j in the coming period, and after it with both braking; both cut at `enough`."""
-    xn, xe, xd = p[i, 0] - p[j, 0], p[i, 1] - p[j, 1], p[i, 2] - p[j, 2]
-    vin, vie, vid, vjn, vje, vjd = v[i, 0], v[i, 1], v[i, 2], v[j, 0], v[j, 1], v[j, 2]
-    uin, uie, uid, ujn, uje, ujd = u[i, 0], u[i, 1], u[i, 2], u[j, 0], u[j, 1], u[j, 2]
+    p, q, v, w, a, b = m.p + 3 * i, m.p + 3 * j, m.v + 3 * i, m.v + 3 * j, m.u + 3 * i, m.u + 3 * j
+    xn, xe, xd = p[0] - q[0], p[1] - q[1], p[2] - q[2]
+    vin, vie, vid, vjn, vje, vjd = v[0], v[1], v[2], w[0], w[1], w[2]
+    uin, uie, uid, ujn, uje, ujd = a[0], a[1], a[2], b[0], b[1], b[2]
     first, after, when, nn, ne, nd, t = enough, enough, 0.0, 0.0, 0.0, 0.0, -dt
-    bi, bj = brake[i], brake[j]
+    bi, bj = m.brake[i], m.brake[j]
     while True:
         an, ae, ad = uin - ujn, uie - uje, uid - ujd
         bn, be, bd = vin - vjn, vie - vje, vid - vjd
@@ -142,18 +133,12 @@ def pair_clearance(
     return first, after, when, nn, ne, nd
 
 
-@inner(error_model="numpy")
-def other_clearance(
-    p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int,
-    other: FloatArray, k: int, dt: float, horizon: float, enough: float,
-) -> Clearance:  # fmt: skip
-    """The same of i and of `other[k]`, which flies straight on; its growth per second times t is taken off.
-
-    other: (m, 8), position, velocity, radius at time 0, growth of the radius.
-    """
-    wn, we, wd, growth = other[k, 3], other[k, 4], other[k, 5], other[k, 7]
-    xn, xe, xd = p[i, 0] - other[k, 0], p[i, 1] - other[k, 1], p[i, 2] - other[k, 2]
-    vn, ve, vd, un, ue, ud = v[i, 0], v[i, 1], v[i, 2], u[i, 0], u[i, 1], u[i, 2]
+def other_clearance(m: Any, i: int, other: Any, dt: float, horizon: float, enough: float) -> Any:
+    """The same of i and of another, which flies straight on; its growth per second times t is taken off."""
+    p, v, u, brake = m.p + 3 * i, m.v + 3 * i, m.u + 3 * i, m.brake[i]
+    wn, we, wd, growth = other.v[0], other.v[1], other.v[2], other.growth
+    xn, xe, xd = p[0] - other.p[0], p[1] - other.p[1], p[2] - other.p[2]
+    vn, ve, vd, un, ue, ud = v[0], v[1], v[2], u[0], u[1], u[2]
     first, after, when, nn, ne, nd, t = enough, enough, 0.0, 0.0, 0.0, 0.0, -dt
     while True:
         stands = t >= 0.0 and un == 0.0 and ue == 0.0 and ud == 0.0
@@ -173,32 +158,29 @@ def other_clearance(
         vn, ve, vd = vn + dt * un, ve + dt * ue, vd + dt * ud
         if vn * vn + ve * ve + vd * vd < TINY * TINY:
             vn = ve = vd = 0.0
-        un, ue, ud = braking(vn, ve, vd, brake[i], dt)
+        un, ue, ud = braking(vn, ve, vd, brake, dt)
     return first, after, when, nn, ne, nd
 
 
-@inner(error_model="numpy")
-def _segment(
-    table: FloatArray, k: int, n0: float, e0: float, d0: float, n1: float, e1: float, d1: float, enough: float
-) -> Clearance:
-    """Least distance from a straight line to row k: (lower bound, value, share of the line, direction)."""
+def _segment(shape: Any, n0: float, e0: float, d0: float, n1: float, e1: float, d1: float, enough: float) -> Any:
+    """Least distance from a straight line to a shape's surface: (lower bound, value, share of the line, direction)."""
     mn, me, md = n1 - n0, e1 - e0, d1 - d0
     length = math.sqrt(mn * mn + me * me + md * md)
-    if table[k, KIND] == WALL:
-        value, share, gn, ge = past_wall(table, k, n0, e0, n1, e1)
+    if shape.kind == WALL:
+        value, share, gn, ge = past_wall(shape, n0, e0, n1, e1)
         return value, value, share, gn, ge, 0.0
-    low_value, gn, ge, gd = shape_surface(table, k, n0, e0, d0)
+    low_value, gn, ge, gd = shape_surface(shape, n0, e0, d0)
     if low_value - length >= enough or length < TINY:
         return low_value - length, low_value, 0.0, gn, ge, gd
-    if table[k, KIND] != BOX and table[k, KIND] != CYLINDER:  # about a point the nearest place is known
-        along = (table[k, NORTH] - n0) * mn + (table[k, EAST] - e0) * me + (table[k, DOWN] - d0) * md
+    if shape.kind not in (BOX, CYLINDER):  # about a point the nearest place is known
+        along = (shape.north - n0) * mn + (shape.east - e0) * me + (shape.down - d0) * md
         share = min(max(along / (length * length), 0.0), 1.0)
-        value, gn, ge, gd = shape_surface(table, k, n0 + share * mn, e0 + share * me, d0 + share * md)
+        value, gn, ge, gd = shape_surface(shape, n0 + share * mn, e0 + share * me, d0 + share * md)
         return value, value, share, gn, ge, gd
     low_slope = gn * mn + ge * me + gd * md
     if low_slope >= 0.0:
         return low_value, low_value, 0.0, gn, ge, gd
-    high_value, hn, he, hd = shape_surface(table, k, n1, e1, d1)
+    high_value, hn, he, hd = shape_surface(shape, n1, e1, d1)
     high_slope = hn * mn + he * me + hd * md
     if high_slope <= 0.0:
         return high_value, high_value, 1.0, hn, he, hd
@@ -208,7 +190,7 @@ def _segment(
         share = (high_value - low_value + low * low_slope - high * high_slope) / (low_slope - high_slope)
         share = min(max(share, low), high)
         bound = low_value + low_slope * (share - low)
-        value, gn, ge, gd = shape_surface(table, k, n0 + share * mn, e0 + share * me, d0 + share * md)
+        value, gn, ge, gd = shape_surface(shape, n0 + share * mn, e0 + share * me, d0 + share * md)
         if value - bound <= _GAP_M:
             break
         slope = gn * mn + ge * me + gd * md
@@ -222,62 +204,56 @@ def _segment(
     return min(bound, value), value, share, gn, ge, gd
 
 
-@inner(error_model="numpy")
-def shape_clearance(
-    p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, table: FloatArray, k: int, dt: float,
-    enough: float,
-) -> Clearance:  # fmt: skip
-    """The same of i and of the surface of row k; instead of when, the way from the period's end to the nearest place.
+def shape_clearance(m: Any, i: int, shape: Any, dt: float, enough: float) -> Any:
+    """The same of i and of a shape's surface; instead of when, the way from the period's end to the nearest place.
 
     That way is -1 where the nearest place is the stand.
     """
+    p, v, u, brake = m.p + 3 * i, m.v + 3 * i, m.u + 3 * i, m.brake[i]
     half = 0.5 * dt * dt
-    vn, ve, vd = v[i, 0] + dt * u[i, 0], v[i, 1] + dt * u[i, 1], v[i, 2] + dt * u[i, 2]
-    n0, e0, d0 = p[i, 0], p[i, 1], p[i, 2]
-    n1, e1, d1 = n0 + dt * v[i, 0] + half * u[i, 0], e0 + dt * v[i, 1] + half * u[i, 1], 0.0
-    d1 = d0 + dt * v[i, 2] + half * u[i, 2]
+    vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
+    n0, e0, d0 = p[0], p[1], p[2]
+    n1, e1, d1 = n0 + dt * v[0] + half * u[0], e0 + dt * v[1] + half * u[1], 0.0
+    d1 = d0 + dt * v[2] + half * u[2]
     # The curve leaves its chord by no more than this. A braking one lies on it, and (1) needs that to be seen exactly.
     mn, me, md = n1 - n0, e1 - e0, d1 - d0
-    square = u[i, 0] * u[i, 0] + u[i, 1] * u[i, 1] + u[i, 2] * u[i, 2]
+    square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2]
     length = math.sqrt(mn * mn + me * me + md * md)
-    if v[i, 0] * mn + v[i, 1] * me + v[i, 2] * md >= 0.0 and vn * mn + ve * me + vd * md >= 0.0 and length > TINY:
-        square -= ((u[i, 0] * mn + u[i, 1] * me + u[i, 2] * md) / length) ** 2
+    if v[0] * mn + v[1] * me + v[2] * md >= 0.0 and vn * mn + ve * me + vd * md >= 0.0 and length > TINY:
+        square -= ((u[0] * mn + u[1] * me + u[2] * md) / length) ** 2
     bow = 0.25 * half * math.sqrt(max(square, 0.0))
-    low, value, share, gn, ge, gd = _segment(table, k, n0, e0, d0, n1, e1, d1, enough + bow)
+    low, value, share, gn, ge, gd = _segment(shape, n0, e0, d0, n1, e1, d1, enough + bow)
     first = low - bow
     if first < enough:
         xn, xe, xd = n0 + share * (n1 - n0), e0 + share * (e1 - e0), d0 + share * (d1 - d0)
         a = value + gn * (n0 - xn) + ge * (e0 - xe) + gd * (d0 - xd)
-        b = gn * v[i, 0] + ge * v[i, 1] + gd * v[i, 2]
-        first = max(first, _least(a, b, gn * u[i, 0] + ge * u[i, 1] + gd * u[i, 2], dt))
+        b = gn * v[0] + ge * v[1] + gd * v[2]
+        first = max(first, _least(a, b, gn * u[0] + ge * u[1] + gd * u[2], dt))
     speed = math.sqrt(vn * vn + ve * ve + vd * vd)
-    way = stop_way(speed, brake[i], dt)
+    way = stop_way(speed, brake, dt)
     s = way / speed if speed > TINY else 0.0
-    after, value, share, gn, ge, gd = _segment(table, k, n1, e1, d1, n1 + s * vn, e1 + s * ve, d1 + s * vd, enough)
+    after, value, share, gn, ge, gd = _segment(shape, n1, e1, d1, n1 + s * vn, e1 + s * ve, d1 + s * vd, enough)
     where = -1.0 if share >= 1.0 else share * way
     return min(first, enough), min(after, enough), where, gn, ge, gd
 
 
-@inner(error_model="numpy")
-def plane_clearance(
-    p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, i: int, axis: int, limit: float, dt: float
-) -> Clearance:
+def plane_clearance(m: Any, i: int, axis: int, limit: float, dt: float) -> Any:
     """The same of i and of a wall across `axis` at `limit`: axis 0-2 the lower side of it, 3-5 the upper one."""
+    p, v, u, brake = m.p + 3 * i, m.v + 3 * i, m.u + 3 * i, m.brake[i]
     k = axis % 3
     sign = 1.0 if axis < 3 else -1.0
-    vn, ve, vd = v[i, 0] + dt * u[i, 0], v[i, 1] + dt * u[i, 1], v[i, 2] + dt * u[i, 2]
+    vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
     speed = math.sqrt(vn * vn + ve * ve + vd * vd)
-    s = stop_way(speed, brake[i], dt) / speed if speed > TINY else 0.0
-    at = p[i, k] + dt * (v[i, k] + 0.5 * dt * u[i, k])
-    stand = at + s * (v[i, k] + dt * u[i, k])
-    first = _least(sign * (p[i, k] - limit), sign * v[i, k], sign * u[i, k], dt)
+    s = stop_way(speed, brake, dt) / speed if speed > TINY else 0.0
+    at = p[k] + dt * (v[k] + 0.5 * dt * u[k])
+    stand = at + s * (v[k] + dt * u[k])
+    first = _least(sign * (p[k] - limit), sign * v[k], sign * u[k], dt)
     after = sign * (stand - limit)
     here = sign * (at - limit)
-    direction = (sign if k == 0 else 0.0, sign if k == 1 else 0.0, sign if k == 2 else 0.0)
-    return first, min(here, after), -1.0, direction[0], direction[1], direction[2]
+    north, east, down = sign if k == 0 else 0.0, sign if k == 1 else 0.0, sign if k == 2 else 0.0
+    return first, min(here, after), -1.0, north, east, down
 
 
-@inner(error_model="numpy")
 def sensitivity(
     vn: float, ve: float, vd: float, brake: float, t: float, way: float, nn: float, ne: float, nd: float, dt: float
 ) -> tuple[float, float, float]:

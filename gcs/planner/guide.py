@@ -23,17 +23,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+import cython
 import numpy as np
+from cython.cimports.gcs.planner.guide import MOST_POINTS, NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING
+from cython.cimports.gcs.planner.line_of_sight import clearance_between, sees_from
+from cython.cimports.libc.math import INFINITY, sqrt
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.kernels import kernel
-from gcs.planner.line_of_sight import FloatArray, IntArray, Sight, clear_m, visible
+from gcs.planner.line_of_sight import FloatArray, IntArray, Sight, visible
 from gcs.planner.route import Route, Router, SearchPaused
 
-STRAIGHT, ROUTED, PARTIAL, NO_ROUTE, WAITING = range(5)
 """States of `Aims`: flies straight; along a route; along one to the place nearest to a goal that lies within a surface;
 holds, for there is no way; keeps its last aim until there is time to search."""
-MOST_POINTS = 32
 """[choice] Way points kept of a route; at the end of a longer one the rest is searched."""
 _HALVINGS = 5
 _SEARCH_CELLS = 3_000  # [choice] what a search costs beside the cells that it settles, about 1 ms
@@ -82,18 +83,20 @@ class Aims(NamedTuple):
     state: States
 
 
-class _Routes(NamedTuple):
-    """State kept of each vehicle, one row each."""
-
-    points: FloatArray  # (rows, MOST_POINTS, 3)
-    legs: FloatArray  # (rows, MOST_POINTS): what the leg to each point keeps
-    size: IntArray  # how many points; 0 without a route
-    at: IntArray  # the point that is flown to
-    state: States
-    searched_from: FloatArray  # (rows, 3), infinite before the first search
-    searched_to: FloatArray
-    aim: FloatArray
-    waits: IntArray  # ticks
+_KEPT = np.dtype(
+    [
+        ("points", np.float64, (MOST_POINTS, 3)),
+        ("legs", np.float64, MOST_POINTS),
+        ("searched_from", np.float64, 3),
+        ("searched_to", np.float64, 3),
+        ("aim", np.float64, 3),
+        ("size", np.int64),
+        ("at", np.int64),
+        ("waits", np.int64),
+        ("state", np.int64),
+    ]
+)
+"""State kept of each vehicle: the struct Kept of guide.pxd."""
 
 
 class RouteFollower:
@@ -126,7 +129,7 @@ class RouteFollower:
         aims, remaining, wanted = self._step(rows, p, goals)
         asking = np.flatnonzero(wanted)
         if len(asking):
-            turn = asking[np.argsort(-self._kept.waits[rows[asking]], kind="stable")]
+            turn = asking[np.argsort(-self._kept["waits"][rows[asking]], kind="stable")]
             left = self._rules.budget(len(sysids))
             count = 0
             while count < len(turn) and left > 0:
@@ -139,31 +142,24 @@ class RouteFollower:
                 left -= router.settled - before + _SEARCH_CELLS
             served, unserved = turn[:count], turn[count:]
             aims[served], remaining[served], _ = self._step(rows[served], p[served], goals[served])
-            self._kept.waits[rows[served]] = 0
-            self._kept.waits[rows[unserved]] += 1
-        self._kept.aim[rows] = aims
-        return Aims(aims, remaining, self._kept.state[rows].copy())
+            self._kept["waits"][rows[served]] = 0
+            self._kept["waits"][rows[unserved]] += 1
+        self._kept["aim"][rows] = aims
+        return Aims(aims, remaining, self._kept["state"][rows].astype(np.int8))
 
     def _step(self, rows: IntArray, p: FloatArray, goals: FloatArray) -> tuple[FloatArray, FloatArray, States]:
         router, rules = self._router, self._rules
         aims, remaining, wanted = p.copy(), np.zeros(len(p)), np.zeros(len(p), dtype=np.int8)
-        _advance(
-            router.sight,
-            self._kept,
-            rows,
-            p,
-            goals,
-            router.clearance_m,
-            router.least_clearance_m,
-            rules.slack_share * router.clearance_m,
-            rules.reached_share * router.clearance_m,
-            rules.moved_m,
-            rules.refresh_m,
-            router.floor_d,
-            aims,
-            remaining,
-            wanted,
-        )
+        limits = {
+            "clearance": router.clearance_m,
+            "least": router.least_clearance_m,
+            "slack": rules.slack_share * router.clearance_m,
+            "reached": rules.reached_share * router.clearance_m,
+            "moved": rules.moved_m,
+            "refresh": rules.refresh_m,
+            "floor_d": router.floor_d,
+        }
+        _advance(router.sight, self._kept, rows, p, goals, limits, aims, remaining, wanted)
         return aims, remaining, wanted
 
     def _search(self, row: int, p: FloatArray, goal: FloatArray, most_cells: int) -> None:
@@ -171,35 +167,35 @@ class RouteFollower:
 
         A paused search goes on with its own start and goal, wherever both have moved since.
         """
-        kept = self._kept
+        kept = self._kept[row]
         p, goal = self._paused.get(row, (p, goal))
         self._paused = {row: (p.copy(), goal.copy())}
         found = self._router.plan(p, goal, most_cells)
-        at, count = int(kept.at[row]), int(kept.size[row])
+        at, count = int(kept["at"]), int(kept["size"])
         if found is not None and found.reaches_goal and at < count - 1 and self._sees_next(row, p):
-            before = np.vstack([p, kept.points[row, at : count - 1]])
-            onward = self._router.plan(before[-1], goal, most_cells)
+            before = np.vstack([p, kept["points"][at : count - 1]])
+            onward = self._router.plan(before[len(before) - 1], goal, most_cells)
             if onward is not None and onward.reaches_goal:
                 length_m = float(np.linalg.norm(np.diff(before, axis=0), axis=1).sum()) + onward.length_m
                 if found.length_m >= (1.0 - self._rules.shorter_share) * length_m:
-                    legs = np.concatenate((kept.legs[row, at : count - 1], onward.legs_m))
+                    legs = np.concatenate((kept["legs"][at : count - 1], onward.legs_m))
                     found = Route(np.vstack([before[1:], onward.points_ned]), legs, length_m)
         self._paused.clear()
         self.searches += 1
-        kept.searched_from[row], kept.searched_to[row] = p, goal
-        kept.at[row] = 0
-        kept.size[row] = 0 if found is None else min(len(found.points_ned), MOST_POINTS)
-        kept.state[row] = NO_ROUTE if found is None else ROUTED if found.reaches_goal else PARTIAL
+        kept["searched_from"], kept["searched_to"] = p, goal
+        kept["at"] = 0
+        kept["size"] = 0 if found is None else min(len(found.points_ned), MOST_POINTS)
+        kept["state"] = NO_ROUTE if found is None else ROUTED if found.reaches_goal else PARTIAL
         if found is not None:
-            kept.points[row, : kept.size[row]] = found.points_ned[:MOST_POINTS]
-            kept.legs[row, : kept.size[row]] = found.legs_m[:MOST_POINTS]
+            kept["points"][: kept["size"]] = found.points_ned[:MOST_POINTS]
+            kept["legs"][: kept["size"]] = found.legs_m[:MOST_POINTS]
 
     def _sees_next(self, row: int, p: FloatArray) -> bool:
-        router, at = self._router, self._kept.at[row]
-        leg_m = float(self._kept.legs[row, at])
+        router, at = self._router, int(self._kept["at"][row])
+        leg_m = float(self._kept["legs"][row, at])
         slack_m = self._rules.slack_share * router.clearance_m
-        level = leg_m - _slack(leg_m, router.clearance_m, router.least_clearance_m, slack_m)
-        return bool(visible(router.sight, p, self._kept.points[row, at], level, router.floor_d))
+        level = leg_m - slack_of(leg_m, router.clearance_m, router.least_clearance_m, slack_m)
+        return bool(visible(router.sight, p, self._kept["points"][row, at], level, router.floor_d))
 
     def _rows_of(self, sysids: Sequence[int], p: FloatArray) -> IntArray:
         """A row for each vehicle; those left out are forgotten."""
@@ -212,126 +208,122 @@ class RouteFollower:
             self._rows = {sysid: row for row, sysid in enumerate(sysids)}
             self._kept = _new_routes(len(sysids))
             self._paused.clear()
-            self._kept.aim[:] = p
+            self._kept["aim"][:] = p
             for sysid, row in self._rows.items():
                 if sysid in known:
-                    _copy(old, known[sysid], self._kept, row)
+                    self._kept[row] = old[known[sysid]]
         self._asked = sysids if isinstance(sysids, tuple) else None
         self._asked_rows = np.array([self._rows[sysid] for sysid in sysids], dtype=np.int64)
         return self._asked_rows
 
 
-def _new_routes(rows: int) -> _Routes:
-    return _Routes(
-        points=np.zeros((rows, MOST_POINTS, 3)),
-        legs=np.zeros((rows, MOST_POINTS)),
-        size=np.zeros(rows, dtype=np.int64),
-        at=np.zeros(rows, dtype=np.int64),
-        state=np.full(rows, WAITING, dtype=np.int8),
-        searched_from=np.full((rows, 3), _NEVER),
-        searched_to=np.full((rows, 3), _NEVER),
-        aim=np.zeros((rows, 3)),
-        waits=np.zeros(rows, dtype=np.int64),
-    )
+def _new_routes(rows: int) -> NDArray[Any]:
+    kept = np.zeros(rows, dtype=_KEPT)
+    kept["state"] = WAITING
+    kept["searched_from"] = kept["searched_to"] = _NEVER
+    return kept
 
 
-def _copy(old: _Routes, row: int, new: _Routes, to: int) -> None:
-    """Everything kept of one vehicle into another table's row."""
-    columns: list[tuple[NDArray[Any], NDArray[Any]]] = list(zip(old, new, strict=True))
-    for before, after in columns:
-        after[to] = before[row]
+def _apart(a: Any, b: Any) -> float:
+    return sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
 
 
-@kernel()
-def _apart(a: FloatArray, b: FloatArray) -> float:
-    return math.sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
+def _copy(place: Any, to: Any) -> None:
+    to[0], to[1], to[2] = place[0], place[1], place[2]
 
 
-@kernel()
-def _slack(leg: float, clearance: float, least: float, slack: float) -> float:
-    """Kernel: how much less than its route's leg a vehicle may keep: all of it in the open, little in a narrow gap."""
+def slack_of(leg: float, clearance: float, least: float, slack: float) -> float:
+    """How much less than its route's leg a vehicle may keep: all of it in the open, little in a narrow gap."""
     share = (leg - least) / (clearance - least) if clearance > least else 1.0
     return max(slack * min(max(share, 0.0), 1.0), _LEAST_SLACK * slack)
 
 
-@kernel()
 def _advance(
-    s: Sight,
-    kept: _Routes,
+    sight: Sight,
+    kept: NDArray[Any],
     rows: IntArray,
     p: FloatArray,
     goals: FloatArray,
-    clearance: float,
-    least: float,
-    slack: float,
-    reached: float,
-    moved: float,
-    refresh: float,
-    floor_d: float,
+    rules: Any,
     aims: FloatArray,
     remaining: FloatArray,
     wanted: States,
 ) -> None:
-    """Kernel: aims, ways remaining and whether a search is wanted; moves each route on to the point flown to."""
+    """Aims, ways remaining and whether a search is wanted; moves each route on to the point flown to."""
     for i in range(rows.shape[0]):
-        row, here, goal = rows[i], p[i], goals[i]
-        level = clearance - slack if kept.state[row] == STRAIGHT else clearance
-        at_goal = clear_m(s, goal, goal, clearance)
-        if at_goal >= least - 1e-6 and visible(s, here, goal, level, floor_d):
-            kept.state[row], kept.size[row] = STRAIGHT, 0
-            aims[i], remaining[i] = goal, _apart(here, goal)
-            continue
-        goal_moved = _apart(goal, kept.searched_to[row])
-        self_moved = _apart(here, kept.searched_from[row])
+        wanted[i] = _advance_one(
+            cython.address(sight.bins),
+            cython.address(kept[rows[i]]),
+            cython.address(p[i, 0]),
+            cython.address(goals[i, 0]),
+            cython.address(rules),
+            cython.address(aims[i, 0]),
+            cython.address(remaining[i]),
+        )
+
+
+def _advance_one(s: Any, kept: Any, here: Any, goal: Any, rules: Any, aim: Any, remaining: Any) -> bool:
+    level = rules.clearance - rules.slack if kept.state == STRAIGHT else rules.clearance
+    at_goal = clearance_between(s, goal, goal, rules.clearance, -INFINITY)
+    if at_goal >= rules.least - 1e-6 and sees_from(s, here, goal, level, rules.floor_d):
+        kept.state, kept.size = STRAIGHT, 0
+        _copy(goal, aim)
+        remaining[0] = _apart(here, goal)
+        return False
+    goal_moved = _apart(goal, kept.searched_to)
+    self_moved = _apart(here, kept.searched_from)
+    if kept.size == 0:
         # Compared this way round because infinity less infinity is no number: never searched, never near.
-        elsewhere = not (goal_moved <= moved and self_moved <= moved)
-        if kept.size[row] == 0:
-            wanted[i] = elsewhere or kept.state[row] not in (NO_ROUTE,)
-            if kept.state[row] != NO_ROUTE:
-                kept.state[row] = WAITING
-                aims[i] = kept.aim[row]
-            remaining[i] = math.inf
-            continue
-        points, legs = kept.points[row], kept.legs[row]
-        last = kept.size[row] - 1
-        at = kept.at[row]
-        if kept.state[row] == ROUTED and _apart(points[last], goal) > 0.0:
-            before = here if last == 0 else points[last - 1]
-            if visible(s, before, goal, legs[last], floor_d):
-                points[last] = goal
-                wanted[i] = goal_moved > refresh
+        elsewhere = not (goal_moved <= rules.moved and self_moved <= rules.moved)
+        remaining[0] = INFINITY
+        if kept.state == NO_ROUTE:
+            return elsewhere
+        kept.state = WAITING
+        _copy(kept.aim, aim)
+        return True
+    points, legs = cython.address(kept.points[0][0]), kept.legs
+    last = kept.size - 1
+    at = kept.at
+    wanted = False
+    if kept.state == ROUTED and _apart(points + 3 * last, goal) > 0.0:
+        if sees_from(s, here if last == 0 else points + 3 * (last - 1), goal, legs[last], rules.floor_d):
+            _copy(goal, points + 3 * last)
+            wanted = goal_moved > rules.refresh
+        else:
+            wanted = goal_moved > rules.moved or (at == last and self_moved > rules.moved)
+    elif kept.state == PARTIAL:
+        wanted = goal_moved > rules.moved
+    while True:
+        level = legs[at] - slack_of(legs[at], rules.clearance, rules.least, rules.slack)
+        seen = sees_from(s, here, points + 3 * at, level, rules.floor_d)
+        if at == last:
+            break
+        near, level = _apart(here, points + 3 * at), min(legs[at], legs[at + 1])
+        if near <= rules.reached or not seen:
+            level -= slack_of(level, rules.clearance, rules.least, rules.slack)
+        if near > _THERE_M and not sees_from(s, here, points + 3 * (at + 1), level, rules.floor_d):
+            break
+        at += 1
+    kept.at = at
+    if not seen and not self_moved <= _LOST_SHARE * rules.moved:
+        wanted = True
+    _copy(points + 3 * at, aim)
+    if at < last:
+        level = min(legs[at], legs[at + 1])
+        level -= slack_of(level, rules.clearance, rules.least, rules.slack)
+        low, high, middle = 0.0, 1.0, 0.5
+        place = [0.0, 0.0, 0.0]
+        for _ in range(_HALVINGS):
+            for axis in range(3):
+                place[axis] = points[3 * at + axis] + middle * (points[3 * (at + 1) + axis] - points[3 * at + axis])
+            if sees_from(s, here, place, level, rules.floor_d):
+                low = middle
+                _copy(place, aim)
             else:
-                wanted[i] = goal_moved > moved or (at == last and self_moved > moved)
-        elif kept.state[row] == PARTIAL:
-            wanted[i] = goal_moved > moved
-        seen = False
-        while True:
-            level = legs[at] - _slack(legs[at], clearance, least, slack)
-            seen = visible(s, here, points[at], level, floor_d)
-            if at == last:
-                break
-            near, level = _apart(here, points[at]), min(legs[at], legs[at + 1])
-            if near <= reached or not seen:
-                level -= _slack(level, clearance, least, slack)
-            if near > _THERE_M and not visible(s, here, points[at + 1], level, floor_d):
-                break
-            at += 1
-        kept.at[row] = at
-        if not seen and not self_moved <= _LOST_SHARE * moved:
-            wanted[i] = 1
-        aims[i] = points[at]
-        if at < last:
-            level = min(legs[at], legs[at + 1])
-            level -= _slack(level, clearance, least, slack)
-            low, high, middle = 0.0, 1.0, 0.5
-            for _ in range(_HALVINGS):
-                place = points[at] + middle * (points[at + 1] - points[at])
-                if visible(s, here, place, level, floor_d):
-                    low, aims[i] = middle, place
-                else:
-                    high = middle
-                middle = (low + high) / 2.0
-        length = _apart(here, points[at])
-        for j in range(at, last):
-            length += _apart(points[j], points[j + 1])
-        remaining[i] = length
+                high = middle
+            middle = (low + high) / 2.0
+    length = _apart(here, points + 3 * at)
+    for j in range(at, last):
+        length += _apart(points + 3 * j, points + 3 * (j + 1))
+    remaining[0] = length
+    return wanted

@@ -9,29 +9,35 @@ v_g dt is added: whole within cap_m of the goal, fading to none at twice that; a
 to none at |F_o| = k0/4, so that near obstacles the field alone decides. The sum is shortened to l, the speed limit.
 """
 
-import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import cython
 import numpy as np
+from cython.cimports.gcs.planner.fuzzy_escape import escape_force, memory_at
+from cython.cimports.gcs.planner.leader import ARRIVED, GOES_ON, HOLDS
+from cython.cimports.gcs.planner.potential_field import attraction_to, field_of, repulsion_of_shape
+from cython.cimports.gcs.scenario.geometry import shape_at
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.kernels import UNCOUNTED, kernel
-from gcs.planner.fuzzy_escape import MEMORY_SIZE, escape_force
+from gcs.planner.fuzzy_escape import MEMORY_SIZE
 from gcs.planner.neighbours import FEW, IntArray, everyone, within_range
-from gcs.planner.potential_field import CAP, FULL_STEPS, K0, STEP, FieldConstants, attraction_to, repulsion_of_shape
-from gcs.scenario.geometry import COLUMNS, DOWN, EAST, NORTH, SIZE_1, FloatArray, points
+from gcs.planner.potential_field import FieldConstants
+from gcs.scenario.geometry import COLUMNS, FloatArray, points
+from skytender import layout
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
 _FEW_MOVING = 8_000
 """Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
 _ROUNDING_M = 1e-6
 _SURE = 1.0 - 1e-9
-HOLDS, STAYS, GOES_ON, ARRIVED = range(4)
-"""Of a leader: it has no way points; it stays at its last one; it may come to one to be left behind; it has left its
-last one behind."""
 _ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads
 
 BoolArray = NDArray[np.bool_]
+_NO_ROWS = np.empty(0, np.int64)
+
+
+STAYS: int
 
 
 def advance(
@@ -122,40 +128,44 @@ def advance(
     return leaders.q_ned.copy(), following, leaders.v_ned.copy()
 
 
-_Q, _BEGIN, _V, _GOAL, _GOAL_V = 0, 3, 6, 9, 12  # each of three columns
-_SPEED, _RANGE, _LOWEST, _ROUTE = range(15, 19)
-_WIDTH = 19
+def _leader_at(table: FloatArray, row: int) -> Any:
+    return cython.cast("Leader *", cython.address(table[row, 0]))
+
+
+_LEADER = _leader_at(layout.COUNTED[np.newaxis], 0)[0]
+_PLACES, _WIDTH = layout.places(_LEADER), layout.size(_LEADER)
 
 
 class LeaderRows:
-    """n leaders, a row each; frame NED. They are one table, which kernels take in place of its ten parts; each part
-    is a view of it. `lead` moves q_ned, v_ned and the memory."""
+    """n leaders, a row each, which is the struct Leader of leader.pxd; frame NED. Each part is a view of their table.
+    `lead` moves q_ned, v_ned and the memory."""
 
     def __init__(self, n: int, obstacle_range_m: ArrayLike, memory: FloatArray) -> None:
         """memory: (n, MEMORY_SIZE), `fuzzy_escape.new_memory` at first."""
         self.table = table = np.zeros((n, _WIDTH))
+        parts = {name: table[:, place] for name, place in _PLACES.items()}
         self.memory = memory
-        self.q_ned: FloatArray = table[:, _Q : _Q + 3]
+        self.q_ned: FloatArray = parts["q"]
         """(n, 3) m"""
-        self.begin_ned: FloatArray = table[:, _BEGIN : _BEGIN + 3]
+        self.begin_ned: FloatArray = parts["begin"]
         """(n, 3) m, `q_ned` at the start of the period"""
-        self.v_ned: FloatArray = table[:, _V : _V + 3]
+        self.v_ned: FloatArray = parts["v"]
         """(n, 3) m/s, the mean of the last period"""
-        self.begin_and_v: FloatArray = table[:, _BEGIN : _V + 3]
+        self.begin_and_v: FloatArray = table[:, _PLACES["begin"].start : _PLACES["v"].stop]
         """(n, 6) both"""
-        self.goal_ned: FloatArray = table[:, _GOAL : _GOAL + 3]
+        self.goal_ned: FloatArray = parts["goal"]
         """(n, 3) m at the start of the period"""
-        self.goal_v_ned: FloatArray = table[:, _GOAL_V : _GOAL_V + 3]
+        self.goal_v_ned: FloatArray = parts["goal_v"]
         """(n, 3) m/s"""
-        self.speed_m_s: FloatArray = table[:, _SPEED]
+        self.speed_m_s: FloatArray = parts["speed"]
         """(n,) limits, at least 0"""
-        self.obstacle_range_m: FloatArray = table[:, _RANGE]
+        self.obstacle_range_m: FloatArray = parts["obstacle_range"]
         """(n,) how far obstacles repel each; none does at 0"""
-        self.lowest_d: FloatArray = table[:, _LOWEST]
+        self.lowest_d: FloatArray = parts["lowest"]
         """(n,) m, the greatest down; infinite where there is none"""
-        self.route_m: FloatArray = table[:, _ROUTE]
+        self.route_m: FloatArray = parts["route"]
         """(n,) m, the way that is left on a route; NaN where the way is straight"""
-        self.obstacle_range_m[:], self.lowest_d[:], self.route_m[:] = obstacle_range_m, math.inf, math.nan
+        self.obstacle_range_m[:], self.lowest_d[:], self.route_m[:] = obstacle_range_m, np.inf, np.nan
 
 
 class LeaderLimits(NamedTuple):
@@ -172,7 +182,7 @@ class LeaderLimits(NamedTuple):
     """inf: they need not"""
 
 
-UNLIMITED = LeaderLimits(np.zeros((2, 0), np.int64), math.inf, 0.0, math.inf)
+UNLIMITED = LeaderLimits(np.zeros((2, 0), np.int64), np.inf, 0.0, np.inf)
 
 
 class Moving(NamedTuple):
@@ -195,6 +205,7 @@ class Attracting(NamedTuple):
     """(k, m) whom each draws"""
 
 
+@cython.locals(many=cython.Py_ssize_t, stopping=cython.Py_ssize_t, table="double[:, ::1]", some="const int64_t[::1]")
 def lead(
     leaders: LeaderRows,
     rows: IntArray,
@@ -210,22 +221,30 @@ def lead(
 ) -> tuple[int, int]:
     """Move the leaders `rows` (k,), whose vehicles are at here_ned (n, 3), by one period, in place; all is as `advance`
     says, and nothing is checked. How many there are in each row of `limits.limited`: unless none, nobody has moved."""
-    count, table, speed = len(rows), leaders.table, leaders.speed_m_s
+    count, speed, table, some = len(rows), leaders.speed_m_s, leaders.table, rows
     if count * len(obstacles) <= FEW:
-        near_obstacles = everyone(count, len(obstacles))
+        near_obstacles, obstacle_spans = everyone(count, len(obstacles))
     else:
         q = leaders.q_ned[rows]
-        near_obstacles = within_range(q, speed[rows] * period_s, obstacles, field.repulsion_range_m)
+        near_obstacles, obstacle_spans = within_range(q, speed[rows] * period_s, obstacles, field.repulsion_range_m)
     if count * len(moving.table) <= _FEW_MOVING:
-        near_moving = everyone(count, len(moving.table))
+        near_moving, moving_spans = everyone(count, len(moving.table))
     else:
-        near_moving = within_range(leaders.q_ned[rows], speed[rows] * period_s, moving.table, moving.ranges_m)
-    asked: tuple[int, int] = _lead(
-        rows, table, leaders.memory, here_ned, *limits, attracting.places, attracting.drawn, obstacles,
-        *near_obstacles, moving.table, moving.ranges_m, moving.exempt, *near_moving,
-        field.constants(), period_s, escape,
-    )  # fmt: skip
-    return asked
+        reach_m = speed[rows] * period_s
+        near_moving, moving_spans = within_range(leaders.q_ned[rows], reach_m, moving.table, moving.ranges_m)
+    many, stopping = 0, 0
+    if limits is not UNLIMITED:
+        many, stopping = find_limited(
+            some, table, here_ned, limits.limited, limits.leash_m, limits.lookahead_s, limits.brake_m_s2
+        )
+    if many == 0 and stopping == 0:
+        _lead(
+            some, table, leaders.memory, attracting.places, attracting.drawn, obstacles, near_obstacles,
+            obstacle_spans, moving.table, moving.ranges_m, moving.exempt, near_moving, moving_spans,
+            field.constants(), period_s, escape,
+            np.empty(len(moving.table), np.int64) if len(moving.table) else _NO_ROWS,
+        )  # fmt: skip
+    return many, stopping
 
 
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -236,67 +255,65 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
     # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished. Of many,
     # BLAS would take the sum with threads that wait for each other for longer than it takes.
-    squares = np.vdot(array, array) if array.size <= _ONE_THREAD else math.nan
+    squares = np.vdot(array, array) if array.size <= _ONE_THREAD else np.nan
     if not math.isfinite(squares) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     return array
 
 
-@kernel()
 def _lead(
-    rows: IntArray, table: FloatArray, all_memory: FloatArray, here: FloatArray, limited: IntArray, leash: float,
-    lookahead: float, brake: float, attractors: FloatArray, draws: BoolArray, obstacles: FloatArray,
-    obstacle_rows: IntArray, obstacle_spans: IntArray, moving: FloatArray, ranges: FloatArray, exempt: BoolArray,
-    moving_rows: IntArray, moving_spans: IntArray, constants: FloatArray, period: float, escape: bool,
-) -> tuple[int, int]:  # fmt: skip
-    """Kernel: moves leaders in place, unless one may be limited: how many `limited` has then, else 0, 0. Leader rows[i]
-    heeds rows[spans[i, 0]:spans[i, 1]] of obstacles and of moving."""
-    asked, stopping = find_limited(rows, table, here, limited, leash, lookahead, brake)
-    if asked + stopping > 0:
-        return asked, stopping
-    near = np.empty(len(moving), dtype=np.int64)
-    for i in range(len(rows)):
-        one, memory = table[rows[i]], all_memory[rows[i]]
-        q, v, goal, goal_velocity = one[_Q:_BEGIN], one[_V:_GOAL], one[_GOAL:_GOAL_V], one[_GOAL_V:_SPEED]
+    rows: IntArray, table: FloatArray, memories: FloatArray, attractors: FloatArray, draws: BoolArray,
+    obstacles: FloatArray, obstacle_rows: IntArray, obstacle_spans: IntArray, moving: FloatArray, ranges: FloatArray,
+    exempt: BoolArray, moving_rows: IntArray, moving_spans: IntArray, constants: FloatArray, period: float,
+    escape: bool, near: IntArray,
+) -> None:  # fmt: skip
+    """Move leaders in place. Leader rows[i] heeds rows[spans[i, 0]:spans[i, 1]] of obstacles and of moving; near (m,)
+    is overwritten."""
+    field = field_of(constants)
+    for i in range(rows.shape[0]):
+        one, memory = _leader_at(table, rows[i]), memory_at(memories, rows[i])
+        q, goal, goal_v = one.q, one.goal, one.goal_v
         begin_n, begin_e, begin_d = q[0], q[1], q[2]
-        reach = one[_SPEED] * period
-        steps = math.ceil(reach / constants[STEP] - 1e-9)
-        full_step, dt = (reach / steps, period / steps) if steps else (0.0, 0.0)
+        reach = one.speed * period
+        steps = cython.cast(cython.Py_ssize_t, math.ceil(reach / field.step - 1e-9))
+        full_step, dt = 0.0, 0.0
+        if steps > 0:
+            full_step, dt = reach / steps, period / steps
         count = 0
-        for k in range(moving_spans[i, 0], moving_spans[i, 1] if steps else moving_spans[i, 0]):
+        for k in range(moving_spans[i, 0], moving_spans[i, 1] if steps > 0 else moving_spans[i, 0]):
             j = moving_rows[k]
+            other = shape_at(moving, j)
             # What is left out stays out of range, and would add nothing.
-            n, e, d = q[0] - moving[j, NORTH], q[1] - moving[j, EAST], q[2] - moving[j, DOWN]
-            around = reach + ranges[j] + moving[j, SIZE_1] + _ROUNDING_M
+            n, e, d = q[0] - other.north, q[1] - other.east, q[2] - other.down
+            around = reach + ranges[j] + other.size_1 + _ROUNDING_M
             if not exempt[i, j] and n * n + e * e + d * d <= around * around:
                 near[count] = j
                 count += 1
         for step in range(steps):
-            gn = goal[0] + goal_velocity[0] * dt * step
-            ge = goal[1] + goal_velocity[1] * dt * step
-            gd = goal[2] + goal_velocity[2] * dt * step
-            an, ae, ad = attraction_to(gn, ge, gd, math.inf, q[0], q[1], q[2], constants)
+            gn = goal[0] + goal_v[0] * dt * step
+            ge = goal[1] + goal_v[1] * dt * step
+            gd = goal[2] + goal_v[2] * dt * step
+            an, ae, ad = attraction_to(gn, ge, gd, math.INFINITY, q[0], q[1], q[2], field)
             for k in range(attractors.shape[0]):
                 if draws[i, k]:
                     hn, he, hd = attractors[k, 0], attractors[k, 1], attractors[k, 2]
-                    reach_m = attractors[k, 3]
-                    fn, fe, fd = attraction_to(hn, he, hd, reach_m, q[0], q[1], q[2], constants)
+                    fn, fe, fd = attraction_to(hn, he, hd, attractors[k, 3], q[0], q[1], q[2], field)
                     an += fn
                     ae += fe
                     ad += fd
             on = 0.0
             oe = 0.0
             od = 0.0
-            heeded, first = one[_RANGE], obstacle_spans[i, 0]
+            heeded, first = one.obstacle_range, obstacle_spans[i, 0]
             for k in range(first, obstacle_spans[i, 1] if heeded > 0.0 else first):
-                fn, fe, fd = repulsion_of_shape(obstacles, obstacle_rows[k], heeded, q[0], q[1], q[2], constants)
+                fn, fe, fd = repulsion_of_shape(shape_at(obstacles, obstacle_rows[k]), heeded, q[0], q[1], q[2], field)
                 on += fn
                 oe += fe
                 od += fd
             for k in range(count):
                 j = near[k]
-                fn, fe, fd = repulsion_of_shape(moving, j, ranges[j], q[0], q[1], q[2], constants)
+                fn, fe, fd = repulsion_of_shape(shape_at(moving, j), ranges[j], q[0], q[1], q[2], field)
                 on += fn
                 oe += fe
                 od += fd
@@ -306,48 +323,46 @@ def _lead(
             ed = 0.0
             if escape:
                 en, ee, ed = escape_force(
-                    memory, q[0], q[1], q[2], an, ae, ad, on, oe, od, distance, full_step, constants[STEP]
+                    memory, q[0], q[1], q[2], an, ae, ad, on, oe, od, distance, full_step, field.step
                 )
             fn, fe, fd = an + on + en, ae + oe + ee, ad + od + ed
-            if constants[FULL_STEPS] != 0.0:
+            if field.full_steps != 0.0:
                 sn, se, sd = _field_step(fn, fe, fd, min(full_step, distance), 0.0)
             else:
-                sn, se, sd = _field_step(fn, fe, fd, full_step, constants[K0])
-            share = _fed_forward(on, oe, od, distance, constants)
-            sn += share * goal_velocity[0] * dt
-            se += share * goal_velocity[1] * dt
-            sd += share * goal_velocity[2] * dt
+                sn, se, sd = _field_step(fn, fe, fd, full_step, field.k0)
+            share = _fed_forward(on, oe, od, distance, field.cap, field.k0)
+            sn += share * goal_v[0] * dt
+            se += share * goal_v[1] * dt
+            sd += share * goal_v[2] * dt
             length = math.sqrt(sn * sn + se * se + sd * sd)
             shorten = full_step / length if length > full_step else 1.0
             q[0] += shorten * sn
             q[1] += shorten * se
             q[2] += shorten * sd
-        q[2] = min(q[2], one[_LOWEST])
-        v[0], v[1], v[2] = (q[0] - begin_n) / period, (q[1] - begin_e) / period, (q[2] - begin_d) / period
-    return 0, 0
+        q[2] = min(q[2], one.lowest)
+        one.v[0], one.v[1], one.v[2] = (q[0] - begin_n) / period, (q[1] - begin_e) / period, (q[2] - begin_d) / period
 
 
-@kernel()
 def find_limited(
     rows: IntArray, table: FloatArray, here: FloatArray, limited: IntArray, leash: float, lookahead: float,
     brake: float,
 ) -> tuple[int, int]:  # fmt: skip
-    """Kernel: fills `limited` as `LeaderLimits` says; how many in each of its rows."""
-    many = near = 0
-    if leash == math.inf and brake == math.inf:
+    """Fill `limited` as `LeaderLimits` says; how many in each of its rows."""
+    many, near = 0, 0
+    if leash == math.INFINITY and brake == math.INFINITY:
         return many, near
-    for row in rows:
-        one = table[row]
-        n, e, d = one[_Q] - here[row, 0], one[_Q + 1] - here[row, 1], one[_Q + 2] - here[row, 2]
-        half = 0.5 * (leash + lookahead * one[_SPEED])
-        free = n * n + e * e + d * d <= _SURE * half * half
-        stops = False
-        if free and brake < math.inf:
-            way, straight = one[_ROUTE], math.isnan(one[_ROUTE])
+    for i in range(rows.shape[0]):
+        row = rows[i]
+        one = _leader_at(table, row)
+        n, e, d = one.q[0] - here[row, 0], one.q[1] - here[row, 1], one.q[2] - here[row, 2]
+        half = 0.5 * (leash + lookahead * one.speed)
+        free, stops = n * n + e * e + d * d <= _SURE * half * half, False
+        if free and brake < math.INFINITY:
+            way, straight = one.route, math.isnan(one.route)
             if straight:
-                n, e, d = one[_Q] - one[_GOAL], one[_Q + 1] - one[_GOAL + 1], one[_Q + 2] - one[_GOAL + 2]
+                n, e, d = one.q[0] - one.goal[0], one.q[1] - one.goal[1], one.q[2] - one.goal[2]
                 way = math.sqrt(n * n + e * e + d * d)
-            free = way < math.inf and one[_SPEED] * one[_SPEED] <= _SURE * 2.0 * brake * way
+            free = way < math.INFINITY and one.speed * one.speed <= _SURE * 2.0 * brake * way
             stops = straight and not free
         if stops:
             limited[1, near] = row
@@ -358,31 +373,30 @@ def find_limited(
     return many, near
 
 
-@kernel(**UNCOUNTED)
 def aim(table: FloatArray, course: IntArray, course_ned: FloatArray, cruise: float, square: float) -> bool:
-    """Kernel: goals of all leaders, which do not move: where each is, or the next of its way points. Whether one that
-    goes on is as near to that as this distance's square.
+    """Set goals of all leaders, which do not move: where each is, or the next of its way points. Whether one that goes
+    on is as near to that as this distance's square.
 
-    table: of `LeaderRows`. course (n,): HOLDS, STAYS, GOES_ON or ARRIVED. course_ned (n, 3): the next way point of who
-    has any left. cruise: everyone's speed, but of who has arrived.
+    table: of `LeaderRows`. course (n,): HOLDS, STAYS, GOES_ON or ARRIVED. course_ned (n, 3): the next way point of
+    those that have any left. cruise: speed of all but those that have arrived.
     """
     near = False
-    for row in range(len(course)):
-        one, to = table[row], course_ned[row]
-        one[_GOAL_V], one[_GOAL_V + 1], one[_GOAL_V + 2] = 0.0, 0.0, 0.0
-        one[_SPEED] = 0.0 if course[row] == ARRIVED else cruise
+    for row in range(course.shape[0]):
+        one = _leader_at(table, row)
+        one.goal_v[0], one.goal_v[1], one.goal_v[2] = 0.0, 0.0, 0.0
+        one.speed = 0.0 if course[row] == ARRIVED else cruise
         if course[row] == HOLDS or course[row] == ARRIVED:
-            one[_GOAL], one[_GOAL + 1], one[_GOAL + 2] = one[_Q], one[_Q + 1], one[_Q + 2]
+            one.goal[0], one.goal[1], one.goal[2] = one.q[0], one.q[1], one.q[2]
         else:
-            one[_GOAL], one[_GOAL + 1], one[_GOAL + 2] = to[0], to[1], to[2]
-            n, e, d = one[_Q] - to[0], one[_Q + 1] - to[1], one[_Q + 2] - to[2]
-            near |= course[row] == GOES_ON and n * n + e * e + d * d <= square
+            one.goal[0], one.goal[1], one.goal[2] = course_ned[row, 0], course_ned[row, 1], course_ned[row, 2]
+            n, e, d = one.q[0] - one.goal[0], one.q[1] - one.goal[1], one.q[2] - one.goal[2]
+            if course[row] == GOES_ON and n * n + e * e + d * d <= square:
+                near = True
     return near
 
 
-@kernel()
 def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) -> tuple[float, float, float]:
-    """Kernel: l min(1, |F|/k0) F/|F|; whole with k0 = 0."""
+    """l min(1, |F|/k0) F/|F|; whole with k0 = 0."""
     size = math.sqrt(fn * fn + fe * fe + fd * fd)
     if size == 0.0:
         return 0.0, 0.0, 0.0
@@ -390,12 +404,11 @@ def _field_step(fn: float, fe: float, fd: float, full_step: float, k0: float) ->
     return scale * fn, scale * fe, scale * fd
 
 
-@kernel()
-def _fed_forward(on: float, oe: float, od: float, distance: float, constants: FloatArray) -> float:
-    """Kernel: the share of the goal's velocity that is fed forward."""
+def _fed_forward(on: float, oe: float, od: float, distance: float, cap: float, k0: float) -> float:
+    """Share of the goal's velocity that is fed forward."""
     within_reach: float = 1.0
-    if distance > constants[CAP]:
-        within_reach = max(0.0, 2.0 - distance / constants[CAP])
+    if distance > cap:
+        within_reach = max(0.0, 2.0 - distance / cap)
     size = math.sqrt(on * on + oe * oe + od * od)
-    free: float = max(0.0, 1.0 - size / (_UNFREE_SHARE * constants[K0]))
+    free: float = max(0.0, 1.0 - size / (_UNFREE_SHARE * k0))
     return within_reach * free

@@ -7,17 +7,15 @@ are old, the newest too.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
+from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
 from gcs.scenario.geometry import FloatArray
 
-LEAST_S, MOST_S = 0.35, 1.0
+_LEAST_S, _MOST_S = 0.35, 1.0
 """Age of a report from which a vehicle is silent, at least and at most."""
-USUAL_SHARE, SPARE_S = 1.5, 0.2
+_USUAL_SHARE, _SPARE_S = 1.5, 0.2
 """Of the oldest report of late, and beyond it."""
 FIRST_S = 0.5
 """Taken for the oldest report before there was one."""
@@ -34,21 +32,20 @@ class LinkAge:
 
     def __init__(self, n: int) -> None:
         self._oldest_s = np.full(n, FIRST_S)
-        self._last_s, self._age_s = np.full(n, math.nan), np.empty(n)
+        self._last_s = np.full(n, np.nan)
         self.silent = np.zeros(n, np.bool_)
         """(n,) whose last report is older than the link explains"""
 
     def receive(self, age_s: FloatArray, period_s: float) -> None:
         """Take in the vehicles' ages (n,), once a period."""
-        np.copyto(self._age_s, age_s)
-        _receive(self._age_s, period_s, math.exp(-period_s / DECAY_S), self._last_s, self._oldest_s, self.silent)
+        _receive(age_s, period_s, math.exp(-period_s / DECAY_S), self._last_s, self._oldest_s, self.silent)
 
 
 class SlowLinks:
     """Age of the newest report of late of each of n vehicles."""
 
     def __init__(self, n: int) -> None:
-        self._newest_s = np.full(n, math.inf)
+        self._newest_s = np.full(n, np.inf)
 
     def receive(self, age_s: FloatArray, period_s: float) -> None:
         """Take in the vehicles' ages (n,), once a period."""
@@ -57,19 +54,18 @@ class SlowLinks:
 
     def slow(self) -> NDArray[np.bool_]:
         """(n,) of which vehicles whatever they report has been flown long ago; of none before the first ages."""
-        slow: NDArray[np.bool_] = (self._newest_s >= SLOW_S) & (self._newest_s < math.inf)
+        slow: NDArray[np.bool_] = (self._newest_s >= SLOW_S) & (self._newest_s < np.inf)
         return slow
 
 
-@kernel()
 def _receive(
     age: FloatArray, period: float, decay: float, last: FloatArray, oldest: FloatArray, silent: NDArray[np.bool_]
 ) -> None:
-    """Kernel: writes the last three; `last` is NaN before there was an age."""
-    for row in range(len(age)):
+    """Write the last three; `last` is NaN before there was an age."""
+    for row in range(age.shape[0]):
         before = age[row] if math.isnan(last[row]) else last[row]
         most = oldest[row] * decay
         if age[row] < before + 0.5 * period:  # a report has come
             most = max(most, before, age[row])
-        last[row], oldest[row] = age[row], min(most, MOST_S)
-        silent[row] = age[row] > min(max(USUAL_SHARE * oldest[row] + SPARE_S, LEAST_S), MOST_S)
+        last[row], oldest[row] = age[row], min(most, _MOST_S)
+        silent[row] = age[row] > min(max(_USUAL_SHARE * oldest[row] + _SPARE_S, _LEAST_S), _MOST_S)

@@ -1,136 +1,180 @@
 """Constraints of the safety filter that can matter within a period: whatever is too far for that is left out.
 
-A constraint is a row (kind, vehicle, with what) and its required distance, in order of kind, vehicle and with what.
+A constraint has a kind, a vehicle, with what, and its required distance, in order of kind, vehicle and with what.
 Frames NED, lengths in metres.
 """
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
-import numpy as np
-
-from gcs.kernels import inner
-from gcs.planner.braking_clearance import FloatArray, IntArray
-from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, BoolArray
-from gcs.scenario.geometry import KIND, WALL, bounds
+import cython
+from cython.cimports.gcs.planner.constraints import Box, Constraint
+from cython.cimports.gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
+from cython.cimports.gcs.scenario.geometry import WALL, write_bounds
+from cython.cimports.libc.math import sqrt
+from cython.cimports.libc.stdlib import qsort, realloc
+from cython.cimports.libc.string import memset
 
 _ROOM = 256
+_ROUNDING_M = 1e-6
 
 
-@inner(error_model="numpy")
-def constraints_within_reach(
-    p: FloatArray, v: FloatArray, a_max: FloatArray, brake: FloatArray, margin: FloatArray, others: FloatArray,
-    table: FloatArray, beyond: BoolArray, walls: FloatArray, pair_required: FloatArray, other_required: FloatArray,
-    apart: bool, separation: float, clearance: float, dt: float, horizon: float, buffer: float,
-) -> tuple[IntArray, FloatArray]:  # fmt: skip
-    """Rows (k, 3) and required distances (k,) of all that n leaders can come near to (arguments as in `filter_step`).
+def find_constraints(near: Any, reach: Any, boxes: Any, found: Any) -> int:
+    """Put into `found` all that n vehicles can come near to.
 
-    others (m, 8): p, v, radius, growth. walls (n, 6). pair_required, other_required: rows (i, j, m), i < j of a pair.
+    reach: (n,), written; boxes: one for each vehicle or each shape, written. MemoryError where the list cannot grow.
     """
-    n = len(p)
-    reach = np.empty(n)  # no way is longer: the coming period, the braking after it, and what activates below
-    for i in range(n):
-        speed = math.sqrt(v[i, 0] ** 2 + v[i, 1] ** 2 + v[i, 2] ** 2) + a_max[i] * dt
-        reach[i] = dt * speed + speed**2 / (2.0 * brake[i]) + brake[i] * dt**2 / 8.0 + buffer
-    rows, required, count = np.empty((_ROOM, 3), dtype=np.int64), np.empty(_ROOM), 0
-    if apart:
-        farthest = 2.0 * (reach.max() + margin.max()) + separation if n else 0.0
-        for k in range(len(pair_required)):
-            farthest = max(farthest, 2.0 * reach.max() + pair_required[k, 2])
-        for i, j in _near_pairs(p, farthest):
-            d = _of_pair(pair_required, i, j, separation + margin[i] + margin[j])
-            if _distance(p, i, p, j) <= reach[i] + reach[j] + d:
-                rows, required, count = _put(rows, required, count, PAIR, i, j, d)
-    ahead = horizon + dt
-    for i in range(n):
-        for j in range(len(others)):
-            d = _of_pair(other_required, i, j, others[j, 6] + margin[i])
-            speed = math.sqrt(others[j, 3] ** 2 + others[j, 4] ** 2 + others[j, 5] ** 2)
-            far = speed * ahead + max(others[j, 6] + margin[i], d) + others[j, 7] * ahead
+    for i in range(near.n):
+        # No way is longer: the coming period, the braking after it, and what activates below.
+        v, brake = near.v + 3 * i, near.brake[i]
+        speed = sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2) + near.a_max[i] * near.dt
+        reach[i] = near.dt * speed + speed**2 / (2.0 * brake) + brake * near.dt**2 / 8.0 + near.buffer
+    if near.apart and near.n > 0:
+        _find_pairs(near, reach, boxes, found)
+    _find_others(near, reach, found)
+    if near.shapes_count > 0:
+        _find_shapes(near, reach, boxes, found)
+    return _find_walls(near, reach, found)
+
+
+def _find_pairs(near: Any, reach: Any, boxes: Any, found: Any) -> int:
+    most_reach, most_margin = reach[0], near.margin[0]
+    for i in range(near.n):
+        most_reach, most_margin = max(most_reach, reach[i]), max(most_margin, near.margin[i])
+    farthest = 2.0 * (most_reach + most_margin) + near.separation
+    for k in range(near.pairs_count):
+        farthest = max(farthest, 2.0 * most_reach + near.pairs[3 * k + 2])
+    square = farthest * farthest
+    for at in range(near.n):
+        box = cython.address(boxes[at])
+        box.low[0], box.j = near.p[3 * at], at
+    qsort(boxes, near.n, cython.sizeof(Box), _by_south)
+    for i in range(near.n):
+        p, first = near.p + 3 * i, found.count
+        begin = _first_from(boxes, near.n, p[0] - farthest - _ROUNDING_M, False)
+        end = _first_from(boxes, near.n, p[0] + farthest + _ROUNDING_M, True)
+        for at in range(begin, end):
+            j = boxes[at].j
+            q = near.p + 3 * j
+            n, e, d = p[0] - q[0], p[1] - q[1], p[2] - q[2]
+            if j > i and n * n + e * e + d * d <= square:
+                usual = near.separation + near.margin[i] + near.margin[j]
+                required = _of_pair(near.pairs, near.pairs_count, i, j, usual)
+                if _distance(p, q) <= reach[i] + reach[j] + required:
+                    _put(found, PAIR, i, j, required)
+        _in_order(found, first)
+    return 0
+
+
+def _find_others(near: Any, reach: Any, found: Any) -> int:
+    ahead = near.horizon + near.dt
+    for i in range(near.n):
+        for j in range(near.others_count):
+            other = cython.address(near.others[j])
+            usual = other.radius + near.margin[i]
+            d = _of_pair(near.singles, near.singles_count, i, j, usual)
+            speed = sqrt(other.v[0] ** 2 + other.v[1] ** 2 + other.v[2] ** 2)
+            far = speed * ahead + max(usual, d) + other.growth * ahead
             # None of 0: a distance of 0 is one that a braking leader would have to keep too.
-            if d > 0.0 and _distance(p, i, others, j) <= reach[i] + far:
-                rows, required, count = _put(rows, required, count, OTHER, i, j, d)
-    if len(table):
-        low, high, order, south, widest = _from_the_south(table)
-        for i in range(n):
-            d, first = clearance + margin[i], count
-            begin = np.searchsorted(south, p[i, 0] - reach[i] - d - widest)
-            for at in range(begin, np.searchsorted(south, p[i, 0] + reach[i] + d, side="right")):
-                j = order[at]
-                if _outside(p, i, low, high, j) <= reach[i] + d and not (beyond[i] and table[j, KIND] == WALL):
-                    rows, required, count = _put(rows, required, count, OBSTACLE, i, j, d)
-            _in_order(rows, first, count)
-    for i in range(n):
+            if d > 0.0 and _distance(near.p + 3 * i, other.p) <= reach[i] + far:
+                _put(found, OTHER, i, j, d)
+    return 0
+
+
+def _find_shapes(near: Any, reach: Any, boxes: Any, found: Any) -> int:
+    count = near.shapes_count
+    widest = 0.0
+    for at in range(count):
+        box, shape = cython.address(boxes[at]), cython.address(near.shapes[at])
+        write_bounds(shape, box.low, box.high)
+        box.j, box.wall = at, shape.kind == WALL
+        widest = max(widest, box.high[0] - box.low[0])
+    qsort(boxes, count, cython.sizeof(Box), _by_south)
+    for i in range(near.n):
+        p, d, first = near.p + 3 * i, near.clearance + near.margin[i], found.count
+        begin = _first_from(boxes, count, p[0] - reach[i] - d - widest, False)
+        end = _first_from(boxes, count, p[0] + reach[i] + d, True)
+        for at in range(begin, end):
+            box = cython.address(boxes[at])
+            if _outside(p, box) <= reach[i] + d and not (near.beyond[i] and box.wall):
+                _put(found, OBSTACLE, i, box.j, d)
+        _in_order(found, first)
+    return 0
+
+
+def _find_walls(near: Any, reach: Any, found: Any) -> int:
+    for i in range(near.n):
+        p, walls = near.p + 3 * i, near.walls + 6 * i
         for side in range(6):
-            clear = p[i, side] - walls[i, side] if side < 3 else walls[i, side] - p[i, side - 3]
-            if clear <= reach[i] + margin[i]:
-                rows, required, count = _put(rows, required, count, PLANE, i, side, margin[i])
-    return rows[:count], required[:count]
+            clear = p[side] - walls[side] if side < 3 else walls[side] - p[side - 3]
+            if clear <= reach[i] + near.margin[i]:
+                _put(found, PLANE, i, side, near.margin[i])
+    return 0
 
 
-@inner(error_model="numpy")
-def _near_pairs(p: FloatArray, within: float) -> list[tuple[int, int]]:
-    """Pairs i < j of places that are no farther apart, ascending; a loop of its own, since one that does more is
-    compiled to a ninth of its speed."""
-    pairs = [(0, 0)][:0]
-    for i in range(len(p)):
-        for j in range(i + 1, len(p)):
-            n, e, d = p[i, 0] - p[j, 0], p[i, 1] - p[j, 1], p[i, 2] - p[j, 2]
-            if n * n + e * e + d * d <= within * within:
-                pairs.append((i, j))
-    return pairs
+def _put(found: Any, kind: int, i: int, j: int, required: float) -> int:
+    if found.count == found.room:
+        room = 2 * found.room if found.room > 0 else _ROOM
+        longer = realloc(found.rows, room * cython.sizeof(Constraint))
+        if longer == cython.NULL:
+            raise MemoryError
+        found.rows, found.room = cython.cast(cython.pointer(Constraint), longer), room
+    c = cython.address(found.rows[found.count])
+    memset(c, 0, cython.sizeof(Constraint))
+    c.kind, c.i, c.j, c.required = kind, i, j, required
+    found.count += 1
+    return 0
 
 
-@inner(error_model="numpy")
-def _in_order(rows: IntArray, first: int, end: int) -> None:
-    """Sort the last column of a few rows in place."""
-    for k in range(first + 1, end):
-        j, at = rows[k, 2], k
-        while at > first and rows[at - 1, 2] > j:
-            rows[at, 2] = rows[at - 1, 2]
-            at -= 1
-        rows[at, 2] = j
+def _in_order(found: Any, first: int) -> None:
+    """Sort one vehicle's constraints, from `first` on, by what they are with."""
+    if found.count > first + 1:
+        qsort(cython.address(found.rows[first]), found.count - first, cython.sizeof(Constraint), _by_what)
 
 
-@inner(error_model="numpy")
-def _put(
-    rows: IntArray, required: FloatArray, count: int, kind: int, i: int, j: int, d: float
-) -> tuple[IntArray, FloatArray, int]:
-    if count == len(rows):
-        longer, more = np.empty((2 * count, 3), dtype=np.int64), np.empty(2 * count)
-        longer[:count], more[:count] = rows, required
-        rows, required = longer, more
-    rows[count, 0], rows[count, 1], rows[count, 2], required[count] = kind, i, j, d
-    return rows, required, count + 1
-
-
-@inner(error_model="numpy")
-def _of_pair(given: FloatArray, i: int, j: int, usual: float) -> float:
+def _of_pair(given: Any, count: int, i: int, j: int, usual: float) -> float:
     """Distance required of a pair, where one is given for it: the last one."""
-    for k in range(len(given) - 1, -1, -1):
-        if given[k, 0] == i and given[k, 1] == j:
-            return float(given[k, 2])
-    return usual
+    required = usual
+    for k in range(count):
+        if given[3 * k] == i and given[3 * k + 1] == j:
+            required = given[3 * k + 2]
+    return required
 
 
-@inner(error_model="numpy")
-def _distance(a: FloatArray, i: int, b: FloatArray, j: int) -> float:
-    return math.sqrt((a[i, 0] - b[j, 0]) ** 2 + (a[i, 1] - b[j, 1]) ** 2 + (a[i, 2] - b[j, 2]) ** 2)
+def _distance(a: Any, b: Any) -> float:
+    return sqrt((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2)
 
 
-@inner(error_model="numpy")
-def _outside(p: FloatArray, i: int, low: FloatArray, high: FloatArray, j: int) -> float:
+def _outside(p: Any, box: Any) -> float:
     """Distance of a place from a box, 0 in it."""
     square = 0.0
     for axis in range(3):
-        square += max(low[j, axis] - p[i, axis], p[i, axis] - high[j, axis], 0.0) ** 2
-    return math.sqrt(square)
+        square += max(box.low[axis] - p[axis], p[axis] - box.high[axis], 0.0) ** 2
+    return sqrt(square)
 
 
-@inner(error_model="numpy")
-def _from_the_south(table: FloatArray) -> tuple[FloatArray, FloatArray, IntArray, FloatArray, float]:
-    """Bounding boxes (m, 3), (m, 3), their order by their south sides, those in this order, and the widest one."""
-    low, high = bounds(table)
-    order = np.argsort(low[:, 0])
-    return low, high, order, low[order, 0], (high[:, 0] - low[:, 0]).max()
+def _by_south(a: Any, b: Any) -> int:
+    """Order of boxes by their south sides."""
+    first, second = cython.cast("const Box *", a), cython.cast("const Box *", b)
+    return (first.low[0] > second.low[0]) - (first.low[0] < second.low[0])
+
+
+def _by_what(a: Any, b: Any) -> int:
+    """Order of one vehicle's constraints."""
+    first, second = cython.cast("const Constraint *", a), cython.cast("const Constraint *", b)
+    return (first.j > second.j) - (first.j < second.j)
+
+
+def _first_from(boxes: Any, count: int, north: float, beyond: bool) -> int:
+    """The first of boxes in order whose south side is at `north` or farther; `beyond`: is farther."""
+    low = 0
+    while count > 0:
+        middle = low + count // 2
+        south = boxes[middle].low[0]
+        if south < north or (beyond and south == north):
+            count -= middle + 1 - low
+            low = middle + 1
+        else:
+            count = middle - low
+    return low

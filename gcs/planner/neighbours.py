@@ -7,17 +7,17 @@ sum over everything. Looked at is what lies in reach from south to north.
 import functools
 
 import numpy as np
+from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, shape_at
+from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
-from gcs.scenario.geometry import BOX, CYLINDER, DOWN, KIND, NORTH, SIZE_1, SIZE_2, SIZE_3, FloatArray
+from gcs.scenario.geometry import NORTH, FloatArray
 
 IntArray = NDArray[np.int64]
 
 FEW = 2_000
 """Up to so many pairs, having all of them costs less than choosing."""
 _ROUNDING_M = 1e-6
-_ROOM = 256
 
 
 @functools.lru_cache(maxsize=64)
@@ -38,32 +38,63 @@ def within_range(
     n, m = len(q_ned), len(table)
     if n * m <= FEW:
         return everyone(n, m)
-    around_m = _extent_m(table) + ranges_m + _ROUNDING_M
-    spans = np.empty((n, 2), dtype=np.int64)
-    rows = _within(q_ned, reach_m, np.ascontiguousarray(table[:, NORTH : DOWN + 1]), around_m, spans)
-    return rows, spans
+    q, reach = np.ascontiguousarray(q_ned), np.ascontiguousarray(reach_m)
+    order = table[:, NORTH].argsort()
+    spheres, spans = np.empty((m, 4)), np.empty((n, 2), np.int64)
+    spheres[:, 3] = ranges_m if isinstance(ranges_m, float) else ranges_m[order]
+    rows = np.empty(_look(q, reach, table, order, spheres, spans), np.int64)
+    return rows[: _choose(q, reach, order, spheres, spans, rows)].copy(), spans
 
 
-@kernel()
-def _within(
-    q_ned: FloatArray, reach_m: FloatArray, centre_ned: FloatArray, around_m: FloatArray, spans: IntArray
-) -> IntArray:
-    order = np.argsort(centre_ned[:, 0])
-    centre, around = centre_ned[order], around_m[order]
-    south, widest_m = centre[:, 0].copy(), around_m.max()
-    rows = np.empty(_ROOM, dtype=np.int64)
+def _look(
+    q_ned: FloatArray, reach_m: FloatArray, table: FloatArray, order: IntArray, spheres: FloatArray, spans: IntArray
+) -> int:
+    """Fill spheres (m, 4), centres and radii in an order from south to north, and spans (n, 2): which of them lie in
+    reach of each leader from south to north. How many those are in all.
+
+    Radii are ranges at first, to which the reach of each shape from its centre is added.
+    """
+    widest_m = 0.0
+    for k in range(order.shape[0]):
+        shape = shape_at(table, order[k])
+        extent = shape.size_1
+        if shape.kind == BOX:
+            extent = math.sqrt(shape.size_1 * shape.size_1 + shape.size_2 * shape.size_2 + shape.size_3 * shape.size_3)
+        elif shape.kind == CYLINDER:
+            extent = math.hypot(shape.size_1, shape.size_2)
+        spheres[k, 0], spheres[k, 1], spheres[k, 2] = shape.north, shape.east, shape.down
+        spheres[k, 3] = extent + spheres[k, 3] + _ROUNDING_M
+        widest_m = max(widest_m, spheres[k, 3])
     count = 0
-    for i in range(len(q_ned)):
-        first = np.searchsorted(south, q_ned[i, 0] - reach_m[i] - widest_m)
-        last = np.searchsorted(south, q_ned[i, 0] + reach_m[i] + widest_m, side="right")
-        if count + last - first > len(rows):
-            longer = np.empty(2 * (count + last - first), dtype=np.int64)
-            longer[:count] = rows[:count]
-            rows = longer
+    for i in range(q_ned.shape[0]):
+        spans[i, 0] = _place(spheres, q_ned[i, 0] - reach_m[i] - widest_m, False)
+        spans[i, 1] = _place(spheres, q_ned[i, 0] + reach_m[i] + widest_m, True)
+        count += spans[i, 1] - spans[i, 0]
+    return count
+
+
+def _place(spheres: FloatArray, north: float, beyond: bool) -> int:
+    """How many spheres are south of a north, or not north of it."""
+    low, high = 0, spheres.shape[0]
+    while low < high:
+        middle = (low + high) // 2
+        if spheres[middle, 0] < north or (beyond and spheres[middle, 0] == north):
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
+def _choose(
+    q_ned: FloatArray, reach_m: FloatArray, order: IntArray, spheres: FloatArray, spans: IntArray, rows: IntArray
+) -> int:
+    """Fill `rows`, and `spans` with where those of each leader begin and end; how many rows there are."""
+    count = 0
+    for i in range(q_ned.shape[0]):
         begin = count
-        for k in range(first, last):
-            n, e, d = q_ned[i, 0] - centre[k, 0], q_ned[i, 1] - centre[k, 1], q_ned[i, 2] - centre[k, 2]
-            if n * n + e * e + d * d <= (reach_m[i] + around[k]) ** 2:
+        for k in range(spans[i, 0], spans[i, 1]):
+            n, e, d = q_ned[i, 0] - spheres[k, 0], q_ned[i, 1] - spheres[k, 1], q_ned[i, 2] - spheres[k, 2]
+            if n * n + e * e + d * d <= (reach_m[i] + spheres[k, 3]) ** 2:
                 j, at = order[k], count
                 while at > begin and rows[at - 1] > j:
                     rows[at] = rows[at - 1]
@@ -71,12 +102,4 @@ def _within(
                 rows[at] = j
                 count += 1
         spans[i, 0], spans[i, 1] = begin, count
-    return rows[:count].copy()
-
-
-def _extent_m(table: FloatArray) -> FloatArray:
-    """Reach of each shape from its centre (m,), m."""
-    kind = table[:, KIND]
-    box = np.linalg.norm(table[:, SIZE_1 : SIZE_3 + 1], axis=1)
-    cylinder = np.hypot(table[:, SIZE_1], table[:, SIZE_2])
-    return np.where(kind == BOX, box, np.where(kind == CYLINDER, cylinder, table[:, SIZE_1]))
+    return count

@@ -11,17 +11,18 @@ Forces are those of the field alone and have no unit; distances are metres, NED.
 """
 
 import functools
-import math
 from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
+from cython.cimports.gcs.scenario.geometry import shape_surface
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike
 
-from gcs.kernels import kernel
-from gcs.scenario.geometry import FloatArray, shape_surface
+from gcs.scenario.geometry import FloatArray
 from gcs.scenario.rules import SURFACE_FLOOR_M
 
-K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP, FULL_STEPS = range(8)
+_FLOOR_M = SURFACE_FLOOR_M
 
 
 @dataclass(frozen=True)
@@ -67,8 +68,7 @@ class FieldConstants:
             )
 
     def constants(self) -> FloatArray:
-        """The parameters that kernels need, (8,), only to be read, by K0, K1, A, B, ATTRACTION_RANGE, STEP, CAP and
-        FULL_STEPS."""
+        """The parameters as the row (8,) that the struct Field of potential_field.pxd describes; only to be read."""
         return self._constants
 
     @functools.cached_property
@@ -86,40 +86,38 @@ def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) ->
     return np.asarray(np.add(range_m, np.multiply(speed_m_s, np.maximum(age_s, 0.0))), dtype=np.float64)
 
 
-@kernel()
-def repulsion_size(rho: float, rho_o: float, k1: float, a: float, b: float) -> float:
-    """Kernel: |F_o| at distance `rho` of a repulsor of range `rho_o`."""
+def repulsion_size(rho: float, rho_o: float, field: Any) -> float:
+    """|F_o| at distance `rho` of a repulsor of range `rho_o`."""
     if rho >= rho_o:
         return 0.0
-    near = max(rho, SURFACE_FLOOR_M)
+    near = max(rho, _FLOOR_M)
     size = (1.0 / near - 1.0 / rho_o) / (near * near)
-    if near < b * rho_o:
-        size += a * (1.0 / near - 1.0 / (b * rho_o)) / (near * near)
-    return max(k1 * size, 0.0)
+    if near < field.b * rho_o:
+        size += field.a * (1.0 / near - 1.0 / (field.b * rho_o)) / (near * near)
+    force: float = field.k1 * size
+    return max(force, 0.0)
 
 
-@kernel()
 def repulsion_of_shape(
-    table: FloatArray, i: int, rho_o: float, qn: float, qe: float, qd: float, constants: FloatArray
+    shape: Any, rho_o: float, qn: float, qe: float, qd: float, field: Any
 ) -> tuple[float, float, float]:
-    """Kernel: F_o (north, east, down) of row `i` of an obstacle table, of range `rho_o`."""
-    rho, n, e, d = shape_surface(table, i, qn, qe, qd)
-    size = repulsion_size(rho, rho_o, constants[K1], constants[A], constants[B])
+    """F_o (north, east, down) of a shape of range `rho_o`."""
+    rho, n, e, d = shape_surface(shape, qn, qe, qd)
+    size = repulsion_size(rho, rho_o, field)
     return size * n, size * e, size * d
 
 
-@kernel()
 def attraction_to(
-    gn: float, ge: float, gd: float, reach: float, qn: float, qe: float, qd: float, constants: FloatArray
+    gn: float, ge: float, gd: float, reach: float, qn: float, qe: float, qd: float, field: Any
 ) -> tuple[float, float, float]:
-    """Kernel: F_g (north, east, down) towards (gn, ge, gd); zero when it is farther than `reach`."""
+    """F_g (north, east, down) towards (gn, ge, gd); zero when it is farther than `reach`."""
     dn = gn - qn
     de = ge - qe
     dd = gd - qd
     rho = math.sqrt(dn * dn + de * de + dd * dd)
     if rho > reach:
         return 0.0, 0.0, 0.0
-    k = constants[K0]
-    if rho > constants[CAP]:
-        k *= constants[CAP] / rho
+    k = field.k0
+    if rho > field.cap:
+        k *= field.cap / rho
     return k * dn, k * de, k * dd

@@ -14,17 +14,18 @@ number of cells: what is open stays open.
 
 from __future__ import annotations
 
-import heapq
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import cython
 import numpy as np
+from cython.cimports.gcs.scenario.geometry import WALL, shape_at, shape_surface
+from cython.cimports.libc.math import INFINITY, ceil, floor
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
 from gcs.planner.line_of_sight import FloatArray, IntArray
-from gcs.scenario.geometry import DOWN, KIND, SIZE_3, WALL, bounds, shape_surface
+from gcs.scenario.geometry import DOWN, KIND, SIZE_3, bounds
 
 Costs = NDArray[np.int32]
 Weights = NDArray[np.uint8]
@@ -93,7 +94,6 @@ def cells(
     return Cells(weight.ravel(), connected_parts(weight), place, cell_m, *counts)
 
 
-@kernel()
 def _rasterise(
     table: FloatArray,
     low: FloatArray,
@@ -104,17 +104,19 @@ def _rasterise(
     wanted_m: float,
     thicker_m: float,
 ) -> None:
+    a, b = [0, 0, 0], [0, 0, 0]
     for i in range(table.shape[0]):
-        a = np.empty(3, dtype=np.int64)
-        b = np.empty(3, dtype=np.int64)
+        shape = shape_at(table, i)
         for axis in range(3):
-            a[axis] = max(math.ceil((low[i, axis] - wanted_m - first[axis]) / cell_m), 0)
-            b[axis] = min(math.floor((high[i, axis] + wanted_m - first[axis]) / cell_m), distance.shape[axis] - 1)
+            south = ceil((low[i, axis] - wanted_m - first[axis]) / cell_m)
+            north = floor((high[i, axis] + wanted_m - first[axis]) / cell_m)
+            a[axis] = max(cython.cast(cython.Py_ssize_t, south), 0)
+            b[axis] = min(cython.cast(cython.Py_ssize_t, north), distance.shape[axis] - 1)
         for n in range(a[0], b[0] + 1):
             for e in range(a[1], b[1] + 1):
                 for d in range(a[2], b[2] + 1):
-                    at = shape_surface(table, i, first[0] + n * cell_m, first[1] + e * cell_m, first[2] + d * cell_m)[0]
-                    if table[i, KIND] == WALL:
+                    at = shape_surface(shape, first[0] + n * cell_m, first[1] + e * cell_m, first[2] + d * cell_m)[0]
+                    if shape.kind == WALL:
                         at -= thicker_m
                     distance[n, e, d] = min(distance[n, e, d], at)
 
@@ -128,34 +130,34 @@ def connected_parts(weight: Weights) -> Labels:
     return _connected_parts(weight.ravel(), count_d, count_e * count_d)
 
 
-@kernel()
 def _connected_parts(weight: Weights, row: int, layer: int) -> Labels:
-    part = np.zeros(len(weight), dtype=np.int32)
+    labels = np.zeros(len(weight), dtype=np.int32)
+    part = labels
     # The number given to a part's cell → a lower one of the same part, or itself.
     lower = np.zeros(1024, dtype=np.int32)
+    back = [1, row, layer]
     count = 0
-    for cell in range(len(weight)):
+    for cell in range(part.shape[0]):
         if weight[cell] == 0:
             continue
-        number = 0
-        for back in (1, row, layer):
-            other = part[cell - back]
-            if other == 0:
+        number = met = 0
+        for axis in range(3):
+            other = part[cell - back[axis]]
+            if other in (0, met):
                 continue
+            met = other
             while lower[other] != other:
                 lower[other] = lower[lower[other]]
                 other = lower[other]
             if number == 0:
                 number = other
             elif number != other:
-                number, other = min(number, other), max(number, other)
-                lower[other] = number
+                lower[max(number, other)] = min(number, other)
+                number = min(number, other)
         if number == 0:
             count += 1
-            if count == len(lower):
-                longer = np.zeros(2 * count, dtype=np.int32)
-                longer[:count] = lower
-                lower = longer
+            if count == lower.shape[0]:
+                lower = np.resize(lower, 2 * count)
             number = lower[count] = count
         part[cell] = number
     final = 0
@@ -165,9 +167,9 @@ def _connected_parts(weight: Weights, row: int, layer: int) -> Labels:
             lower[number] = final
         else:
             lower[number] = lower[lower[number]]
-    for cell in range(len(part)):
+    for cell in range(part.shape[0]):
         part[cell] = lower[part[cell]]
-    return part
+    return labels
 
 
 def cell_at(grid: Cells, p_ned: FloatArray) -> int:
@@ -218,26 +220,39 @@ class CostField:
     def path(self, grid: Cells, start: int, most: int = ALL_CELLS) -> IntArray | None:
         """Cells from `start` to the goal; it must be in the same part. None: the search was paused after `most`."""
         if self.cost[start] > 0 and self.paused != start:
-            return _descend(grid, self.cost, start, self.goal)
-        self.open_cells, seen, settled, found = _settle(grid, self.cost, self.open_cells, start, most)
+            return self._down(grid, start)
+        self.open_cells, seen, settled, found = _settle(
+            grid.weight, grid.count_e, grid.count_d, self.cost, self.open_cells, start, most
+        )
         self.seen.append(seen)
         self.settled += settled
         self.paused = -1 if found else start
-        return _descend(grid, self.cost, start, self.goal) if found else None
+        return self._down(grid, start) if found else None
+
+    def _down(self, grid: Cells, start: int) -> IntArray:
+        return _descend(grid.weight, grid.count_e, grid.count_d, self.cost, start, self.goal)
 
 
-@kernel()
 def _estimate(dn: int, de: int, dd: int) -> int:
-    """Kernel: the cost of the shortest free path between cells so far apart."""
+    """The cost of the shortest free path between cells so far apart."""
     a, b, c = abs(dn), abs(de), abs(dd)
     least, most = min(a, b, c), max(a, b, c)
     middle = a + b + c - least - most
     return 2 * (_CORNER * least + _SLANT * (middle - least) + _STRAIGHT * (most - middle))
 
 
-@kernel()
-def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> None:
-    """Kernel: free[k] = weight of the k-th cell around `cell`, 0 where no move leads there."""
+def _edge(free: Any, i: int, j: int) -> None:
+    if free[13 + i] == 0 or free[13 + j] == 0:
+        free[13 + i + j] = 0
+
+
+def _corner(free: Any, i: int, j: int, d: int) -> None:
+    if free[13 + i + j] == 0 or free[13 + i + d] == 0 or free[13 + j + d] == 0:
+        free[13 + i + j + d] = 0
+
+
+def _allowed(weight: Any, cell: int, around: Any, free: Any) -> None:
+    """free[k] = weight of the k-th cell around `cell`, 0 where no move leads there."""
     blocked = 0
     for k in range(27):
         free[k] = weight[cell + around[k]]
@@ -245,69 +260,95 @@ def _allowed(weight: Weights, cell: int, around: IntArray, free: IntArray) -> No
     if blocked == 0:
         return
     # Index 13 is the cell itself; n, e, d add 9, 3, 1. An edge needs its two faces, a corner its three edges.
-    for a, b in ((9, 3), (9, 1), (3, 1)):
-        for i in (-a, a):
-            for j in (-b, b):
-                if free[13 + i] == 0 or free[13 + j] == 0:
-                    free[13 + i + j] = 0
-    for i in (-9, 9):
-        for j in (-3, 3):
-            for d in (-1, 1):
-                if free[13 + i + j] == 0 or free[13 + i + d] == 0 or free[13 + j + d] == 0:
-                    free[13 + i + j + d] = 0
+    for s in range(-1, 2, 2):
+        for t in range(-1, 2, 2):
+            _edge(free, 9 * s, 3 * t)
+            _edge(free, 9 * s, t)
+            _edge(free, 3 * s, t)
+    for s in range(-1, 2, 2):
+        for t in range(-1, 2, 2):
+            _corner(free, 9 * s, 3 * t, -1)
+            _corner(free, 9 * s, 3 * t, 1)
 
 
-@kernel()
-def _moves(stride_n: int, stride_e: int) -> tuple[IntArray, IntArray]:
-    """Kernel: where the 27 cells around a cell lie from it, and half the cost of the move there at weight 1."""
-    around = np.zeros(27, dtype=np.int64)
-    costs = np.zeros(27, dtype=np.int64)
+def _moves(stride_n: int, stride_e: int, around: Any, costs: Any) -> None:
+    """Where the 27 cells around a cell lie from it, and half the cost of the move there at weight 1."""
     k = 0
     for n in range(-1, 2):
         for e in range(-1, 2):
             for d in range(-1, 2):
                 around[k] = n * stride_n + e * stride_e + d
                 axes = abs(n) + abs(e) + abs(d)
-                costs[k] = (0, _STRAIGHT, _SLANT, _CORNER)[axes]
+                costs[k] = 0 if axes == 0 else _STRAIGHT if axes == 1 else _SLANT if axes == 2 else _CORNER
                 k += 1
-    return around, costs
 
 
-@kernel()
+def _push(heap: Any, size: int, key: int) -> None:
+    """Put a key into a binary heap of so many, the least first."""
+    while size > 0 and heap[(size - 1) >> 1] > key:
+        heap[size] = heap[(size - 1) >> 1]
+        size = (size - 1) >> 1
+    heap[size] = key
+
+
+def _pop(heap: Any, size: int) -> int:
+    """Take the least key out of a heap of so many, at least one."""
+    least, last = heap[0], heap[size - 1]
+    at = 0
+    child = 1
+    while child < size - 1:
+        if child + 1 < size - 1 and heap[child + 1] < heap[child]:
+            child += 1
+        heap[at] = heap[child]
+        at, child = child, 2 * child + 1
+    # Most of what was last belongs low again, so the way down takes no comparisons with it.
+    while at > 0 and heap[(at - 1) >> 1] > last:
+        heap[at] = heap[(at - 1) >> 1]
+        at = (at - 1) >> 1
+    heap[at] = last
+    return least
+
+
 def _settle(
-    grid: Cells, cost: Costs, open_cells: IntArray, start: int, most: int
+    weight: Weights, count_e: int, count_d: int, cost: Costs, open_cells: IntArray, start: int, most: int
 ) -> tuple[IntArray, IntArray, int, bool]:
-    """Kernel: settle every cell that can lie on a cheapest path from `start`, or `most` of them.
+    """Settle every cell that can lie on a cheapest path from `start`, or `most` of them.
 
     Returns the cells that stay open, those that were not seen before, how many were settled, and whether that was all.
     """
-    settled = 0
-    limit = np.int64(1) << 62
+    settled = size = met = 0
+    limit = 1 << 62
     if cost[start] > 0:
-        limit = np.int64(cost[start])
-    seen = [start][:0]
-    weight = grid.weight
-    stride_e = grid.count_d
-    stride_n = grid.count_d * grid.count_e
-    start_n, start_e, start_d = start // stride_n, start // stride_e % grid.count_e, start % stride_e
-    around, moves = _moves(stride_n, stride_e)
-    free = np.empty(27, dtype=np.int64)
-    heap = [start][:0]
-    for cell in open_cells:
-        n, e, d = cell // stride_n, cell // stride_e % grid.count_e, cell % stride_e
+        limit = cost[start]
+    stride_e = count_d
+    stride_n = count_d * count_e
+    start_n, start_e, start_d = start // stride_n, start // stride_e % count_e, start % stride_e
+    around, moves, free = [0] * 27, [0] * 27, [0] * 27
+    _moves(stride_n, stride_e, around, moves)
+    seen = np.empty(1024, dtype=np.int64)
+    heap = np.empty(1024 + len(open_cells), dtype=np.int64)
+    for i in range(open_cells.shape[0]):
+        cell = open_cells[i]
+        n, e, d = cell // stride_n, cell // stride_e % count_e, cell % stride_e
         f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
-        heapq.heappush(heap, f << 32 | cell)
-    while len(heap) > 0 and heap[0] >> 32 <= limit and settled < most:
-        cell = heapq.heappop(heap) & 0xFFFFFFFF
-        own = -np.int64(cost[cell])
+        _push(cython.address(heap[0]), size, f << 32 | cell)
+        size += 1
+    while size > 0 and heap[0] >> 32 <= limit and settled < most:
+        cell = _pop(cython.address(heap[0]), size) & 0xFFFFFFFF
+        size -= 1
+        own = -cost[cell]
         if own < 0:
             continue
         cost[cell] = own
         settled += 1
         if cell == start:
             limit = own
-        _allowed(weight, cell, around, free)
-        n, e, d = cell // stride_n - start_n, cell // stride_e % grid.count_e - start_e, cell % stride_e - start_d
+        if size + 27 > heap.shape[0]:
+            heap = np.resize(heap, 2 * heap.shape[0])
+        if met + 27 > seen.shape[0]:
+            seen = np.resize(seen, 2 * seen.shape[0])
+        _allowed(cython.address(weight[0]), cell, around, free)
+        n, e, d = cell // stride_n - start_n, cell // stride_e % count_e - start_e, cell % stride_e - start_d
         here = free[13]
         k = -1
         for dn in range(-1, 2):
@@ -322,24 +363,25 @@ def _settle(
                         continue
                     new = own + moves[k] * (here + free[k])
                     if known == 0:
-                        seen.append(other)
+                        seen[met] = other
+                        met += 1
                     if known == 0 or -known > new:
                         cost[other] = -new
-                        heapq.heappush(heap, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
-    found = len(heap) == 0 or bool(heap[0] >> 32 > limit)
-    kept = np.array([key & 0xFFFFFFFF for key in heap], dtype=np.int64)
-    return np.unique(kept[cost[kept] < 0]), np.array(seen, dtype=np.int64), settled, found
+                        _push(cython.address(heap[0]), size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
+                        size += 1
+    found = size == 0 or heap[0] >> 32 > limit
+    kept, costs = np.asarray(heap)[:size] & 0xFFFFFFFF, np.asarray(cost)
+    return np.unique(kept[costs[kept] < 0]), np.asarray(seen)[:met].copy(), settled, found
 
 
-@kernel()
-def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
-    """Kernel: cells from `start` to `goal` down the settled costs, of equal ones the first in order."""
-    around, moves = _moves(grid.count_d * grid.count_e, grid.count_d)
-    free = np.empty(27, dtype=np.int64)
+def _descend(weight: Weights, count_e: int, count_d: int, cost: Costs, start: int, goal: int) -> IntArray:
+    """Cells from `start` to `goal` down the settled costs, of equal ones the first in order."""
+    around, moves, free = [0] * 27, [0] * 27, [0] * 27
+    _moves(count_d * count_e, count_d, around, moves)
     path = [start]
     cell = start
     while cell != goal:
-        _allowed(grid.weight, cell, around, free)
+        _allowed(cython.address(weight[0]), cell, around, free)
         following = -1
         for k in range(27):
             other = cell + around[k]
@@ -355,26 +397,36 @@ def _descend(grid: Cells, cost: Costs, start: int, goal: int) -> IntArray:
     return np.array(path)
 
 
-@kernel()
 def nearest_in_part(grid: Cells, part: int, dearest: int, p_ned: FloatArray) -> int:
-    """Kernel: the cell of a part, no dearer than given, whose centre is nearest to a place; -1 where none is."""
-    counts = np.array([grid.count_n, grid.count_e, grid.count_d])
-    at = np.empty(3)
+    """The cell of a part, no dearer than given, whose centre is nearest to a place; -1 where none is."""
+    low_n, low_e, low_d = grid.low_ned
+    n, e, d = (p_ned[0] - low_n) / grid.cell_m, (p_ned[1] - low_e) / grid.cell_m, (p_ned[2] - low_d) / grid.cell_m
+    return _nearest(grid.weight, grid.part, grid.count_n, grid.count_e, grid.count_d, n, e, d, part, dearest)
+
+
+def _nearest(
+    weight: Weights, parts: Labels, count_n: int, count_e: int, count_d: int, north: float, east: float, down: float,
+    part: int, dearest: int,
+) -> int:  # fmt: skip
+    """The same for a place so many cells from the first one's centre."""
+    counts, at = [count_n, count_e, count_d], [north, east, down]
+    low, high = [0, 0, 0], [0, 0, 0]
     for axis in range(3):
-        at[axis] = min(max((p_ned[axis] - grid.low_ned[axis]) / grid.cell_m, 0.0), counts[axis] - 1.0)
+        at[axis] = min(max(at[axis], 0.0), counts[axis] - 1.0)
     wide = 4
     while True:
-        low = np.maximum(np.floor(at).astype(np.int64) - wide, 0)
-        high = np.minimum(np.floor(at).astype(np.int64) + wide + 1, counts - 1)
-        best, nearest = math.inf, -1
+        for axis in range(3):
+            low[axis] = max(cython.cast(cython.Py_ssize_t, at[axis]) - wide, 0)
+            high[axis] = min(cython.cast(cython.Py_ssize_t, at[axis]) + wide + 1, counts[axis] - 1)
+        best, nearest = INFINITY, -1
         for n in range(low[0], high[0] + 1):
             for e in range(low[1], high[1] + 1):
                 for d in range(low[2], high[2] + 1):
                     square = (n - at[0]) ** 2 + (e - at[1]) ** 2 + (d - at[2]) ** 2
-                    cell = (n * grid.count_e + e) * grid.count_d + d
-                    if square < best and grid.part[cell] == part and grid.weight[cell] <= dearest:
+                    cell = (n * count_e + e) * count_d + d
+                    if square < best and parts[cell] == part and weight[cell] <= dearest:
                         best, nearest = square, cell
         # What lies outside of the box is farther than its half width.
-        if best <= wide * wide or wide > counts.max():
+        if best <= wide * wide or wide > max(counts[0], counts[1], counts[2]):
             return nearest
         wide *= 2

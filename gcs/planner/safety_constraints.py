@@ -1,108 +1,131 @@
 """Constraints of the safety filter: clearance, linear form, and limits of acceleration and speed.
 
-A constraint is a row (kind, vehicle, with what): with the row of another vehicle, of the others, of the obstacle table,
-or with a wall 0-5. Only of a pair both sides move.
+A constraint has a kind, a vehicle i and j, with what: the row of another vehicle, of the others, of the obstacle table,
+or a wall 0-5. Only of a pair both sides move.
 """
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
+import cython
 import numpy as np
-from numpy.typing import NDArray
-
-from gcs.kernels import inner
-from gcs.planner.braking_clearance import (
+from cython.cimports.gcs.planner.braking_clearance import (
     TINY,
-    Clearance,
-    FloatArray,
-    IntArray,
     other_clearance,
     pair_clearance,
     plane_clearance,
     sensitivity,
     shape_clearance,
 )
+from cython.cimports.gcs.planner.constraints import Constraint, Moves, Other, Surroundings
+from cython.cimports.gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR
+from cython.cimports.gcs.scenario.geometry import shape_at
+from cython.cimports.libc import math
 
-BoolArray = NDArray[np.bool_]
+from gcs.planner.braking_clearance import FloatArray, IntArray
 
-PAIR, OTHER, OBSTACLE, PLANE = 1, 2, 3, 4
+PLANE: int
 GOLDEN = 0.6180339887498949
 _PLASTIC = 0.7548776662466927  # irrational, too, so that pairs of ids get different directions
 _LIMIT_SWEEPS = 4
 
 
-@inner(error_model="numpy")
-def clearance_of(
-    rows: IntArray, c: int, enough: float, p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray,
-    others: FloatArray, table: FloatArray, walls: FloatArray, dt: float, horizon: float,
-) -> Clearance:  # fmt: skip
-    kind, i, j = rows[c, 0], rows[c, 1], rows[c, 2]
-    if kind == PAIR:
-        return pair_clearance(p, v, u, brake, i, j, dt, enough)
-    if kind == OTHER:
-        return other_clearance(p, v, u, brake, i, others, j, dt, horizon, enough)
-    if kind == OBSTACLE:
-        return shape_clearance(p, v, u, brake, i, table, j, dt, enough)
-    return plane_clearance(p, v, u, brake, i, j, walls[i, j], dt)
+def clearance_of(c: Any, enough: float, m: Any, around: Any) -> Any:
+    """Clearance of a constraint, cut off at `enough`, as braking_clearance.py gives it."""
+    if c.kind == PAIR:
+        return pair_clearance(m, c.i, c.j, around.dt, enough)
+    if c.kind == OTHER:
+        return other_clearance(m, c.i, cython.address(around.others[c.j]), around.dt, around.horizon, enough)
+    if c.kind == OBSTACLE:
+        return shape_clearance(m, c.i, cython.address(around.shapes[c.j]), around.dt, enough)
+    return plane_clearance(m, c.i, c.j, around.walls[6 * c.i + c.j], around.dt)
 
 
-@inner(error_model="numpy")
-def into_ball(u: FloatArray, i: int, cn: float, ce: float, cd: float, radius: float) -> None:
-    dn, de, dd = u[i, 0] - cn, u[i, 1] - ce, u[i, 2] - cd
+def clearances(
+    rows: IntArray, enough: float, p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, others: FloatArray,
+    table: FloatArray, walls: FloatArray, dt: float, horizon: float,
+) -> FloatArray:  # fmt: skip
+    """Clearances (k, 6) of constraints (kind, i, j), rows (k, 3), with vehicles at p (n, 3).
+
+    v, u: (n, 3); brake: (n,); others: (m, 8) place, velocity, radius and its growth; walls: (n, 6).
+    """
+    moves = Moves(
+        p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), u=cython.address(u[0, 0]), brake=cython.address(brake[0])
+    )
+    around = Surroundings(
+        others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])),
+        shapes=shape_at(table, 0),
+        walls=cython.address(walls[0, 0]),
+        dt=dt,
+        horizon=horizon,
+    )
+    c = cython.declare(Constraint)
+    array = np.empty((len(rows), 6))
+    found = array
+    for k in range(rows.shape[0]):
+        c.kind, c.i, c.j = rows[k, 0], rows[k, 1], rows[k, 2]
+        first, after, when, nn, ne, nd = clearance_of(
+            cython.address(c), enough, cython.address(moves), cython.address(around)
+        )
+        found[k, 0], found[k, 1], found[k, 2] = first, after, when
+        found[k, 3], found[k, 4], found[k, 5] = nn, ne, nd
+    return array
+
+
+def into_ball(u: Any, cn: float, ce: float, cd: float, radius: float) -> None:
+    dn, de, dd = u[0] - cn, u[1] - ce, u[2] - cd
     size = math.sqrt(dn * dn + de * de + dd * dd)
     if size > radius:
         k = radius / size
-        u[i, 0], u[i, 1], u[i, 2] = cn + k * dn, ce + k * de, cd + k * dd
+        u[0], u[1], u[2] = cn + k * dn, ce + k * de, cd + k * dd
 
 
-@inner(error_model="numpy")
-def within_limits(
-    u: FloatArray, live: BoolArray, v: FloatArray, u_b: FloatArray, a_max: FloatArray, v_top: FloatArray, dt: float
-) -> None:
-    """Bring accelerations within both balls: nearly the nearest, and in the end between there and braking."""
-    for i in range(len(u)):
-        if not live[i]:
-            continue
-        for _ in range(_LIMIT_SWEEPS):
-            into_ball(u, i, -v[i, 0] / dt, -v[i, 1] / dt, -v[i, 2] / dt, v_top[i] / dt)
-            into_ball(u, i, 0.0, 0.0, 0.0, a_max[i])
-        a = b = c = 0.0
+def into_limits(u: Any, v: Any, u_b: Any, a_max: float, v_top: float, dt: float) -> None:
+    """Bring an acceleration into both balls: nearly the nearest, and in the end between there and braking."""
+    for _ in range(_LIMIT_SWEEPS):
+        into_ball(u, -v[0] / dt, -v[1] / dt, -v[2] / dt, v_top / dt)
+        into_ball(u, 0.0, 0.0, 0.0, a_max)
+    a = b = c = 0.0
+    for x in range(3):
+        start = v[x] + dt * u_b[x]
+        more = dt * (u[x] - u_b[x])
+        a += more * more
+        b += 2.0 * start * more
+        c += start * start
+    c -= v_top * v_top
+    if a + b + c > 0.0 and a > 0.0:
+        share = min(max((-b + math.sqrt(max(b * b - 4.0 * a * c, 0.0))) / (2.0 * a), 0.0), 1.0)
         for x in range(3):
-            start = v[i, x] + dt * u_b[i, x]
-            more = dt * (u[i, x] - u_b[i, x])
-            a += more * more
-            b += 2.0 * start * more
-            c += start * start
-        c -= v_top[i] * v_top[i]
-        if a + b + c > 0.0 and a > 0.0:
-            share = min(max((-b + math.sqrt(max(b * b - 4.0 * a * c, 0.0))) / (2.0 * a), 0.0), 1.0)
-            for x in range(3):
-                u[i, x] = u_b[i, x] + share * (u[i, x] - u_b[i, x])
+            u[x] = u_b[x] + share * (u[x] - u_b[x])
 
 
-@inner(error_model="numpy")
-def line_of(
-    rows: IntArray, c: int, target: float, after: float, when: float, nn: float, ne: float, nd: float,
-    v: FloatArray, u: FloatArray, brake: FloatArray, dt: float, ids: IntArray, line: FloatArray,
-) -> bool:  # fmt: skip
-    """Write the linear constraint  A_i·u_i + A_j·u_j >= r  as (A_i, A_j, r, |A|²); False where nothing can be done."""
-    kind, i, j = rows[c, 0], rows[c, 1], rows[c, 2]
+def part_of_turn(x: float) -> float:
+    """x modulo 1."""
+    return x - math.floor(x)
+
+
+def write_line(c: Any, after: float, when: float, nn: float, ne: float, nd: float, m: Any, dt: float, ids: Any) -> bool:
+    """Write the linear constraint  A_i·u_i + A_j·u_j >= r;  False where nothing can be done."""
+    u, v = m.u + 3 * c.i, m.v + 3 * c.i
     if nn == 0.0 and ne == 0.0 and nd == 0.0:  # in the same place: a direction by id, the same one in every period
-        turn = 2.0 * math.pi * ((ids[i] * GOLDEN + (ids[j] if kind == PAIR else j) * _PLASTIC) % 1.0)
+        other = ids[c.j] if c.kind == PAIR else c.j
+        turn = 2.0 * math.M_PI * part_of_turn(ids[c.i] * GOLDEN + other * _PLASTIC)
         nn, ne, nd = math.cos(turn), math.sin(turn), 0.0
-    vn, ve, vd = v[i, 0] + dt * u[i, 0], v[i, 1] + dt * u[i, 1], v[i, 2] + dt * u[i, 2]
-    t, way = (when, -1.0) if kind <= OTHER else (-1.0, when)
-    an, ae, ad = sensitivity(vn, ve, vd, brake[i], t, way, nn, ne, nd, dt)
-    line[0], line[1], line[2] = an, ae, ad
-    line[3] = line[4] = line[5] = 0.0
-    line[6] = target - after + an * u[i, 0] + ae * u[i, 1] + ad * u[i, 2]
-    line[7] = an * an + ae * ae + ad * ad
-    if kind == PAIR:
-        vn, ve, vd = v[j, 0] + dt * u[j, 0], v[j, 1] + dt * u[j, 1], v[j, 2] + dt * u[j, 2]
-        an, ae, ad = sensitivity(vn, ve, vd, brake[j], t, way, -nn, -ne, -nd, dt)
-        line[3], line[4], line[5] = an, ae, ad
-        line[6] += an * u[j, 0] + ae * u[j, 1] + ad * u[j, 2]
-        line[7] += an * an + ae * ae + ad * ad
-    enabled: bool = line[7] > TINY * TINY
-    return enabled
+    vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
+    t, way = -1.0, when
+    if c.kind <= OTHER:
+        t, way = when, -1.0
+    an, ae, ad = sensitivity(vn, ve, vd, m.brake[c.i], t, way, nn, ne, nd, dt)
+    c.a[0], c.a[1], c.a[2] = an, ae, ad
+    c.b[0] = c.b[1] = c.b[2] = 0.0
+    c.r = c.target - after + an * u[0] + ae * u[1] + ad * u[2]
+    c.square = an * an + ae * ae + ad * ad
+    if c.kind == PAIR:
+        u, v = m.u + 3 * c.j, m.v + 3 * c.j
+        vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
+        an, ae, ad = sensitivity(vn, ve, vd, m.brake[c.j], t, way, -nn, -ne, -nd, dt)
+        c.b[0], c.b[1], c.b[2] = an, ae, ad
+        c.r += an * u[0] + ae * u[1] + ad * u[2]
+        c.square += an * an + ae * ae + ad * ad
+    return c.square > TINY * TINY

@@ -27,11 +27,13 @@ Frames NED, SI units, no state and no clock. Vehicles are taken in order of id, 
 from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.kernels import kernel
 from gcs.planner.braking_clearance import FloatArray, IntArray
 from gcs.planner.safety_constraints import PAIR
 from gcs.planner.safety_solver import solve
@@ -43,6 +45,7 @@ KINDS = ("", "vehicle", "other", "obstacle", "wall")
 
 LEAST_LIMIT = 1e-6
 """of a leader's speed, m/s, and acceleration, m/s²"""
+_LEAST, _SIZE = LEAST_LIMIT, COLUMNS
 _NO_SHAPES = np.zeros((0, COLUMNS))
 
 
@@ -187,11 +190,22 @@ def filter_step(
     if order is not None:
         by_vehicle = [column[order] for column in by_vehicle]
         ids, astray, walls = ids[order], astray[order], walls[order]
-    u, changed, kind, binding, checked = solve(
-        *by_vehicle, ids, moving, table, astray, walls, pairs, singles,
-        apart, rules.separation_m, rules.clearance_m, rules.brake_share, rules.period_s, rules.horizon_s,
-        rules.buffer_m, rules.recover_m_s, rules.turn_rad, rules.climb_rad, rules.rounds, rules.sweeps,
-    )  # fmt: skip
+    limits = {
+        "separation": rules.separation_m,
+        "clearance": rules.clearance_m,
+        "brake_share": rules.brake_share,
+        "dt": rules.period_s,
+        "horizon": rules.horizon_s,
+        "buffer": rules.buffer_m,
+        "recover": rules.recover_m_s,
+        "turn": rules.turn_rad,
+        "climb": rules.climb_rad,
+        "rounds": rules.rounds,
+        "sweeps": rules.sweeps,
+        "apart": apart,
+    }
+    arguments: tuple[Any, ...] = (*by_vehicle, ids, moving, table, astray.view(np.uint8), walls, pairs, singles, limits)
+    u, changed, kind, binding, checked = solve(*arguments)
     if order is not None:
         paired = kind == PAIR
         binding[paired] = order[binding[paired]]
@@ -201,6 +215,7 @@ def filter_step(
     return Filtered(u, p_next, v_next, changed, kind, binding, checked)
 
 
+@cython.wraparound(True)
 def _order(ids: IntArray) -> tuple[IntArray | None, IntArray | None]:
     """Rows in order of id, and the way back; None where they are in order. ValueError where two have the same."""
     if ids.ndim == 1 and (ids[1:] > ids[:-1]).all():
@@ -224,21 +239,36 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     return array
 
 
-@kernel()
 def _sound(
     p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
     moving: FloatArray, table: FloatArray, walls: FloatArray,
 ) -> bool:  # fmt: skip
-    """Kernel: whether all is finite, walls are numbers, and limits and distances not too small."""
-    sound = _from(p, -np.inf) and _from(v, -np.inf) and _from(wanted, -np.inf) and _from(table, -np.inf)
-    sound = sound and _from(v_max, LEAST_LIMIT) and _from(a_max, LEAST_LIMIT) and _from(margin, 0.0)
-    return bool(sound and _from(moving, -np.inf) and _from(moving[:, 6:], 0.0) and not np.isnan(walls).any())
+    """Whether all is finite, walls are numbers, and limits and distances not too small."""
+    n, m = p.shape[0], moving.shape[0]
+    for i in range(n):
+        if not (v_max[i] >= _LEAST and a_max[i] >= _LEAST and margin[i] >= 0.0):
+            return False
+    for i in range(m):
+        if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0):
+            return False
+    for i in range(6 * n):
+        if math.isnan(walls[i // 6, i % 6]):
+            return False
+    return (
+        _finite(cython.address(p[0, 0]), 3 * n)
+        and _finite(cython.address(v[0, 0]), 3 * n)
+        and _finite(cython.address(wanted[0, 0]), 3 * n)
+        and _finite(cython.address(v_max[0]), n)
+        and _finite(cython.address(a_max[0]), n)
+        and _finite(cython.address(margin[0]), n)
+        and _finite(cython.address(moving[0, 0]), 8 * m)
+        and _finite(cython.address(table[0, 0]), _SIZE * table.shape[0])
+    )
 
 
-@kernel()
-def _from(array: FloatArray, least: float) -> bool:
-    for x in array.flat:  # noqa: SIM110, as numba compiles it
-        if not (np.isfinite(x) and x >= least):
+def _finite(numbers: Any, count: int) -> bool:
+    for i in range(count):  # noqa: SIM110, as a generator is no C loop
+        if not math.isfinite(numbers[i]):
             return False
     return True
 

@@ -1,372 +1,438 @@
-"""Kernels of the safety filter: projection of all wanted accelerations together, and the check that makes the
-guarantee.
+"""Projection of all wanted accelerations of the safety filter together, and the check that makes the guarantee.
 
-Everything runs in the order of the rows that are given and a fixed number of times, so equal inputs give equal bits.
-A constraint is a row (kind, vehicle, with what) and its required distance D; safety_filter.py has the equations.
+Everything runs in the order of the constraints and a fixed number of times, so equal inputs give equal bits.
+safety_filter.py has the equations; constraints.pxd the rows that are written.
 """
 
 from __future__ import annotations
 
-import math
-import zlib
-from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
+import cython
 import numpy as np
-
-from gcs.kernels import inner, kernel
-from gcs.planner import braking_clearance, near_constraints, safety_constraints
-from gcs.planner.braking_clearance import TINY, FloatArray, IntArray, braking
-from gcs.planner.near_constraints import constraints_within_reach
-from gcs.planner.safety_constraints import (
+from cython.cimports.gcs.planner.braking_clearance import TINY, braking
+from cython.cimports.gcs.planner.constraints import (
+    Box,
+    Constraint,
+    Constraints,
+    Leader,
+    Moves,
+    Near,
+    Other,
+    Problem,
+    Surroundings,
+)
+from cython.cimports.gcs.planner.near_constraints import find_constraints
+from cython.cimports.gcs.planner.safety_constraints import (
     GOLDEN,
     PAIR,
     PLANE,
-    BoolArray,
     clearance_of,
     into_ball,
-    line_of,
-    within_limits,
+    into_limits,
+    part_of_turn,
+    write_line,
 )
-from gcs.scenario import geometry
+from cython.cimports.gcs.scenario.geometry import shape_at
+from cython.cimports.libc import math
+from cython.cimports.libc.stdlib import calloc, free
 
-TOLERANCE_M = 1e-9
-"""Rounding that the check forgives, so that a formation at exactly D is left in peace."""
+from gcs.planner.braking_clearance import FloatArray, IntArray
+
+TOLERANCE_M = 1e-9  # rounding that the check forgives, so that a formation at exactly D is left in peace
 _ACTED_M_S2 = 1e-9
-_BLENDS = np.array([1.0, 0.5, 0.2, 0.0])  # shares of the projected acceleration; the rest is braking
+_BLENDS = [1.0, 0.5, 0.2, 0.0]  # shares of the projected acceleration; the rest is braking
+_LAST_BLEND = 3
 _ACTIVE_M = 0.25
 _REPAIRS = 4
 _FEWEST_ROUNDS = 2
 _SOFT_M = 0.1  # above the distance aimed at: there the turn of a wanted velocity begins
 
 
-@inner(error_model="numpy")
-def _turned(wanted: FloatArray, ids: IntArray, share: FloatArray, turn: float, climb: float) -> FloatArray:
-    """Wanted velocities turned to the right by turn share and raised by up to climb share, differently for each id."""
-    out = wanted.copy()
-    for i in range(len(wanted)):
-        if share[i] > 0.0:
-            cos, sin = math.cos(turn * share[i]), math.sin(turn * share[i])
-            part = (ids[i] * GOLDEN) % 1.0
-            # A wanted velocity straight up or down has no right side, so one is chosen by id.
-            right_n = abs(wanted[i, 2]) * math.cos(2.0 * math.pi * part) - wanted[i, 1]
-            right_e = abs(wanted[i, 2]) * math.sin(2.0 * math.pi * part) + wanted[i, 0]
-            out[i, 0] = cos * wanted[i, 0] + sin * right_n
-            out[i, 1] = cos * wanted[i, 1] + sin * right_e
-            speed = math.sqrt(wanted[i, 0] ** 2 + wanted[i, 1] ** 2)
-            out[i, 2] = wanted[i, 2] + (2.0 * part - 1.0) * math.tan(climb * share[i]) * speed
-    return out
+def _copy(row: Any, to: Any) -> None:
+    to[0], to[1], to[2] = row[0], row[1], row[2]
 
 
-@inner(error_model="numpy")
-def _project(
-    u: FloatArray, rows: IntArray, active: IntArray, lines: FloatArray, weight: FloatArray, live: BoolArray,
-    v: FloatArray, a_max: FloatArray, v_top: FloatArray, dt: float, sweeps: int,
-) -> None:  # fmt: skip
+def _moves(s: Any, u: Any) -> Any:
+    return Moves(p=s.p, v=s.v, u=u, brake=s.brake)
+
+
+def _blend(s: Any, i: int, level: int, wanted: Any, u: Any) -> None:
+    for x in range(3 * i, 3 * i + 3):
+        u[x] = s.u_b[x] + _BLENDS[level] * (wanted[x] - s.u_b[x])
+
+
+def _into_limits(s: Any, i: int, u: Any) -> None:
+    x = 3 * i
+    into_limits(u + x, s.v + x, s.u_b + x, s.a_max[i], s.leaders[i].v_top, s.rules.dt)
+
+
+def _turned(wanted: Any, sysid: int, share: float, turn: float, climb: float, out: Any) -> None:
+    """A wanted velocity turned to the right by turn share and raised by up to climb share, differently for each id."""
+    _copy(wanted, out)
+    if share > 0.0:
+        cos, sin = math.cos(turn * share), math.sin(turn * share)
+        part = part_of_turn(sysid * GOLDEN)
+        # A wanted velocity straight up or down has no right side, so one is chosen by id.
+        right_n = math.fabs(wanted[2]) * math.cos(2.0 * math.M_PI * part) - wanted[1]
+        right_e = math.fabs(wanted[2]) * math.sin(2.0 * math.M_PI * part) + wanted[0]
+        out[0] = cos * wanted[0] + sin * right_n
+        out[1] = cos * wanted[1] + sin * right_e
+        speed = math.sqrt(wanted[0] ** 2 + wanted[1] ** 2)
+        out[2] = wanted[2] + (2.0 * part - 1.0) * math.tan(climb * share) * speed
+
+
+def _project(s: Any, active: Any, count: int, u: Any) -> None:
     """Nearest u within all lines (Hildreth) and both balls (Dykstra), by sweeps; writes u and the lines' weights."""
-    n = len(u)
-    corrected = np.zeros((n, 6))
-    before = np.empty(3)
-    for _ in range(sweeps):
-        for k in range(len(active)):
-            c = active[k]
-            i, j = rows[c, 1], rows[c, 2]
-            line = lines[c]
-            short = line[6] - line[0] * u[i, 0] - line[1] * u[i, 1] - line[2] * u[i, 2]
-            if rows[c, 0] == PAIR:
-                short -= line[3] * u[j, 0] + line[4] * u[j, 1] + line[5] * u[j, 2]
-            more = max(short / line[7], -weight[c])
+    dt = s.rules.dt
+    before = [0.0, 0.0, 0.0]
+    for i in range(s.n):
+        for x in range(6):
+            s.leaders[i].corrected[x] = 0.0
+    for _ in range(s.rules.sweeps):
+        for k in range(count):
+            c = cython.address(s.constraints[active[k]])
+            ui, uj = u + 3 * c.i, u + 3 * c.j
+            short = c.r - c.a[0] * ui[0] - c.a[1] * ui[1] - c.a[2] * ui[2]
+            if c.kind == PAIR:
+                short -= c.b[0] * uj[0] + c.b[1] * uj[1] + c.b[2] * uj[2]
+            more = max(short / c.square, -c.weight)
             if more != 0.0:
-                weight[c] += more
+                c.weight += more
                 for x in range(3):
-                    u[i, x] += more * line[x]
-                if rows[c, 0] == PAIR:
+                    ui[x] += more * c.a[x]
+                if c.kind == PAIR:
                     for x in range(3):
-                        u[j, x] += more * line[3 + x]
-        for i in range(n):
-            if live[i]:
+                        uj[x] += more * c.b[x]
+        for i in range(s.n):
+            leader = cython.address(s.leaders[i])
+            if leader.live:
+                v, ui = s.v + 3 * i, u + 3 * i
                 for ball in range(2):
                     for x in range(3):
-                        u[i, x] += corrected[i, 3 * ball + x]
-                        before[x] = u[i, x]
+                        ui[x] += leader.corrected[3 * ball + x]
+                        before[x] = ui[x]
                     if ball == 0:
-                        into_ball(u, i, -v[i, 0] / dt, -v[i, 1] / dt, -v[i, 2] / dt, v_top[i] / dt)
+                        into_ball(ui, -v[0] / dt, -v[1] / dt, -v[2] / dt, leader.v_top / dt)
                     else:
-                        into_ball(u, i, 0.0, 0.0, 0.0, a_max[i])
+                        into_ball(ui, 0.0, 0.0, 0.0, s.a_max[i])
                     for x in range(3):
-                        corrected[i, 3 * ball + x] = before[x] - u[i, x]
+                        leader.corrected[3 * ball + x] = before[x] - ui[x]
 
 
-@inner(error_model="numpy")
-def _live(rows: IntArray, near: BoolArray, short: BoolArray, n: int, everybody: bool) -> BoolArray:
+def _find_live(s: Any, everybody: bool) -> None:
     """Vehicles that a near constraint concerns; after the first rounds only those of groups where one is short."""
-    group = np.arange(n)
-    for c in range(len(rows)):
-        if near[c] and rows[c, 0] == PAIR:
-            a, b = rows[c, 1], rows[c, 2]
-            while group[a] != a:
-                a = group[a]
-            while group[b] != b:
-                b = group[b]
-            group[max(a, b)] = min(a, b)
-            group[rows[c, 1]], group[rows[c, 2]] = min(a, b), min(a, b)
-    for i in range(n):
-        group[i] = group[group[i]]  # roots are lower than their members, so theirs are found already
-    concerned = np.zeros(n, dtype=np.bool_)
-    for c in range(len(rows)):
-        if near[c] and (everybody or short[c]):
-            concerned[group[rows[c, 1]]] = True
-    return concerned[group]
+    leaders = s.leaders
+    for i in range(s.n):
+        leaders[i].group, leaders[i].concerned = i, False
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        if c.near and c.kind == PAIR:
+            a, b = c.i, c.j
+            while leaders[a].group != a:
+                a = leaders[a].group
+            while leaders[b].group != b:
+                b = leaders[b].group
+            low = min(a, b)
+            leaders[max(a, b)].group = low
+            leaders[c.i].group = leaders[c.j].group = low
+    for i in range(s.n):
+        leaders[i].group = leaders[leaders[i].group].group  # roots are lower, so theirs are found already
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        if c.near and (everybody or c.short):
+            leaders[leaders[c.i].group].concerned = True
+    for i in range(s.n):
+        leaders[i].live = leaders[leaders[i].group].concerned
 
 
-@inner(error_model="numpy")
-def _check(
-    u: FloatArray, u_b: FloatArray, least: FloatArray, cause: IntArray, rows: IntArray, p: FloatArray, v: FloatArray,
-    brake: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray, dt: float, horizon: float,
-) -> IntArray:  # fmt: skip
-    """Take vehicles towards braking until every constraint keeps its least clearance; writes u (module docstring).
+def _check(s: Any, wanted: Any, u: Any, level: Any) -> None:
+    """Take vehicles towards braking until every constraint keeps its least clearance; writes u, level and causes
+    (docstring of safety_filter.py).
 
     All of a pass are judged by the same accelerations, so their order does not matter. Every pass but the last one
     lowers a vehicle's share, and shares end at 0, full braking, which needs no proof: so it ends.
     """
-    n = len(u)
-    wanted = u.copy()
-    level = np.zeros(n, dtype=np.int64)
-    moved = np.ones(n, dtype=np.bool_)
-    last = len(_BLENDS) - 1
+    moves, leaders = _moves(s, u), s.leaders
+    for i in range(s.n):
+        level[i], leaders[i].moved = 0, True
     while True:
-        worse = np.zeros(n, dtype=np.bool_)
         found = False
-        for c in range(len(rows)):
-            i, j = rows[c, 1], rows[c, 2]
-            pair = rows[c, 0] == PAIR
-            if not (moved[i] or (pair and moved[j])) or (level[i] == last and not (pair and level[j] < last)):
+        for i in range(s.n):
+            leaders[i].worse = False
+        for k in range(s.count):
+            c = cython.address(s.constraints[k])
+            pair = c.kind == PAIR
+            if not (leaders[c.i].moved or (pair and leaders[c.j].moved)):
                 continue
-            first, after, _, _, _, _ = clearance_of(
-                rows, c, least[c], p, v, u, brake, others, table, walls, dt, horizon
-            )
-            if min(first, after) < least[c] - TOLERANCE_M:
+            if level[c.i] == _LAST_BLEND and not (pair and level[c.j] < _LAST_BLEND):
+                continue
+            first, after, _, _, _, _ = clearance_of(c, c.least, cython.address(moves), cython.address(s.around))
+            if min(first, after) < c.least - TOLERANCE_M:
                 found = True
-                worse[i], cause[i] = True, c
+                leaders[c.i].worse, leaders[c.i].cause = True, k
                 if pair:
-                    worse[j], cause[j] = True, c
+                    leaders[c.j].worse, leaders[c.j].cause = True, k
         if not found:
-            return level
-        for i in range(n):
-            moved[i] = worse[i] and level[i] < last
-            if moved[i]:
+            return
+        for i in range(s.n):
+            leaders[i].moved = leaders[i].worse and level[i] < _LAST_BLEND
+            if leaders[i].moved:
                 level[i] += 1
-                for x in range(3):
-                    u[i, x] = u_b[i, x] + _BLENDS[level[i]] * (wanted[i, x] - u_b[i, x])
+                _blend(s, i, level[i], wanted, u)
 
 
-@inner(error_model="numpy")
-def _restore(
-    u: FloatArray, wanted: FloatArray, u_b: FloatArray, level: IntArray, least: FloatArray, target: FloatArray,
-    rows: IntArray, p: FloatArray, v: FloatArray, a_max: FloatArray, v_top: FloatArray, brake: FloatArray,
-    ids: IntArray, others: FloatArray, table: FloatArray, walls: FloatArray, dt: float, horizon: float,
-) -> None:  # fmt: skip
+def _restore(s: Any, wanted: Any, u: Any, level: Any) -> None:
     """Give back what the check took too much of, one vehicle after the other; writes u and level.
 
-    The check takes from both of a pair, and whoever stands would stand again in the next period for the same reason.
-    Everybody else's acceleration is held meanwhile, so every constraint still holds after each of these steps. What
-    still fails moves the vehicle's own acceleration away, a few times.
+    The check takes from both of a pair, and a vehicle that stands would stand again in the next period for the same
+    reason. All others' accelerations are held meanwhile, so every constraint still holds after each of these steps.
+    What still fails moves the vehicle's own acceleration away, a few times.
     """
-    before, line, one = np.empty(3), np.empty(8), np.zeros(len(u), dtype=np.bool_)
-    for i in range(len(u)):
+    before = [0.0, 0.0, 0.0]
+    for i in range(s.n):
         if level[i] == 0:
             continue
-        before[:] = u[i]
-        one[i] = True
+        _copy(u + 3 * i, before)
         kept = False
         for lower in range(level[i]):
-            u[i] = u_b[i] + _BLENDS[lower] * (wanted[i] - u_b[i])
+            _blend(s, i, lower, wanted, u)
             for _ in range(_REPAIRS):
-                kept = True
-                for c in range(len(rows)):
-                    mine = rows[c, 1] == i
-                    if not mine and not (rows[c, 0] == PAIR and rows[c, 2] == i):
-                        continue
-                    first, after, when, nn, ne, nd = clearance_of(
-                        rows, c, target[c], p, v, u, brake, others, table, walls, dt, horizon
-                    )
-                    if min(first, after) < least[c] - TOLERANCE_M:
-                        kept = False
-                        if line_of(rows, c, target[c], after, when, nn, ne, nd, v, u, brake, dt, ids, line):
-                            own = line[0:3] if mine else line[3:6]
-                            square = own[0] ** 2 + own[1] ** 2 + own[2] ** 2
-                            if square > TINY * TINY:
-                                more = (target[c] - after) / square
-                                for x in range(3):
-                                    u[i, x] += more * own[x]
-                        within_limits(u, one, v, u_b, a_max, v_top, dt)
+                kept = _repair(s, i, u)
                 if kept:
                     break
             if kept:
                 level[i] = lower
                 break
         if not kept:
-            u[i] = before
-        one[i] = False
+            _copy(before, u + 3 * i)
 
 
-@inner(error_model="numpy")
-def _solve(
-    p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, brake: FloatArray,
-    ids: IntArray, rows: IntArray, required: FloatArray, others: FloatArray, table: FloatArray, walls: FloatArray,
-    dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float, rounds: int, sweeps: int,
+def _repair(s: Any, i: int, u: Any) -> bool:
+    """Move a vehicle's acceleration away from what fails, one constraint after the other; whether none did."""
+    moves, ui = _moves(s, u), u + 3 * i
+    line = cython.declare(Constraint)
+    kept = True
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        mine = c.i == i
+        if not mine and not (c.kind == PAIR and c.j == i):
+            continue
+        first, after, when, nn, ne, nd = clearance_of(c, c.target, cython.address(moves), cython.address(s.around))
+        if min(first, after) < c.least - TOLERANCE_M:
+            kept = False
+            line = c[0]
+            if write_line(cython.address(line), after, when, nn, ne, nd, cython.address(moves), s.rules.dt, s.ids):
+                own = cython.address(line.a[0]) if mine else cython.address(line.b[0])
+                square = own[0] ** 2 + own[1] ** 2 + own[2] ** 2
+                if square > TINY * TINY:
+                    more = (c.target - after) / square
+                    for x in range(3):
+                        ui[x] += more * own[x]
+            _into_limits(s, i, u)
+    return kept
+
+
+def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
+    """Write each constraint's least and target, and the accelerations aimed at.
+
+    u: (n, 3) the wanted accelerations within limits; full: (n, 3), written; still: (n, 3) zeros; aim: (n, 3), written.
+    """
+    rules, around = s.rules, cython.address(s.around)
+    braked, chosen = _moves(s, s.u_b), _moves(s, u)
+    flown = Moves(p=s.p, v=full, u=still, brake=s.brake)
+    for i in range(s.n):  # the wanted velocity, no faster than allowed
+        _copy(s.wanted + 3 * i, full + 3 * i)
+        into_ball(full + 3 * i, 0.0, 0.0, 0.0, s.v_max[i])
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        d = c.required
+        first, after, _, _, _, _ = clearance_of(c, d + rules.buffer, cython.address(braked), around)
+        c.least = min(d, first, after)
+        c.target = min(max(after, d), d + rules.buffer) if after >= d else min(d, after + rules.recover * rules.dt)
+        if c.kind == PLANE:
+            continue
+        enough = c.target + _SOFT_M
+        _, after, _, _, _, _ = clearance_of(c, enough, cython.address(chosen), around)
+        if after < enough:
+            # How far the wanted velocity cannot be had is seen where it is flown already: one that stands has turned
+            # as much.
+            gate = min((enough - after) / _SOFT_M, 1.0)
+            _, after, _, _, _, _ = clearance_of(c, c.target, cython.address(flown), around)
+            blocked = gate * min((c.target - after) / max(d, 0.1), 1.0)
+            if blocked > s.leaders[c.i].share:
+                s.leaders[c.i].share, s.leaders[c.i].cause = blocked, k
+            if c.kind == PAIR and blocked > s.leaders[c.j].share:
+                s.leaders[c.j].share, s.leaders[c.j].cause = blocked, k
+    for i in range(s.n):
+        _turned(full + 3 * i, s.ids[i], s.leaders[i].share, rules.turn, rules.climb, aim + 3 * i)
+        for x in range(3 * i, 3 * i + 3):
+            aim[x] = (aim[x] - s.v[x]) / rules.dt
+        into_ball(aim + 3 * i, 0.0, 0.0, 0.0, s.a_max[i])
+
+
+def _project_in_rounds(s: Any, aim: Any, active: Any, u: Any) -> None:
+    """Nearest accelerations to `aim` that satisfy all constraints, made linear at the last result in each round."""
+    moves, leaders = _moves(s, u), s.leaders
+    for i in range(s.n):
+        leaders[i].live = True
+    for number in range(s.rules.rounds):
+        for k in range(s.count):
+            c = cython.address(s.constraints[k])
+            if not (leaders[c.i].live or (c.kind == PAIR and leaders[c.j].live)):
+                continue  # nothing has changed there
+            # What is a little farther takes part too: it may come in the way of one that another constraint turns.
+            enough = c.target + _ACTIVE_M
+            first, after, when, nn, ne, nd = clearance_of(c, enough, cython.address(moves), cython.address(s.around))
+            c.short = min(first, after) < c.least - TOLERANCE_M
+            c.near = after < enough and write_line(c, after, when, nn, ne, nd, cython.address(moves), s.rules.dt, s.ids)
+            if not c.near:
+                c.weight = 0.0
+        _find_live(s, number < _FEWEST_ROUNDS)
+        count = 0
+        for k in range(s.count):
+            if s.constraints[k].near and leaders[s.constraints[k].i].live:
+                active[count] = k
+                count += 1
+        if count == 0:
+            break
+        for i in range(s.n):
+            if leaders[i].live:
+                _copy(aim + 3 * i, u + 3 * i)
+        for k in range(count):  # the weights of the round before are nearly right, so the sweeps begin with them
+            c = cython.address(s.constraints[active[k]])
+            for x in range(3):
+                u[3 * c.i + x] += c.weight * c.a[x]
+                if c.kind == PAIR:
+                    u[3 * c.j + x] += c.weight * c.b[x]
+        _project(s, active, count, u)
+        for i in range(s.n):
+            if leaders[i].live:
+                _into_limits(s, i, u)
+
+
+def _bind(s: Any, plain: Any, u: Any, changed: Any, kind: Any, binding: Any) -> None:
+    """Write how far each acceleration is from the plain one, and what bound it; hardly any change is taken back."""
+    for i in range(s.n):
+        kind[i], binding[i] = 0, -1
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        leader = cython.address(s.leaders[c.i])
+        size = c.weight * math.sqrt(c.a[0] ** 2 + c.a[1] ** 2 + c.a[2] ** 2)
+        if size > leader.pull:
+            leader.pull, kind[c.i], binding[c.i] = size, c.kind, c.j
+        if c.kind == PAIR:
+            leader = cython.address(s.leaders[c.j])
+            size = c.weight * math.sqrt(c.b[0] ** 2 + c.b[1] ** 2 + c.b[2] ** 2)
+            if size > leader.pull:
+                leader.pull, kind[c.j], binding[c.j] = size, c.kind, c.i
+    for i in range(s.n):
+        if kind[i] == 0 and s.leaders[i].cause >= 0:  # turned or braked by what the projection did not need to heed
+            c = cython.address(s.constraints[s.leaders[i].cause])
+            kind[i], binding[i] = c.kind, c.i if c.j == i and c.kind == PAIR else c.j
+        square = 0.0
+        for x in range(3 * i, 3 * i + 3):
+            square += (u[x] - plain[x]) ** 2
+        changed[i] = math.sqrt(square)
+        if changed[i] <= _ACTED_M_S2:
+            _copy(plain + 3 * i, u + 3 * i)
+            changed[i], kind[i], binding[i] = 0.0, 0, -1
+
+
+def _solve(s: Any, rows: Any, active: Any, u: Any, changed: Any, kind: Any, binding: Any, level: Any) -> None:
+    """rows: (6 n, 3) zeros and active: (count,), written."""
+    n, dt = s.n, s.rules.dt
+    u_b, plain, aim, full = rows, rows + 3 * n, rows + 6 * n, rows + 9 * n
+    still, projected = rows + 12 * n, rows + 15 * n
+    s.u_b = u_b
+    for i in range(n):
+        v, at = s.v + 3 * i, u_b + 3 * i
+        at[0], at[1], at[2] = braking(v[0], v[1], v[2], s.brake[i], dt)
+        speed = math.sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2)
+        s.leaders[i].v_top, s.leaders[i].cause = max(s.v_max[i], speed - s.brake[i] * dt), -1
+        for x in range(3 * i, 3 * i + 3):
+            plain[x] = (s.wanted[x] - s.v[x]) / dt
+        _into_limits(s, i, plain)
+        _copy(plain + 3 * i, u + 3 * i)
+    _set_aims(s, u, full, still, aim)
+    for i in range(n):
+        if s.leaders[i].share > 0.0:
+            _copy(aim + 3 * i, u + 3 * i)
+        _into_limits(s, i, u)
+    _project_in_rounds(s, aim, active, u)
+    for i in range(n):
+        s.leaders[i].worse = s.leaders[i].share > 0.0  # a change that something asked for
+    for k in range(s.count):
+        c = cython.address(s.constraints[k])
+        if c.weight > 0.0:
+            s.leaders[c.i].worse = True
+            if c.kind == PAIR:
+                s.leaders[c.j].worse = True
+    for i in range(n):
+        if not s.leaders[i].worse:
+            _copy(plain + 3 * i, u + 3 * i)
+        _copy(u + 3 * i, projected + 3 * i)
+    _check(s, projected, u, level)
+    _restore(s, projected, u, level)
+    _bind(s, plain, u, changed, kind, binding)
+
+
+def solve(
+    p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
+    ids: IntArray, others: FloatArray, table: FloatArray, beyond: Any, walls: FloatArray, pair_required: FloatArray,
+    other_required: FloatArray, rules: Any,
 ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
     """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
-    each."""
-    n, m = len(p), len(rows)
-    u_b, v_top = np.empty((n, 3)), np.empty(n)
-    for i in range(n):
-        u_b[i, 0], u_b[i, 1], u_b[i, 2] = braking(v[i, 0], v[i, 1], v[i, 2], brake[i], dt)
-        speed = math.sqrt(v[i, 0] ** 2 + v[i, 1] ** 2 + v[i, 2] ** 2)
-        v_top[i] = max(v_max[i], speed - brake[i] * dt)
-    plain, all_live = (wanted - v) / dt, np.ones(n, dtype=np.bool_)
-    within_limits(plain, all_live, v, u_b, a_max, v_top, dt)
-    u = plain.copy()
-    target, least = np.empty(m), np.empty(m)
-    share, still, cause = np.zeros(n), np.zeros((n, 3)), np.full(n, -1)
-    full = wanted.copy()  # the wanted velocity, no faster than allowed
-    for i in range(n):
-        into_ball(full, i, 0.0, 0.0, 0.0, v_max[i])
-    for c in range(m):
-        d = required[c]
-        first, after, _, _, _, _ = clearance_of(
-            rows, c, d + buffer, p, v, u_b, brake, others, table, walls, dt, horizon
-        )
-        least[c] = min(d, first, after)
-        target[c] = min(max(after, d), d + buffer) if after >= d else min(d, after + recover * dt)
-        i, j = rows[c, 1], rows[c, 2]
-        if rows[c, 0] == PLANE:
-            continue
-        enough = target[c] + _SOFT_M
-        _, after, _, _, _, _ = clearance_of(rows, c, enough, p, v, u, brake, others, table, walls, dt, horizon)
-        if after < enough:
-            # How far the wanted velocity cannot be had is seen where it is flown already: who stands has turned as
-            # much.
-            gate = min((enough - after) / _SOFT_M, 1.0)
-            _, after, _, _, _, _ = clearance_of(
-                rows, c, target[c], p, full, still, brake, others, table, walls, dt, horizon
-            )
-            blocked = gate * min((target[c] - after) / max(d, 0.1), 1.0)
-            if blocked > share[i]:
-                share[i], cause[i] = blocked, c
-            if rows[c, 0] == PAIR and blocked > share[j]:
-                share[j], cause[j] = blocked, c
-    aim = (_turned(full, ids, share, turn, climb) - v) / dt
-    for i in range(n):
-        into_ball(aim, i, 0.0, 0.0, 0.0, a_max[i])
-    for i in range(n):
-        if share[i] > 0.0:
-            u[i] = aim[i]
-    within_limits(u, all_live, v, u_b, a_max, v_top, dt)
-    lines, weight = np.zeros((m, 8)), np.zeros(m)
-    near, short, live = np.zeros(m, dtype=np.bool_), np.zeros(m, dtype=np.bool_), np.ones(n, dtype=np.bool_)
-    for turn_no in range(rounds):
-        for c in range(m):
-            i, j = rows[c, 1], rows[c, 2]
-            if not (live[i] or (rows[c, 0] == PAIR and live[j])):
-                continue  # nothing has changed there
-            # What is a little farther takes part too: it may come in the way of whom another constraint turns aside.
-            enough = target[c] + _ACTIVE_M
-            first, after, when, nn, ne, nd = clearance_of(
-                rows, c, enough, p, v, u, brake, others, table, walls, dt, horizon
-            )
-            short[c] = min(first, after) < least[c] - TOLERANCE_M
-            near[c] = after < enough and line_of(
-                rows, c, target[c], after, when, nn, ne, nd, v, u, brake, dt, ids, lines[c]
-            )
-            if not near[c]:
-                weight[c] = 0.0
-        live = _live(rows, near, short, n, turn_no < _FEWEST_ROUNDS)
-        active = np.array([c for c in range(m) if near[c] and live[rows[c, 1]]], dtype=np.int64)
-        if len(active) == 0:
-            break
-        for i in range(n):
-            if live[i]:
-                u[i] = aim[i]
-        for c in active:  # the weights of the round before are nearly right, so the sweeps begin with them
-            for x in range(3):
-                u[rows[c, 1], x] += weight[c] * lines[c, x]
-                if rows[c, 0] == PAIR:
-                    u[rows[c, 2], x] += weight[c] * lines[c, 3 + x]
-        _project(u, rows, active, lines, weight, live, v, a_max, v_top, dt, sweeps)
-        within_limits(u, live, v, u_b, a_max, v_top, dt)
-    free = share == 0.0
-    for c in range(m):
-        if weight[c] > 0.0:
-            free[rows[c, 1]] = False
-            if rows[c, 0] == PAIR:
-                free[rows[c, 2]] = False
-    for i in range(n):
-        if free[i]:
-            u[i] = plain[i]
-    changed, kind, binding, pull = np.zeros(n), np.zeros(n, dtype=np.int64), np.full(n, -1), np.zeros(n)
-    projected = u.copy()
-    level = _check(u, u_b, least, cause, rows, p, v, brake, others, table, walls, dt, horizon)
-    _restore(
-        u, projected, u_b, level, least, target, rows, p, v, a_max, v_top, brake, ids, others, table, walls, dt, horizon
-    )
-    for c in range(m):
-        i, j = rows[c, 1], rows[c, 2]
-        size = weight[c] * math.sqrt(lines[c, 0] ** 2 + lines[c, 1] ** 2 + lines[c, 2] ** 2)
-        if size > pull[i]:
-            pull[i], kind[i], binding[i] = size, rows[c, 0], j
-        if rows[c, 0] == PAIR:
-            size = weight[c] * math.sqrt(lines[c, 3] ** 2 + lines[c, 4] ** 2 + lines[c, 5] ** 2)
-            if size > pull[j]:
-                pull[j], kind[j], binding[j] = size, rows[c, 0], i
-    for i in range(n):
-        if kind[i] == 0 and cause[i] >= 0:  # turned or braked by what the projection did not need to heed
-            c = cause[i]
-            kind[i], binding[i] = rows[c, 0], rows[c, 1] if rows[c, 2] == i and rows[c, 0] == PAIR else rows[c, 2]
-        changed[i] = math.sqrt(((u[i] - plain[i]) ** 2).sum())
-        if changed[i] <= _ACTED_M_S2:
-            u[i], changed[i], kind[i], binding[i] = plain[i], 0.0, 0, -1
-    return u, changed, kind, binding, level
+    each.
 
-
-def _compiled(build: int) -> Callable[..., Any]:
-    """The one kernel here that numba keeps on disk (as in simvehicle/law/step.py).
-
-    numba notices a change of the file of a kernel that it kept, not of the files of kernels compiled into it. Closing
-    over `build`, a checksum of those, makes them part of the key.
+    Vehicles are in order of id; arguments as in `filter_step`. others: (m, 8) place, velocity, radius, growth. beyond:
+    (n,) uint8. walls: (n, 6). pair_required, other_required: rows (i, j, m), i < j of a pair.
     """
-
-    @kernel()
-    def solve(
-        p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
-        ids: IntArray, others: FloatArray, table: FloatArray, beyond: BoolArray, walls: FloatArray,
-        pair_required: FloatArray, other_required: FloatArray, apart: bool, separation: float, clearance: float,
-        brake_share: float, dt: float, horizon: float, buffer: float, recover: float, turn: float, climb: float,
-        rounds: int, sweeps: int,
-    ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
-        _ = build
-        brake = brake_share * a_max
-        constraints, required = constraints_within_reach(
-            p, v, a_max, brake, margin, others, table, beyond, walls, pair_required, other_required, apart, separation,
-            clearance, dt, horizon, buffer,
+    n = len(p)
+    u, changed = np.empty((n, 3)), np.empty(n)
+    kind, binding, level = np.empty(n, np.int64), np.empty(n, np.int64), np.empty(n, np.int64)
+    u_view, changed_view, kind_view, binding_view, level_view = u, changed, kind, binding, level
+    found = Constraints(rows=cython.NULL, count=0, room=0)
+    boxes = cython.cast(cython.pointer(Box), calloc(max(n, len(table)) + 1, cython.sizeof(Box)))
+    rows = cython.cast(cython.p_double, calloc(20 * n + 1, cython.sizeof(cython.double)))
+    leaders = cython.cast(cython.pointer(Leader), calloc(n + 1, cython.sizeof(Leader)))
+    active = cython.cast(cython.p_Py_ssize_t, cython.NULL)
+    try:
+        if not boxes or not rows or not leaders:
+            raise MemoryError
+        brake, reach = rows + 18 * n, rows + 19 * n
+        for i in range(n):
+            brake[i] = rules.brake_share * a_max[i]
+        near = Near(
+            n=n, p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), a_max=cython.address(a_max[0]), brake=brake,
+            margin=cython.address(margin[0]), beyond=cython.address(beyond[0]), walls=cython.address(walls[0, 0]),
+            others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])), others_count=len(others),
+            shapes=shape_at(table, 0), shapes_count=len(table),
+            pairs=cython.address(pair_required[0, 0]), pairs_count=len(pair_required),
+            singles=cython.address(other_required[0, 0]), singles_count=len(other_required),
+            apart=rules.apart, separation=rules.separation, clearance=rules.clearance, buffer=rules.buffer,
+            dt=rules.dt, horizon=rules.horizon,
         )  # fmt: skip
-        return _solve(
-            p, v, wanted, v_max, a_max, brake, ids, constraints, required, others, table, walls, dt, horizon, buffer,
-            recover, turn, climb, rounds, sweeps,
+        find_constraints(cython.address(near), reach, boxes, cython.address(found))
+        active = cython.cast(cython.p_Py_ssize_t, calloc(found.count + 1, cython.sizeof(cython.Py_ssize_t)))
+        if not active:
+            raise MemoryError
+        around = Surroundings(
+            others=near.others, shapes=near.shapes, walls=near.walls, dt=rules.dt, horizon=rules.horizon
+        )
+        problem = Problem(
+            n=n, p=near.p, v=near.v, wanted=cython.address(wanted[0, 0]), v_max=cython.address(v_max[0]),
+            a_max=near.a_max, brake=brake, ids=cython.address(ids[0]), u_b=rows, leaders=leaders,
+            constraints=found.rows, count=found.count, around=around, rules=rules,
         )  # fmt: skip
-
-    return solve
-
-
-def _checksum() -> int:
-    files = (
-        Path(str(braking_clearance.__file__)),
-        Path(str(safety_constraints.__file__)),
-        Path(str(near_constraints.__file__)),
-        Path(str(geometry.__file__)),
-    )
-    return zlib.crc32(b"".join(file.read_bytes() for file in files))
-
-
-solve = _compiled(_checksum())
+        _solve(
+            cython.address(problem), rows, active, cython.address(u_view[0, 0]), cython.address(changed_view[0]),
+            cython.address(kind_view[0]), cython.address(binding_view[0]), cython.address(level_view[0]),
+        )  # fmt: skip
+    finally:
+        free(boxes)
+        free(rows)
+        free(leaders)
+        free(active)
+        free(found.rows)
+    return u, changed, kind, binding, level

@@ -7,22 +7,18 @@ aside.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
+from cython.cimports.gcs.planner.tracking import KEPT
+from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
-
-KEPT = 32
-"""Places of each leader's way, one a period."""
-MOVING_M_S = 0.5
+_MOVING_M_S = 0.5
 """Only a leader that moves faster shows a lag."""
 DECAY_S = 5.0
 """An error that is not measured again counts by 1/e less after so long."""
-LAG_SHARE = 0.1
+_LAG_SHARE = 0.1
 """Of a newly measured lag in the one that is kept."""
-MOST_LAG_S = 2.5
+_MOST_LAG_S = 2.5
 
 Floats = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -63,19 +59,18 @@ class Tracking:
         self.now_m[row] = 0.0
 
 
-@kernel()
 def _measure(
     rows: IntArray, p: Floats, time_s: float, decay: float, lag_s: float, times: Floats, way: Floats,
     count: IntArray, now: Floats, error: Floats, lag: Floats,
 ) -> None:  # fmt: skip
-    """Kernel: writes `now`, `error` and `lag` of the rows."""
-    for k in range(len(rows)):
+    """Write `now`, `error` and `lag` of the rows."""
+    for k in range(rows.shape[0]):
         row = rows[k]
         kept = min(count[row], KEPT)
         if kept < 2:
             continue
         first = count[row] - kept
-        best, at_s, apart = math.inf, time_s, math.inf
+        best, at_s, apart = math.INFINITY, time_s, math.INFINITY
         then_s = time_s - lag_s
         if then_s < times[row, first % KEPT]:
             continue  # the leader is ahead of its vehicle from the first, as it will be
@@ -99,9 +94,16 @@ def _measure(
         now[row] = apart
         error[row] = max(apart, error[row] * decay)
         a, b = first % KEPT, (first + kept - 1) % KEPT
-        moved = math.sqrt(((way[row, b] - way[row, a]) ** 2).sum())
-        moves = moved > MOVING_M_S * (times[row, b] - times[row, a])
+        span = times[row, b] - times[row, a]
+        moves = _apart(way, row, a, b) > _MOVING_M_S * span
         a = (first + kept - 2) % KEPT
-        last = math.sqrt(((way[row, b] - way[row, a]) ** 2).sum())
-        if moves and last > MOVING_M_S * (times[row, b] - times[row, a]):  # one that stands leaves its vehicle no lag
-            lag[row] += LAG_SHARE * (min(max(time_s - at_s, 0.0), MOST_LAG_S) - lag[row])
+        span = times[row, b] - times[row, a]
+        if moves and _apart(way, row, a, b) > _MOVING_M_S * span:  # one that stands leaves its vehicle no lag
+            lag[row] += _LAG_SHARE * (min(max(time_s - at_s, 0.0), _MOST_LAG_S) - lag[row])
+
+
+def _apart(way: Floats, row: int, a: int, b: int) -> float:
+    """Distance in m of two places of a way."""
+    dn, de, dd = way[row, b, 0] - way[row, a, 0], way[row, b, 1] - way[row, a, 1], way[row, b, 2] - way[row, a, 2]
+    apart_m: float = math.sqrt(dn * dn + de * de + dd * dd)
+    return apart_m

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Collection, Mapping
-from pathlib import Path
 
 from gcs.scenario.endpoint import ONLY_ONCE
 from gcs.scenario.external import External
@@ -19,19 +17,8 @@ SAY_WHY_S = 1.0
 """Nothing is made of what has not come in so short a time."""
 
 
-def starting_line() -> str:
-    """Sentence where a session takes long to start; of compiling only where that is what takes it."""
-    compiles = "" if compiled() else ": compiling what flies and plans, once, for up to a minute"
-    return f"still starting{compiles} ..."
-
-
-def compiled() -> bool:
-    """Whether the planner's compiled code is there and newer than its source; the vehicles' comes with it."""
-    source = Path(__file__).resolve().parents[1] / "planner" / "leader.py"
-    elsewhere = os.environ.get("NUMBA_CACHE_DIR")
-    folders = [Path(elsewhere)] if elsewhere else [source.parent / "__pycache__", Path.home() / ".cache" / "numba"]
-    made = (index for folder in folders for index in folder.rglob("leader.*.nbi"))
-    return any(index.stat().st_mtime >= source.stat().st_mtime for index in made)
+STARTING_LINE = "still starting ..."
+"""Where a session takes long to start."""
 
 
 class Arrivals:

@@ -6,16 +6,15 @@ import hashlib
 from collections.abc import Sequence
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc.string import memcpy
 from numpy.typing import NDArray
 
 from gcs.frame_spans import FrameSpans, Spans
-from gcs.kernels import UNCOUNTED, inner, kernel
 
-Bytes = NDArray[np.uint8]
-
-_PREFIX_BYTES = 9
-_LENGTH_BYTES = 4
+_MOST_HEAD_BYTES = 13
+"""Bytes before a frame or a line: time, direction and a line's length."""
 _IN, _OUT, _DECISION = range(3)
 
 
@@ -39,7 +38,7 @@ class Digest:
             lines: decisions made then, as their lines of decisions.jsonl.
         """
         one, two, three = FrameSpans.of(received), FrameSpans.of(sent), FrameSpans.of(lines)
-        heads = (_PREFIX_BYTES + _LENGTH_BYTES) * (len(one.spans) + len(two.spans) + len(three.spans))
+        heads = _MOST_HEAD_BYTES * (len(one.spans) + len(two.spans) + len(three.spans))
         counted = np.empty(len(one.data) + len(two.data) + len(three.data) + heads, np.uint8)
         size = _count(t_ms, one.data, one.spans, two.data, two.spans, three.data, three.spans, counted)
         self._hash.update(counted[:size].data)
@@ -48,16 +47,14 @@ class Digest:
         return f"sha256:{self._hash.hexdigest()}"
 
 
-@inner(**UNCOUNTED)
-def _put_prefix(t_ms: int, part: int, out: Bytes, at: Any) -> Any:
-    for i in range(_PREFIX_BYTES - 1):
+def _put_prefix(t_ms: int, part: int, out: Any, at: int) -> int:
+    for i in range(8):
         out[at + i] = (t_ms >> 8 * i) & 0xFF
-    out[at + _PREFIX_BYTES - 1] = part
-    return at + _PREFIX_BYTES
+    out[at + 8] = part
+    return at + 9
 
 
-@inner(**UNCOUNTED)
-def _put_frames(t_ms: int, part: int, raw: bytes, spans: Spans, out: Bytes, at: Any) -> Any:
+def _put_frames(t_ms: int, part: int, raw: Any, spans: Spans, out: Any, at: int) -> int:
     """Write what counts of frames, behind where `out` is filled up to; where it is then.
 
     A frame's byte 1 is the payload's length; bytes 5 to 9 are system, component and message id, then the payload.
@@ -66,15 +63,12 @@ def _put_frames(t_ms: int, part: int, raw: bytes, spans: Spans, out: Bytes, at: 
         begin, end = spans[k, 0], spans[k, 1]
         at = _put_prefix(t_ms, part, out, at)
         out[at] = raw[begin + 1]
-        at += 1
-        size = min(5 + np.int64(raw[begin + 1]), end - begin - 5)
-        for i in range(size):
-            out[at + i] = raw[begin + 5 + i]
-        at += size
+        size = max(min(5 + raw[begin + 1], end - begin - 5), 0)
+        memcpy(out + at + 1, raw + begin + 5, size)
+        at += 1 + size
     return at
 
 
-@kernel(**UNCOUNTED)
 def _count(
     t_ms: int,
     received: bytes,
@@ -83,18 +77,17 @@ def _count(
     sent_spans: Spans,
     lines: bytes,
     lines_spans: Spans,
-    counted: Bytes,
-) -> Any:
-    """Kernel: write what counts of a tick's frames and lines, which stand at these spans (n, 2); how much it is."""
-    at = _put_frames(t_ms, _IN, received, received_spans, counted, 0)
-    at = _put_frames(t_ms, _OUT, sent, sent_spans, counted, at)
+    counted: NDArray[np.uint8],
+) -> int:
+    """Write what counts of a tick's frames and lines, which stand at these spans (n, 2); how much it is."""
+    out = cython.address(counted[0])
+    at = _put_frames(t_ms, _IN, received, received_spans, out, 0)
+    at = _put_frames(t_ms, _OUT, sent, sent_spans, out, at)
     for k in range(len(lines_spans)):
         begin, size = lines_spans[k, 0], lines_spans[k, 1] - lines_spans[k, 0]
-        at = _put_prefix(t_ms, _DECISION, counted, at)
-        for i in range(_LENGTH_BYTES):
-            counted[at + i] = (size >> 8 * i) & 0xFF
-        at += _LENGTH_BYTES
-        for i in range(size):
-            counted[at + i] = lines[begin + i]
-        at += size
+        at = _put_prefix(t_ms, _DECISION, out, at)
+        for i in range(4):
+            out[at + i] = (size >> 8 * i) & 0xFF
+        memcpy(out + at + 4, lines + begin, size)
+        at += 4 + size
     return at

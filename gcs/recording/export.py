@@ -18,12 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.kernels import kernel
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.parameters import recorded
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.decisions_reader import DecisionLines
+from gcs.recording.frame_heads import sent_frames
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
@@ -133,7 +133,7 @@ def _export_frames(
             epoch_us = int(heads[0, T_US])
         _learn_stations(chunk, stations)
         encodings.learn(chunk.table("HEARTBEAT"), chunk.table("AUTOPILOT_VERSION"))
-        sent = _sent(heads, stations, answered_us if session else answered_us[:0], _RELAYED)
+        sent = sent_frames(heads, stations, answered_us if session else answered_us[:0], _RELAYED)
         for msgid in np.unique(heads[:, MSGID]).tolist():
             if (shape := field_units.layout(msgid)) is None:
                 _unknown(chunk, msgid, tables, epoch_us or 0, sent)
@@ -169,25 +169,6 @@ def _learn_stations(chunk: Chunk, stations: NDArray[np.bool_]) -> None:
     for beat in beats[beats["type"] == mav.MAV_TYPE_GCS]:
         if beat["autopilot"] == mav.MAV_AUTOPILOT_INVALID:
             stations[_sender(int(beat["sysid"]), int(beat["compid"]))] = True
-
-
-@kernel()
-def _sent(heads: IntArray, stations: NDArray[np.bool_], answered_us: IntArray, relayed: IntArray) -> NDArray[np.bool_]:
-    """Kernel: which frames were sent by a ground station.
-
-    In a session of ours (`answered_us` not empty) a vehicle's own frame that stands behind the SYSTEM_TIME with which
-    its answer of that tick ended has been relayed to another vehicle.
-    """
-    sent = np.zeros(heads.shape[0], dtype=np.bool_)
-    for i in range(heads.shape[0]):
-        sender = heads[i, 2] << 8 | heads[i, 3]
-        sent[i] = stations[sender]
-        if answered_us.size:
-            if heads[i, 5] == 2:
-                answered_us[sender] = heads[i, 0]
-            elif answered_us[sender] == heads[i, 0] and (heads[i, 5] == relayed[0] or heads[i, 5] == relayed[1]):
-                sent[i] = True
-    return sent
 
 
 def _payload(chunk: Chunk, at: int) -> bytes:

@@ -11,6 +11,7 @@ import numpy as np
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.missions.items import MissionPlan, joined
@@ -100,7 +101,7 @@ class PlansReader:
         self._known.add(sender)
         if content.type == mav.MAV_TYPE_GCS:
             self._stations.add(sender)
-        elif content.autopilot == mav.MAV_AUTOPILOT_ARDUPILOTMEGA:
+        elif profile_of(content.autopilot).plans_begin_with_home:
             self._ardupilots.add(sender[0])
 
     def _take(self, frame: Frame) -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc.string import memcpy
 from numpy.typing import NDArray
 
 from gcs.frame_spans import FrameSpans, Spans
-from gcs.kernels import UNCOUNTED, inner, kernel
 
 _TIME_BYTES = 8
 
@@ -21,20 +22,19 @@ def stamped(t_us: int, received: Sequence[bytes], sent: Sequence[bytes]) -> memo
     return out.data[: _stamp(t_us, first.data, first.spans, last.data, last.spans, out)]
 
 
-@inner(**UNCOUNTED)
-def _put(t_us: int, raw: bytes, spans: Spans, out: NDArray[np.uint8], at: Any) -> Any:
+def _put(t_us: int, raw: Any, spans: Spans, out: Any, at: int) -> int:
     for k in range(len(spans)):
-        for i in range(_TIME_BYTES):
-            out[at + i] = (t_us >> 8 * (_TIME_BYTES - 1 - i)) & 0xFF
-        at += _TIME_BYTES
+        for i in range(8):
+            out[at + i] = (t_us >> 8 * (7 - i)) & 0xFF
         begin, size = spans[k, 0], spans[k, 1] - spans[k, 0]
-        for i in range(size):
-            out[at + i] = raw[begin + i]
-        at += size
+        memcpy(out + at + 8, raw + begin, size)
+        at += 8 + size
     return at
 
 
-@kernel(**UNCOUNTED)
-def _stamp(t_us: int, first: bytes, first_spans: Spans, last: bytes, last_spans: Spans, out: NDArray[np.uint8]) -> Any:
-    """Kernel: write the frames that stand in two texts at these spans (n, 2), each behind the time; how much it is."""
+def _stamp(
+    t_us: int, first: bytes, first_spans: Spans, last: bytes, last_spans: Spans, stamped: NDArray[np.uint8]
+) -> int:
+    """Write the frames that stand in two texts at these spans (n, 2), each behind the time; how much it is."""
+    out = cython.address(stamped[0])
     return _put(t_us, last, last_spans, out, _put(t_us, first, first_spans, out, 0))

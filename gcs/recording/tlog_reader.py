@@ -21,16 +21,15 @@ import numpy as np
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import CRC_TABLE, SEEDS
-from gcs.recording import rotation, tlog_times
-from gcs.recording.tlog_times import TlogTimes
+from gcs.recording import rotation
+from gcs.recording.times import tlog_times
+from gcs.recording.times.tlog_times import TlogTimes
 from gcs.recording.tlog_walk import (
     AT,
     COLUMNS,
     COMPID,
     MSGID,
     SEQ,
-    SOME_SEED,
     SYSID,
     T_US,
     TIME_BYTES,
@@ -104,9 +103,7 @@ class Tlog:
                 octets = octets[: len(carried) + count]
                 if len(room) < len(octets) // TIME_BYTES + 1:
                     room = np.empty((len(octets) // TIME_BYTES + 1, COLUMNS), dtype=np.int64)
-                found, last_end, look_at, more_gaps, more_skipped = walk(
-                    octets, room, last_end, look_at, final, SEEDS, CRC_TABLE, SOME_SEED
-                )
+                found, last_end, look_at, more_gaps, more_skipped = walk(octets, room, last_end, look_at, final)
                 heads = room[:found].copy()
                 frames += found
                 gaps += more_gaps

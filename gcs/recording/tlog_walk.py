@@ -7,19 +7,22 @@ NO_STAMP.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cached_property, lru_cache
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.gcs.mavlink.frame_runs import seed_of, seed_of_id
+from cython.cimports.gcs.recording.frame_heads import head_at
+from cython.cimports.libc.string import memcpy
+from cython.cimports.skytender.checksum import crc_of, ended
 from numpy.typing import NDArray
 
-from gcs.kernel_files import checksum
-from gcs.kernels import inner, kernel
-from gcs.mavlink import codec, datagram, dialect, records
+from gcs.mavlink import codec, dialect, records
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.datagram import CRC_TABLE, crc_of
-from gcs.recording.recorded_clock import NO_STAMP
+from gcs.recording.times.recorded_clock import NO_STAMP
+from skytender.checksum import mcrf4xx
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -27,9 +30,11 @@ ByteArray = NDArray[np.uint8]
 TIME_BYTES = 8
 COLUMNS = 6
 T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
-"""Columns of `Chunk.heads`; AT is the place of the frame's marker in `Chunk.octets`."""
+"""Columns of `Chunk.heads`, in the order of the struct Head in frame_heads.pxd; AT is the place of the frame's marker
+in `Chunk.octets`."""
 
-SOME_SEED = np.isin(np.arange(1 << 16), CRC_TABLE[0])
+_NO_STAMP = NO_STAMP
+_SOME_SEED = np.isin(np.arange(1 << 16), [mcrf4xx(bytes([seed]), 0) for seed in range(256)]).view(np.uint8)
 """Which differences one unknown seed byte can make."""
 
 
@@ -74,7 +79,7 @@ class Chunk:
         for name, column in (("t_us", T_US), ("sysid", SYSID), ("compid", COMPID), ("seq", SEQ)):
             rows[name] = heads[:, column]
         head_bytes = dtype.itemsize - payload_bytes
-        _gather(self.octets, heads[:, AT], rows.view(np.uint8).reshape(len(rows), dtype.itemsize), head_bytes)
+        _gather(self.octets, heads, rows.view(np.uint8).reshape(len(rows), dtype.itemsize), head_bytes)
         return rows
 
 
@@ -97,106 +102,97 @@ def _dtypes(msgid: int) -> tuple[np.dtype[Any], int]:
     return np.dtype([*own, *((name, payload[name]) for name in payload.names or ())]), payload.itemsize
 
 
-@kernel()
-def _gather(data: ByteArray, places: IntArray, rows: ByteArray, head_bytes: int) -> None:
-    """Kernel: copies payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
-    for i in range(places.size):
-        at = places[i]
+def _gather(data: ByteArray, heads: IntArray, rows: ByteArray, head_bytes: int) -> None:
+    """Copy payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
+    for i in range(len(heads)):
+        at = head_at(heads, i).at
         begin = at + 10 if data[at] == 0xFD else at + 6
-        for k in range(min(np.int64(data[at + 1]), rows.shape[1] - head_bytes)):
-            rows[i, head_bytes + k] = data[begin + k]
+        size = min(data[at + 1], rows.shape[1] - head_bytes)
+        memcpy(cython.address(rows[i, head_bytes]), cython.address(data[begin]), size)
 
 
-@inner()
-def _frame_bytes(
-    data: ByteArray, at: int, seeds: IntArray, table: NDArray[np.uint16], some_seed: NDArray[np.bool_]
-) -> Any:
-    """Kernel: length (an integer) of the intact frame at a place; negative where only its seed is unknown; 0: none."""
-    size = data.size
+def walk(
+    octets: ByteArray, heads: IntArray, last_end: int, look_at: int, final: bool
+) -> tuple[int, int, int, int, int]:
+    """Fill heads (m, 6), with room for a frame at every 8 bytes; how many there are, end of the last frame, where to
+    look next, gaps, bytes in them.
+
+    In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
+    """
+    data, rows = octets, heads
+    with cython.nogil:
+        n, last_end, look_at, gaps, skipped = _walk(data, rows, last_end, look_at, final, _SOME_SEED)
+    return n, last_end, look_at, gaps, skipped
+
+
+def _frame_bytes(data: Any, size: int, at: int, some_seed: NDArray[np.uint8]) -> int:
+    """Length of the intact frame at a place; negative where only its seed is unknown; 0: none."""
     if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
         return 0
-    length = np.int64(data[at + 1])
+    length = data[at + 1]
     if data[at] == 0xFD:
         end = at + 10 + length
         if end + 2 > size or data[at + 2] > 1:
             return 0
-        low = np.int64(data[at + 7]) | np.int64(data[at + 8]) << 8
-        seed = seeds[low] if data[at + 9] == 0 else np.int64(-1)
+        seed = seed_of(data + at)
         total = end + 2 - at + (13 if data[at + 2] == 1 else 0)
     else:
         end = at + 6 + length
         if end + 2 > size:
             return 0
-        seed = seeds[np.int64(data[at + 5])]
+        seed = seed_of_id(data[at + 5])
         total = end + 2 - at
     if at + total > size:
         return 0
-    crc = crc_of(data, at + 1, end, table)
-    sent_crc = np.int64(data[end]) | np.int64(data[end + 1]) << 8
+    crc = crc_of(data, at + 1, end)
+    sent_crc = data[end] | data[end + 1] << 8
     if seed >= 0:
-        crc = crc >> 8 ^ np.int64(table[0, (crc ^ seed) & 0xFF])
-        return total if crc == sent_crc else 0
+        return total if ended(crc, seed) == sent_crc else 0
     return -total if some_seed[sent_crc ^ crc >> 8] else 0
 
 
-def _compiled(build: int) -> Callable[..., tuple[int, int, int, int, int]]:
-    """The walk, kept by numba; `build`: checksum of the other file that it is made of."""
-
-    @kernel(nogil=True)
-    def walk_on(
-        data: ByteArray,
-        heads: IntArray,
-        last_end: int,
-        look_at: int,
-        final: bool,
-        seeds: IntArray,
-        table: NDArray[np.uint16],
-        some_seed: NDArray[np.bool_],
-    ) -> tuple[int, int, int, int, int]:
-        """Kernel: fills heads (m, 6), with room for a frame at every 8 bytes; returns (how many there are, end of the
-        last frame, where to look next, gaps, bytes in them).
-
-        In step, the next frame stands 8 bytes after the last one's end. Out of step it is looked for byte by byte.
-        """
-        _ = build
-        size = data.size
-        n = gaps = skipped = 0
-        while look_at < size:
-            if not final and look_at + 288 > size:
-                break
-            total = _frame_bytes(data, look_at, seeds, table, some_seed)
-            if total < 0:
-                end, stamp = look_at - total, look_at - last_end
-                next_at = end + stamp
-                follows = end == size or (next_at < size and (data[next_at] == 0xFD or data[next_at] == 0xFE))
-                total = -total if stamp in (0, 8) and follows else 0
-            if total == 0:
-                look_at = last_end if look_at == last_end + 8 else look_at + 1
-                if look_at == last_end + 8:  # that place has been looked at, and means `in step`
-                    look_at += 1
-                continue
-            begin, stamp_us = look_at, np.int64(NO_STAMP)
-            if look_at - last_end >= 8:
-                begin, stamp_us = look_at - 8, np.int64(0)
-                for k in range(8):
-                    stamp_us = stamp_us << 8 | np.int64(data[begin + k])
-            if begin > last_end:
-                gaps += 1
-                skipped += begin - last_end
-            heads[n, 0], heads[n, 1] = stamp_us, look_at
-            if data[look_at] == 0xFD:
-                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 5], data[look_at + 6], data[look_at + 4]
-                heads[n, 5] = np.int64(data[look_at + 7]) | np.int64(data[look_at + 8]) << 8
-                heads[n, 5] |= np.int64(data[look_at + 9]) << 16
-            else:
-                heads[n, 2], heads[n, 3], heads[n, 4] = data[look_at + 3], data[look_at + 4], data[look_at + 2]
-                heads[n, 5] = data[look_at + 5]
-            n += 1
-            last_end = look_at + total
-            look_at = last_end + 8
-        return n, last_end, look_at, gaps, skipped
-
-    return walk_on
-
-
-walk = _compiled(checksum(datagram))
+def _walk(
+    octets: ByteArray,
+    heads: IntArray,
+    last_end: int,
+    look_at: int,
+    final: bool,
+    some_seed: NDArray[np.uint8],
+) -> tuple[int, int, int, int, int]:
+    data = cython.address(octets[0])
+    size = octets.shape[0]
+    n = gaps = skipped = 0
+    while look_at < size:
+        if not final and look_at + 288 > size:
+            break
+        total = _frame_bytes(data, size, look_at, some_seed)
+        if total < 0:
+            end, stamp_bytes = look_at - total, look_at - last_end
+            next_at = end + stamp_bytes
+            follows = end == size or (next_at < size and (data[next_at] == 0xFD or data[next_at] == 0xFE))
+            total = -total if stamp_bytes in (0, 8) and follows else 0
+        if total == 0:
+            look_at = last_end if look_at == last_end + 8 else look_at + 1
+            if look_at == last_end + 8:  # that place has been looked at, and means `in step`
+                look_at += 1
+            continue
+        begin, stamp = look_at, _NO_STAMP
+        if look_at - last_end >= 8:
+            begin, stamp = look_at - 8, 0
+            for k in range(8):
+                stamp = stamp << 8 | data[begin + k]
+        if begin > last_end:
+            gaps += 1
+            skipped += begin - last_end
+        head = head_at(heads, n)
+        head.t_us, head.at = stamp, look_at
+        if data[look_at] == 0xFD:
+            head.sysid, head.compid, head.seq = data[look_at + 5], data[look_at + 6], data[look_at + 4]
+            head.msgid = data[look_at + 7] | data[look_at + 8] << 8 | data[look_at + 9] << 16
+        else:
+            head.sysid, head.compid, head.seq = data[look_at + 3], data[look_at + 4], data[look_at + 2]
+            head.msgid = data[look_at + 5]
+        n += 1
+        last_end = look_at + total
+        look_at = last_end + 8
+    return n, last_end, look_at, gaps, skipped

@@ -6,10 +6,9 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+import cython
 import numpy as np
 from numpy.typing import NDArray
-
-from gcs.kernels import kernel
 
 FOLDER = "vehicles"
 PLACE = ("time_s", "n", "e", "d")
@@ -32,23 +31,22 @@ def read(folder: Path, sysid: int, names: Sequence[str] = MOTION) -> NDArray[np.
     return rows
 
 
-def load() -> None:
-    """Load what the first reading of a process is done with."""
-    record_places(np.empty(0), 1)
-
-
-@kernel()
 def record_places(numbers: NDArray[np.float64], width: int) -> NDArray[np.int64]:
-    """Kernel: where each whole record begins, and where the last one ends; one is `width` numbers, the second of which
-    says how many more it has."""
-    places = np.empty(numbers.size // width + 1, dtype=np.int64)
+    """Where each whole record begins, and where the last one ends; one is `width` numbers, the second of which says how
+    many more it has."""
+    places = np.empty(len(numbers) // width + 1, dtype=np.int64)
+    return places[: _find(numbers, width, places) + 1]
+
+
+def _find(numbers: NDArray[np.float64], width: int, places: NDArray[np.int64]) -> int:
+    """Write where each record begins, and where the last one ends; how many there are."""
     n = at = 0
-    while at + width <= numbers.size:
+    while at + width <= len(numbers):
         steps = numbers[at + 1]
-        if not 0.0 <= steps <= numbers.size - at - width:  # also what is no number
+        if not 0.0 <= steps <= len(numbers) - at - width:  # also what is no number
             break
         places[n] = at
         n += 1
-        at += width + int(steps)
+        at += width + cython.cast("Py_ssize_t", steps)
     places[n] = at
-    return places[: n + 1]
+    return n

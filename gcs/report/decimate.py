@@ -7,9 +7,9 @@ extreme is lost however few they are. Paths in space lose the points that lie ne
 from __future__ import annotations
 
 import numpy as np
+from cython.cimports.libc.math import isnan
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
 from gcs.recording.series import Floats, Series
 
 
@@ -25,7 +25,8 @@ def min_max(series: Series, buckets: int, begin_s: float, end_s: float) -> Serie
     if len(t_s) <= 2 * buckets:
         return series
     bucket = _bucket(t_s, buckets, begin_s, end_s)
-    chosen = _extremes(bucket, values)
+    places = np.empty(len(values), np.int64)
+    chosen = places[: _extremes(bucket, np.ascontiguousarray(values), places)]
     return Series(t_s[chosen], values[chosen])
 
 
@@ -35,16 +36,16 @@ def _bucket(t_s: Floats, buckets: int, begin_s: float, end_s: float) -> NDArray[
     return np.minimum(np.maximum(part, 0), buckets - 1)
 
 
-@kernel()
-def _extremes(bucket: NDArray[np.int64], values: Floats) -> NDArray[np.int64]:
-    """Kernel: the places of the smallest value, the largest and the first NaN of each run of one bucket, ascending."""
-    places = np.empty(values.size, dtype=np.int64)
+def _extremes(bucket: NDArray[np.int64], values: Floats, places: NDArray[np.int64]) -> int:
+    """Write the places of the smallest value, the largest and the first NaN of each run of one bucket, ascending; how
+    many there are."""
+    size = values.shape[0]
     count = begin = 0
-    while begin < values.size:
+    while begin < size:
         least = greatest = gap = -1
         end = begin
-        while end < values.size and bucket[end] == bucket[begin]:
-            if np.isnan(values[end]):
+        while end < size and bucket[end] == bucket[begin]:
+            if isnan(values[end]):
                 gap = end if gap < 0 else gap
             elif least < 0:
                 least = greatest = end
@@ -58,7 +59,7 @@ def _extremes(bucket: NDArray[np.int64], values: Floats) -> NDArray[np.int64]:
                 places[count] = k
                 count += 1
         begin = end
-    return places[:count].copy()
+    return count
 
 
 def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tuple[Floats, Floats, Floats, Floats]:
@@ -68,9 +69,9 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     a part is empty.
     """
     least, greatest = np.full(buckets, np.inf), np.full(buckets, -np.inf)
-    means = np.full((len(many), buckets), np.nan)
+    means, sums = np.full((len(many), buckets), np.nan), np.empty((2, buckets))
     for row, (t_s, values) in enumerate(many):
-        _spread(_bucket(t_s, buckets, begin_s, end_s), values, least, greatest, means[row])
+        _spread(_bucket(t_s, buckets, begin_s, end_s), np.ascontiguousarray(values), least, greatest, sums, means[row])
     empty = least > greatest
     median = np.full(buckets, np.nan)
     if len(many):
@@ -80,18 +81,21 @@ def band(many: list[Series], buckets: int, begin_s: float, end_s: float) -> tupl
     return middles_s, least, median, greatest
 
 
-@kernel()
-def _spread(bucket: NDArray[np.int64], values: Floats, least: Floats, greatest: Floats, means: Floats) -> None:
-    """Kernel: widens least and greatest (buckets,) by a series' values, and sets its means (buckets,) where it has any.
-    What is NaN counts for nothing."""
-    count, total = np.zeros(means.size), np.zeros(means.size)
-    for k in range(values.size):
-        if not np.isnan(values[k]):
+def _spread(
+    bucket: NDArray[np.int64], values: Floats, least: Floats, greatest: Floats, sums: Floats, means: Floats
+) -> None:
+    """Widen least and greatest (buckets,) by a series' values, and set its means (buckets,) where it has any. What is
+    NaN counts for nothing. sums (2, buckets): written."""
+    buckets = means.shape[0]
+    for b in range(buckets):
+        sums[0, b] = sums[1, b] = 0.0
+    for k in range(values.shape[0]):
+        if not isnan(values[k]):
             b = bucket[k]
             least[b] = min(least[b], values[k])
             greatest[b] = max(greatest[b], values[k])
-            count[b] += 1.0
-            total[b] += values[k]
-    for b in range(means.size):
-        if count[b] > 0.0:
-            means[b] = total[b] / count[b]
+            sums[0, b] += 1.0
+            sums[1, b] += values[k]
+    for b in range(buckets):
+        if sums[0, b] > 0.0:
+            means[b] = sums[1, b] / sums[0, b]

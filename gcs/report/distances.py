@@ -13,14 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.kernels import kernel
 from gcs.recording.decisions_reader import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track
 from gcs.recording.session_folder import Recorded, rows_of
+from gcs.report.nearness import fill_errors, fill_separations
 from gcs.scenario import geometry
-from gcs.telemetry.approach import nearest_pair
-from gcs.telemetry.metrics import PLAN_MEMORY, distance_to_path
+from gcs.telemetry.metrics import PLAN_MEMORY
 
 BLOCK_TICKS = 2000
 
@@ -67,7 +66,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         ways = np.stack([flown[sysid].at(t_s[with_lead]) for sysid in sysids.tolist()], axis=1)
         at = ways[lead:]
         first = separation[with_lead].copy(), pair[with_lead].copy()
-        _separations(ways, t_s[with_lead], partners, separation[with_lead], pair[with_lead])
+        fill_separations(ways, t_s[with_lead], partners, separation[with_lead], pair[with_lead])
         if lead:
             separation[begin - 1], pair[begin - 1] = first[0][0], first[1][0]
         if len(shapes):
@@ -111,7 +110,8 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
                 own = own[np.argsort(own[:, T_S], kind="stable")]
             t_s = np.ascontiguousarray(own[:, T_S])
             at = flown[sysid].at(t_s)
-            errors = _errors(t_s, np.ascontiguousarray(own[:, P_NED]), at, 1.5 * period_s, PLAN_MEMORY)
+            errors = np.full(len(t_s), np.nan)
+            fill_errors(t_s, np.ascontiguousarray(own[:, P_NED]), at, 1.5 * period_s, PLAN_MEMORY, errors)
             found[sysid] = Series(t_s, errors)
     return found
 
@@ -130,52 +130,3 @@ def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
             spans.append((rows[key[0]], rows[key[1]], open_since.pop(key), decision["t_s"]))
     spans += [(rows[t], rows[r], since, math.inf) for (t, r), since in open_since.items() if {t, r} <= rows.keys()]
     return np.array(spans, dtype=np.float64).reshape(-1, 4)
-
-
-@kernel()
-def _separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, pair: NDArray[np.int64]) -> None:
-    """Kernel: fills the least distance (k,) in the interval up to each tick, and the rows of its pair (k, 2), from
-    places (k, n, 3), NaN for not flying.
-
-    partners (m, 4): rows of a pair, and from when to when its distance does not count.
-    """
-    close = np.empty((partners.shape[0], 2), dtype=np.int64)
-    straight, found = np.empty((0, 3)), np.empty((0, 4))
-    for k in range(at.shape[0]):
-        rows = np.flatnonzero(~np.isnan(at[k, :, 0]))
-        here = np.empty((rows.size, 3))
-        before = np.empty((rows.size, 3))
-        place = np.full(at.shape[1], -1, dtype=np.int64)
-        for i in range(rows.size):
-            here[i] = at[k, rows[i]]
-            before[i] = here[i] if k == 0 or np.isnan(at[k - 1, rows[i], 0]) else at[k - 1, rows[i]]
-            place[rows[i]] = i
-        m = 0
-        for s in range(partners.shape[0]):
-            until_s = partners[s, 3] - 1e-6
-            ceased = k > 0 and t_s[k - 1] < until_s  # they were partners when the interval began
-            if partners[s, 2] - 1e-6 <= t_s[k] and (t_s[k] < until_s or ceased):
-                close[m, 0], close[m, 1] = place[int(partners[s, 0])], place[int(partners[s, 1])]
-                m += 1
-        ours = np.ones(rows.size, dtype=np.bool_)
-        least_m, one, other, _, _ = nearest_pair(
-            before, here, straight, straight, 0.0, ours, close[:m], 0.0, math.inf, found
-        )
-        if one >= 0:
-            separation[k] = least_m
-            pair[k, 0], pair[k, 1] = rows[one], rows[other]
-
-
-@kernel()
-def _errors(t_s: Floats, plan: Floats, at: Floats, longest_s: float, memory: int) -> Floats:
-    """Kernel: distance (k,) of places (k, 3) to the polyline of the `memory` latest points of a plan (k, 3); NaN where
-    there are not yet so many without a pause longer than `longest_s`, or the place is not known."""
-    found = np.full(t_s.size, np.nan)
-    since = 0
-    for k in range(t_s.size):
-        if k > 0 and t_s[k] - t_s[k - 1] > longest_s:
-            since = k
-        if k - since + 1 >= memory and not np.isnan(at[k, 0]):
-            path = plan[k - memory + 1 : k + 1]
-            found[k] = distance_to_path(path, 0, at[k, 0], at[k, 1], at[k, 2])
-    return found

@@ -18,14 +18,13 @@ as high and as deep as the world; DOWN and half down only tell between which hei
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, POINT, SPHERE, WALL, row_of, shape_at
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
-
-from gcs.kernels import kernel
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Obstacle
@@ -33,11 +32,10 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 
 KIND, NORTH, EAST, DOWN, SIZE_1, SIZE_2, SIZE_3 = range(7)
+"""Columns of the table, in the order of the struct Shape in geometry.pxd."""
 COLUMNS = 7
-POINT, SPHERE, BOX, CYLINDER, WALL = 0.0, 1.0, 2.0, 3.0, 4.0
 
-FAR_M = 1e6
-"""Where a wall ends, up and down: beyond every scenario."""
+FAR_M = 1e6  # where a wall ends, up and down: beyond every scenario
 
 # Nearer than this to a centre or an edge the difference of two positions has no direction left that means anything.
 _NO_DIRECTION_M = 1e-9
@@ -110,8 +108,8 @@ def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
 
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
     """Table of points at `positions_ned` (m, 3) m, spheres where `radii_m` (m,) > 0. ValueError unless finite."""
-    positions = np.asarray(positions_ned, dtype=np.float64).reshape(-1, 3)
-    if not (math.isfinite(np.vdot(positions, positions)) or np.isfinite(positions).all()):
+    positions = np.asarray(positions_ned, dtype=np.float64).reshape((-1, 3))
+    if not (np.isfinite(np.vdot(positions, positions)) or np.isfinite(positions).all()):
         raise ValueError("positions_ned holds a value that is not finite; give every obstacle three finite numbers")
     rows = np.zeros((len(positions), COLUMNS))
     rows[:, NORTH : DOWN + 1] = positions
@@ -122,27 +120,32 @@ def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
 
 def clearance(table: FloatArray, points_ned: ArrayLike) -> FloatArray:
     """Least signed distance (k,) in m from each of `points_ned` (k, 3) to any surface; inf where there is no shape."""
-    at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape(-1, 3)
+    at = np.ascontiguousarray(points_ned, dtype=np.float64).reshape((-1, 3))
     least_m = np.empty(len(at))
-    fill_clearances(table, at, least_m)
+    fill_clearances(table, at, least_m, np.empty(len(table)))
     return least_m
 
 
-@kernel()
 def bounds(table: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Kernel: least and greatest corner (m, 3) of each shape's bounding box."""
+    """Least and greatest corner (m, 3) of each shape's bounding box."""
     low, high = np.empty((len(table), 3)), np.empty((len(table), 3))
+    low_rows, high_rows = low, high
     for i in range(len(table)):
-        kind, hn, he, hd = table[i, KIND], table[i, SIZE_1], table[i, SIZE_1], table[i, SIZE_1]
-        if kind == BOX:
-            he, hd = table[i, SIZE_2], table[i, SIZE_3]
-        elif kind == CYLINDER:
-            hd = table[i, SIZE_2]
-        elif kind == WALL:
-            hn, he, hd = abs(table[i, SIZE_1]), abs(table[i, SIZE_2]), FAR_M
-        low[i, 0], low[i, 1], low[i, 2] = table[i, NORTH] - hn, table[i, EAST] - he, table[i, DOWN] - hd
-        high[i, 0], high[i, 1], high[i, 2] = table[i, NORTH] + hn, table[i, EAST] + he, table[i, DOWN] + hd
+        write_bounds(shape_at(table, i), row_of(low_rows, i), row_of(high_rows, i))
     return low, high
+
+
+def write_bounds(shape: Any, low: Any, high: Any) -> None:
+    """Write the least and the greatest corner (3,) of a shape's bounding box."""
+    hn, he, hd = shape.size_1, shape.size_1, shape.size_1
+    if shape.kind == BOX:
+        he, hd = shape.size_2, shape.size_3
+    elif shape.kind == CYLINDER:
+        hd = shape.size_2
+    elif shape.kind == WALL:
+        hn, he, hd = math.fabs(shape.size_1), math.fabs(shape.size_2), FAR_M
+    low[0], low[1], low[2] = shape.north - hn, shape.east - he, shape.down - hd
+    high[0], high[1], high[2] = shape.north + hn, shape.east + he, shape.down + hd
 
 
 def _vector(name: str, value: ArrayLike) -> FloatArray:
@@ -166,33 +169,31 @@ def _row(kind: float, position_ned: FloatArray, *sizes: float) -> FloatArray:
     return row
 
 
-@kernel()
-def shape_surface(table: FloatArray, i: int, qn: float, qe: float, qd: float) -> tuple[float, float, float, float]:
-    """Kernel: signed distance in m of row `i`'s surface, and unit vector (north, east, down) from it to (qn, qe, qd).
+def shape_surface(shape: Any, qn: float, qe: float, qd: float) -> tuple[float, float, float, float]:
+    """Signed distance in m of a shape's surface, and unit vector (north, east, down) from it to (qn, qe, qd).
 
     Within a volume the distance is minus the depth and the vector points out by the shortest way; of equally short
     ways north comes before east before down, and from the very centre they lead north, east and up. At a point, and
     at the centre of a sphere, where every way is as short, the vector is up.
     """
-    kind = table[i, KIND]
-    dn = qn - table[i, NORTH]
-    de = qe - table[i, EAST]
-    dd = qd - table[i, DOWN]
+    kind = shape.kind
+    dn = qn - shape.north
+    de = qe - shape.east
+    dd = qd - shape.down
     if kind == BOX:
-        return _box_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2], table[i, SIZE_3])
+        return _box_surface(dn, de, dd, shape.size_1, shape.size_2, shape.size_3)
     if kind == CYLINDER:
-        return _cylinder_surface(dn, de, dd, table[i, SIZE_1], table[i, SIZE_2])
+        return _cylinder_surface(dn, de, dd, shape.size_1, shape.size_2)
     if kind == WALL:
-        r, gn, ge = _wall_surface(dn, de, table[i, SIZE_1], table[i, SIZE_2])
+        r, gn, ge = _wall_surface(dn, de, shape.size_1, shape.size_2)
         return r, gn, ge, 0.0
     r = math.sqrt(dn * dn + de * de + dd * dd)
-    radius = table[i, SIZE_1]
+    radius = shape.size_1
     if r < _NO_DIRECTION_M:
         return r - radius, 0.0, 0.0, -1.0
     return r - radius, dn / r, de / r, dd / r
 
 
-@kernel()
 def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: float) -> tuple[float, float, float, float]:
     on = dn - min(max(dn, -hn), hn)
     oe = de - min(max(de, -he), he)
@@ -200,9 +201,9 @@ def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: floa
     r = math.sqrt(on * on + oe * oe + od * od)
     if r >= _NO_DIRECTION_M:
         return r, on / r, oe / r, od / r
-    out_n = abs(dn) - hn
-    out_e = abs(de) - he
-    out_d = abs(dd) - hd
+    out_n = math.fabs(dn) - hn
+    out_e = math.fabs(de) - he
+    out_d = math.fabs(dd) - hd
     if out_n >= out_e and out_n >= out_d:
         return out_n, 1.0 if dn >= 0.0 else -1.0, 0.0, 0.0
     if out_e >= out_d:
@@ -210,7 +211,6 @@ def _box_surface(dn: float, de: float, dd: float, hn: float, he: float, hd: floa
     return out_d, 0.0, 0.0, 1.0 if dd > 0.0 else -1.0
 
 
-@kernel()
 def _cylinder_surface(
     dn: float, de: float, dd: float, radius: float, half_height: float
 ) -> tuple[float, float, float, float]:
@@ -218,7 +218,7 @@ def _cylinder_surface(
     radial_n, radial_e = (dn / axial, de / axial) if axial >= _NO_DIRECTION_M else (1.0, 0.0)
     down = 1.0 if dd > 0.0 else -1.0
     out_r = axial - radius
-    out_d = abs(dd) - half_height
+    out_d = math.fabs(dd) - half_height
     if out_r > 0.0 and out_d > 0.0:
         r = math.sqrt(out_r * out_r + out_d * out_d)
         if r >= _NO_DIRECTION_M:
@@ -228,7 +228,6 @@ def _cylinder_surface(
     return out_d, 0.0, 0.0, down
 
 
-@kernel()
 def _wall_surface(dn: float, de: float, hn: float, he: float) -> tuple[float, float, float]:
     square = hn * hn + he * he
     t = min(max((dn * hn + de * he) / square, -1.0), 1.0)
@@ -240,29 +239,31 @@ def _wall_surface(dn: float, de: float, hn: float, he: float) -> tuple[float, fl
     return r, on / r, oe / r
 
 
-@kernel()
-def past_wall(
-    table: FloatArray, i: int, n0: float, e0: float, n1: float, e1: float
-) -> tuple[float, float, float, float]:
-    """Kernel: least signed distance in m of the way (n0, e0) to (n1, e1) to the wall of row `i`, where on the way that
+def way_past_wall(table: FloatArray, i: int, start_ne: FloatArray, end_ne: FloatArray) -> Any:
+    """`past_wall` of a table's row, for a way from one place (2,) to another."""
+    return past_wall(shape_at(table, i), start_ne[0], start_ne[1], end_ne[0], end_ne[1])
+
+
+def past_wall(shape: Any, n0: float, e0: float, n1: float, e1: float) -> tuple[float, float, float, float]:
+    """Least signed distance in m of the way (n0, e0) to (n1, e1) to a wall, where on the way that
     is (0 to 1), and the unit vector (north, east) from the wall to there.
 
     A way that crosses the wall is as far beyond it as its end is, seen from where it begins.
     """
-    hn, he = table[i, SIZE_1], table[i, SIZE_2]
-    an, ae = n0 - table[i, NORTH], e0 - table[i, EAST]
-    bn, be = n1 - table[i, NORTH], e1 - table[i, EAST]
+    hn, he = shape.size_1, shape.size_2
+    an, ae = n0 - shape.north, e0 - shape.east
+    bn, be = n1 - shape.north, e1 - shape.east
     half = math.sqrt(hn * hn + he * he)
     ln, le = -he / half, hn / half  # to the wall's left
     side_a, side_b = an * ln + ae * le, bn * ln + be * le
     if (side_a > 0.0) != (side_b > 0.0):
         share = side_a / (side_a - side_b)
         along = ((an + share * (bn - an)) * hn + (ae + share * (be - ae)) * he) / half
-        if abs(along) <= half:
+        if math.fabs(along) <= half:
             sign = 1.0 if side_a > 0.0 else -1.0
             return sign * side_b, 1.0, sign * ln, sign * le
     # They do not cross, so one of the four ends is nearest.
-    least, where = math.inf, 0.0
+    least, where = math.INFINITY, 0.0
     gn, ge = ln, le
     square = (bn - an) ** 2 + (be - ae) ** 2
     for k in range(4):
@@ -279,16 +280,28 @@ def past_wall(
     return least, where, gn, ge
 
 
-@kernel()
-def fill_clearances(table: FloatArray, at: FloatArray, least: FloatArray) -> None:
-    """Kernel: fills `least` (k,) with the clearance of each place of `at` (k, 3), as `clearance` gives it."""
-    # No part of a shape is farther than this from its place, so most are passed over by one coordinate alone. Rounding
-    # is monotonic, so that it never hides the nearest.
-    reach = np.sqrt(table[:, SIZE_1] ** 2 + table[:, SIZE_2] ** 2 + table[:, SIZE_3] ** 2)
+def fill_clearances(table: FloatArray, at: FloatArray, least: FloatArray, reach: FloatArray) -> None:
+    """Fill `least` (k,) with the clearance of each place of `at` (k, 3), as `clearance` gives it; reach: (m,), written,
+    as `fill_reach` does."""
+    fill_reach(table, reach)
     for k in range(at.shape[0]):
-        nearest = math.inf
-        for i in range(table.shape[0]):
-            north, east = abs(at[k, 0] - table[i, NORTH]), abs(at[k, 1] - table[i, EAST])
-            if north - reach[i] < nearest and east - reach[i] < nearest:
-                nearest = min(nearest, shape_surface(table, i, at[k, 0], at[k, 1], at[k, 2])[0])
-        least[k] = nearest
+        least[k] = clearance_at(table, reach, at[k, 0], at[k, 1], at[k, 2])
+
+
+def fill_reach(table: FloatArray, reach: FloatArray) -> None:
+    """Write for each shape how far its parts are from its place at most, (m,)."""
+    for i in range(table.shape[0]):
+        shape = shape_at(table, i)
+        reach[i] = math.sqrt(shape.size_1 * shape.size_1 + shape.size_2 * shape.size_2 + shape.size_3 * shape.size_3)
+
+
+def clearance_at(table: FloatArray, reach: FloatArray, qn: float, qe: float, qd: float) -> float:
+    """Clearance of one place. Most shapes are passed over by one coordinate and their `reach` alone; rounding is
+    monotonic, so that it never hides the nearest."""
+    nearest = math.INFINITY
+    for i in range(table.shape[0]):
+        shape = shape_at(table, i)
+        north, east = math.fabs(qn - shape.north), math.fabs(qe - shape.east)
+        if north - reach[i] < nearest and east - reach[i] < nearest:
+            nearest = min(nearest, shape_surface(shape, qn, qe, qd)[0])
+    return nearest

@@ -1,4 +1,4 @@
-"""Supervisors by fork from a process that has all loaded and compiled: `python -m gcs.session.forkserver [CORE]`.
+"""Supervisors by fork from a process that has all loaded: `python -m gcs.session.forkserver [CORE]`.
 
 stdin: one JSON line per session, {"folder": PATH, "scenario": TEXT, "modules": [...]}, in a folder with `vehicles/`,
 TEXT being the pickled scenario in base64: whoever writes there has validated it and has started this process;
@@ -34,7 +34,6 @@ from gcs.loading import gathered
 from gcs.processes.forked import be
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.processes.python import end_with
-from gcs.recording import truth
 from gcs.recording.recorder import RecorderError
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario
@@ -44,10 +43,7 @@ from gcs.session.client import Lines
 from gcs.session.session_process import SessionProcess
 from gcs.session.supervised import Signals
 from gcs.supervisor import summarise
-from gcs.supervisor.warmup import find_way, rehearse
 
-WARMED_BY = ("demo", "paper/example1")
-"""Shipped scenarios whose first tick loads and compiles what others need."""
 REHEARSED, REHEARSED_S = "paper/example1", 3.0
 """Flown for so long before any other: the interpreter has then specialised the code of a tick, once for all forks."""
 
@@ -63,11 +59,7 @@ class SessionForks:
         self._pidfd = self._stdin = -1
 
     def warm_up(self) -> None:
-        """Load and compile what a session runs, and wait until the hatch has done so too."""
-        for name in WARMED_BY:
-            rehearse(load(shipped_folder() / f"{name}.yaml"))
-        find_way()
-        truth.load()
+        """Load what a session runs, and wait until the hatch has done so too."""
         summarise.load()
         with selectors.DefaultSelector() as selector:
             selector.register(self._hatch, selectors.EVENT_READ)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from gcs.processes.startup import starting_line
+from gcs.processes.startup import STARTING_LINE
 from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
 
 Snapshot = Mapping[str, Any]
@@ -244,7 +244,7 @@ class PlainView(View):
         elif self._last is None and self._begun_s is None:
             self._begun_s = now_s
         elif self._last is None and now_s - (self._begun_s or 0.0) >= PROGRESS_EVERY_S:
-            self._write(starting_line())
+            self._write(STARTING_LINE)
             self._begun_s = math.inf
 
     def close(self) -> None:

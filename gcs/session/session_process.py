@@ -23,7 +23,6 @@ from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Ended, Hatch
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
-from gcs.recording import truth
 from gcs.recording.recorder import Recorder, RecorderError
 from gcs.recording.reserve import Reserve
 from gcs.scenario import goal
@@ -38,7 +37,6 @@ from gcs.session.ordered import Ordered, make_link, order, own_keys
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
-from gcs.supervisor.warmup import rehearse
 from gcs.telemetry.events import Event, Kind, Level
 
 if TYPE_CHECKING:
@@ -75,8 +73,6 @@ class SessionProcess:
         process of what the scenario names as its planner and policy. Raises ScenarioError."""
         self._kept_hatch = hatch
         self._ordered = ordered
-        self._rehearsed = hatch is not None and hatch.kept and scenario.clock.mode == "lockstep"
-        """in the process that this one was forked from, or well enough: what is left to load delays nobody here"""
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
@@ -188,8 +184,7 @@ class SessionProcess:
                     self._hand_back()
                 if self._begun and self._hatch is not None:
                     self._hatch.dismiss()
-                    truth.load()  # while the vehicles end
-                    summarise.load()
+                    summarise.load()  # while the vehicles end
         return False
 
     def _hand_back(self) -> None:
@@ -215,8 +210,6 @@ class SessionProcess:
         self._blocks = {spec.sysid: spec.sysids for spec in ordered.orders}
         self._lockstep_link.expect(own_keys(self._scenario))
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
-        if not self._rehearsed:
-            rehearse(self._scenario)  # while the vehicles come up
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):
             for sysid, text in notices:
                 self._event(sysid, "info", text)

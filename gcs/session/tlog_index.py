@@ -14,13 +14,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.kernels import kernel
 from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
-from gcs.recording.tlog_walk import AT, COMPID, MSGID, SEQ, SYSID, T_US, ByteArray, IntArray
+from gcs.recording.frame_heads import frame_keys, last_of_each
+from gcs.recording.tlog_walk import AT, COMPID, MSGID, SEQ, SYSID, T_US, IntArray
 
 BLOCK_BYTES = 1 << 19
 MOST_BLOCKS = 256
@@ -91,7 +91,7 @@ class _Block(NamedTuple):
     def with_more(self, keys: IntArray, places: IntArray) -> _Block:
         """The same with further frames at its end."""
         keys, places = np.concatenate([self.keys, keys]), np.concatenate([self.places, places])
-        last = _last_of_each(keys)
+        last = last_of_each(keys)
         return self._replace(keys=keys[last], places=places[last])
 
 
@@ -129,7 +129,7 @@ class TlogIndex:
             if len(heads):
                 first_us = int(heads[0, T_US]) if first_us is None else first_us
                 epoch_us = first_us if epoch_us is None else epoch_us
-                keys, places = _keys(chunk.octets, heads, _SUBJECTS), _placed(chunk)
+                keys, places = frame_keys(chunk.octets, heads, _SUBJECTS), _placed(chunk)
                 # A block begins with a new time: whatever came at one time, as a tick's answers, is read together.
                 new = int(np.argmax(heads[:, T_US] != last_us)) if self._blocks else 0
                 if new or (self._blocks and heads[0, T_US] == last_us):
@@ -250,43 +250,3 @@ def _subjects() -> IntArray:
 
 
 _SUBJECTS = _subjects()
-
-
-@kernel()
-def _keys(data: ByteArray, heads: IntArray, subjects: IntArray) -> IntArray:
-    """Kernel: for each frame a number that is the same for the same sender, message and subject (FNV-1a, 64 bits)."""
-    keys = np.empty(heads.shape[0], dtype=np.int64)
-    prime = np.uint64(1099511628211)
-    for i in range(heads.shape[0]):
-        h = np.uint64(14695981039346656037)
-        for number in (heads[i, 2], heads[i, 3], heads[i, 5] & 0xFF, heads[i, 5] >> 8 & 0xFF, heads[i, 5] >> 16):
-            h = (h ^ np.uint64(number)) * prime
-        for s in range(subjects.shape[0]):
-            if subjects[s, 0] == heads[i, 5]:
-                at = heads[i, 1]
-                begin = at + (10 if data[at] == 0xFD else 6)
-                for k in range(subjects[s, 1], subjects[s, 1] + subjects[s, 2]):
-                    byte = data[begin + k] if k < data[at + 1] else np.uint8(0)
-                    h = (h ^ np.uint64(byte)) * prime
-        keys[i] = np.int64(h)
-    return keys
-
-
-@kernel()
-def _last_of_each(keys: IntArray) -> IntArray:
-    """Kernel: where each of some keys, which are hashes, stands last; the latest first."""
-    mask = 1
-    while mask < 2 * keys.size:
-        mask *= 2
-    mask -= 1
-    slots = np.full(mask + 1, -1, dtype=np.int64)
-    last = np.empty(keys.size, dtype=np.int64)
-    count = 0
-    for i in range(keys.size - 1, -1, -1):
-        slot = keys[i] & mask
-        while slots[slot] >= 0 and keys[slots[slot]] != keys[i]:
-            slot = (slot + 1) & mask
-        if slots[slot] < 0:
-            slots[slot] = last[count] = i
-            count += 1
-    return last[:count].copy()

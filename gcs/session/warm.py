@@ -27,7 +27,7 @@ from gcs.processes.python import start_python
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 
-WARM_WITHIN_S = 180.0
+WARM_WITHIN_S = 60.0
 ENDS_WITHIN_S = 20.0
 """Wall time that a session has to save itself once it was asked to end; then it is killed."""
 
@@ -96,7 +96,7 @@ class WarmSessions:
         return self._process.pid
 
     def warm_up(self) -> None:
-        """Wait until everything is loaded and compiled. Raises WarmError."""
+        """Wait until everything is loaded. Raises WarmError."""
         deadline_s = time.monotonic() + WARM_WITHIN_S
         while self._folder is None:
             content = next(self._messages(deadline_s), None)

@@ -158,5 +158,5 @@ def load() -> None:
 @functools.cache
 def versions() -> dict[str, str]:
     """Versions on which a session's digest depends, by package."""
-    names = ("skytender", "pymavlink", "numpy", "numba")
+    names = ("skytender", "pymavlink", "numpy")
     return {"python": platform.python_version(), **{name: version(name) for name in names}}

@@ -7,33 +7,30 @@ All places are (n, 3), m, in the common NED frame; a share is the part of the in
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.gcs.scenario import geometry
+from cython.cimports.gcs.telemetry.approach import CLEAR_AT, CLEAR_M, ENDS, FINE, Pair, Seen
+from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.kernels import UNCOUNTED, kernel
-from gcs.scenario import geometry
+from gcs.scenario.geometry import clearance
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Flags = NDArray[np.bool_]
 
-FINE = 25
-"""Looks per interval on a curve: 4 ms, the vehicles' own step, of a period of 0.1 s."""
 MOST_FOUND = 64
 """Number of pairs that are too near reported of one interval."""
-CLOSING_M_S = 0.1
-"""A vehicle that is not ours comes too near only where ours closes in by more than this."""
-CURVED_M = 0.1
-"""A curve is nearer than its chord by at most this much: at 5 m/s² each and 0.1 s it is 0.0125 m."""
+_CLOSING_M_S = 0.1  # a vehicle that is not ours comes too near only where ours closes in by more than this
+_CURVED_M = 0.1  # a curve is nearer than its chord by at most this: at 5 m/s² each and 0.1 s it is 0.0125 m
 STRAIGHT = np.empty((0, 3))
 WAY = 5
-CLEAR_M, CLEAR_AT = 3, 4
-"""Of a vehicle's way in an interval, behind the place where it began."""
+"""Of a vehicle's way in an interval: the place where it began, the least clearance, and its share."""
 
 
-@kernel()
 def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: float) -> tuple[float, float]:
     """Least square distance to zero on the way from r to r + d, and the share at which it is reached."""
     length2 = dn * dn + de * de + dd * dd
@@ -44,27 +41,25 @@ def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: floa
     return n * n + e * e + d * d, share
 
 
-@kernel()
-def curve_gap2(r0: Floats, r1: Floats, v0: Floats, v1: Floats, period_s: float) -> tuple[float, float]:
+def curve_gap2(r0: Any, r1: Any, v0: Any, v1: Any, period_s: float) -> tuple[float, float]:
     """The same on the cubic curve from r0 with velocity v0 to r1 with velocity v1, (3,) each."""
-    best2, best_share = math.inf, 0.0
-    before = np.empty(3)
+    best2, best_share = math.INFINITY, 0.0
+    was_n = was_e = was_d = 0.0
     for step in range(FINE + 1):
-        s = step / FINE
-        h00, h10 = (1.0 + 2.0 * s) * (1.0 - s) ** 2, s * (1.0 - s) ** 2 * period_s
+        s = cython.cast(cython.double, step) / FINE
+        h00, h10 = (1.0 + 2.0 * s) * ((1.0 - s) * (1.0 - s)), s * ((1.0 - s) * (1.0 - s)) * period_s
         h01, h11 = s * s * (3.0 - 2.0 * s), s * s * (s - 1.0) * period_s
         n = h00 * r0[0] + h10 * v0[0] + h01 * r1[0] + h11 * v1[0]
         e = h00 * r0[1] + h10 * v0[1] + h01 * r1[1] + h11 * v1[1]
         d = h00 * r0[2] + h10 * v0[2] + h01 * r1[2] + h11 * v1[2]
         if step > 0:
-            gap2, share = segment_gap2(before[0], before[1], before[2], n - before[0], e - before[1], d - before[2])
+            gap2, share = segment_gap2(was_n, was_e, was_d, n - was_n, e - was_e, d - was_d)
             if gap2 < best2:
                 best2, best_share = gap2, (step - 1 + share) / FINE
-        before[0], before[1], before[2] = n, e, d
+        was_n, was_e, was_d = n, e, d
     return best2, best_share
 
 
-@kernel()
 def nearest_pair(
     before: Floats,
     now: Floats,
@@ -84,16 +79,32 @@ def nearest_pair(
     that one does not close in. v_before, v_now: (n, 3), or (0, 3) for straight ways. Pairs that stay farther apart than
     both limit_m and worth_m need not be reported.
     """
-    n = now.shape[0]
+    pair = cython.declare(Pair)
+    pair = find_pair(
+        before, now, v_before, v_now, len(now), len(v_now) > 0, period_s, ours.view(np.uint8), exempt, len(exempt),
+        limit_m, worth_m, found,
+    )  # fmt: skip
+    return pair.distance_m, pair.one, pair.other, pair.share, pair.count
+
+
+def find_pair(
+    before: Floats, now: Floats, v_before: Floats, v_now: Floats, n: int, curved: bool, period_s: float,
+    ours: NDArray[np.uint8], exempt: Ints, exempted: int, limit_m: float, worth_m: float, found: Floats,
+) -> Any:  # fmt: skip
+    """`nearest_pair` of the first n rows, with the first `exempted` pairs left out."""
+    a = cython.declare(cython.double[3])
+    b = cython.declare(cython.double[3])
+    va = cython.declare(cython.double[3])
+    vb = cython.declare(cython.double[3])
+    pair = cython.declare(Pair)
     count = 0
-    least, one, other, at = math.inf, -1, -1, 0.0
+    least, one, other, at = math.INFINITY, -1, -1, 0.0
     moved = 0.0
     for i in range(n):
-        step = (now[i, 0] - before[i, 0]) ** 2 + (now[i, 1] - before[i, 1]) ** 2 + (now[i, 2] - before[i, 2]) ** 2
-        moved = max(moved, step)
+        dn, de, dd = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
+        moved = max(moved, dn * dn + de * de + dd * dd)
     moved = 2.0 * math.sqrt(moved)
-    curved = v_now.shape[0] > 0
-    slack = CURVED_M if curved else 0.0
+    slack = _CURVED_M if curved else 0.0
     reach = max(limit_m, min(worth_m, 1e9)) + moved + slack
     for i in range(n):
         for j in range(i):
@@ -106,8 +117,9 @@ def nearest_pair(
             if gap2 > nearest * nearest:
                 continue
             left_out = not (ours[i] or ours[j])
-            for k in range(exempt.shape[0]):
-                left_out |= (exempt[k, 0] == i and exempt[k, 1] == j) or (exempt[k, 0] == j and exempt[k, 1] == i)
+            for k in range(exempted):
+                if (exempt[k, 0] == i and exempt[k, 1] == j) or (exempt[k, 0] == j and exempt[k, 1] == i):
+                    left_out = True
             if left_out:
                 continue
             if ours[i] != ours[j]:
@@ -119,12 +131,13 @@ def nearest_pair(
                     + be * (now[own, 1] - before[own, 1])
                     + bd * (now[own, 2] - before[own, 2])
                 )
-                if closing <= CLOSING_M_S * period_s * away:
+                if closing <= _CLOSING_M_S * period_s * away:
                     continue
             if curved:
-                gap2, share = curve_gap2(
-                    before[i] - before[j], now[i] - now[j], v_before[i] - v_before[j], v_now[i] - v_now[j], period_s
-                )
+                for axis in range(3):
+                    a[axis], b[axis] = before[i, axis] - before[j, axis], now[i, axis] - now[j, axis]
+                    va[axis], vb[axis] = v_before[i, axis] - v_before[j, axis], v_now[i, axis] - v_now[j, axis]
+                gap2, share = curve_gap2(a, b, va, vb, period_s)
             gap = math.sqrt(gap2)
             if gap < limit_m:
                 if count < found.shape[0]:
@@ -133,16 +146,21 @@ def nearest_pair(
             if gap < least:
                 least, one, other, at = gap, j, i, share
                 reach = min(reach, max(limit_m, min(least, worth_m)) + moved + slack)
-    return least, one, other, at, count
+    pair.distance_m, pair.one, pair.other, pair.share, pair.count = least, one, other, at, count
+    return pair
 
 
-@kernel()
 def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: Floats) -> tuple[Floats, Ints, Floats]:
     """For each of n vehicles the least distance (n,) to any of m others in an interval, which that is, and the share;
     straight ways."""
-    least = np.full(now.shape[0], np.inf)
-    which = np.full(now.shape[0], -1, dtype=np.int64)
-    shares = np.zeros(now.shape[0])
+    least, which, shares = np.full(len(now), np.inf), np.full(len(now), -1, np.int64), np.zeros(len(now))
+    _find_nearest(before, now, others_before, others_now, least, which, shares)
+    return least, which, shares
+
+
+def _find_nearest(
+    before: Floats, now: Floats, others_before: Floats, others_now: Floats, least: Floats, which: Ints, shares: Floats
+) -> None:
     for i in range(now.shape[0]):
         for j in range(others_now.shape[0]):
             bn, be, bd = (
@@ -158,46 +176,51 @@ def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: F
             gap2, share = segment_gap2(bn, be, bd, rn - bn, re - be, rd - bd)
             if gap2 < least[i] * least[i]:
                 least[i], which[i], shares[i] = math.sqrt(gap2), j, share
-    return least, which, shares
 
 
-@kernel()
 def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> tuple[Floats, Floats]:
     """For each of n vehicles the least clearance (n,) to any shape in an interval, and the share; straight ways.
 
     A distance changes by no more than the way flown: only those that may have come nearer than `worth_m` between the
     ticks are looked at there.
     """
-    least = np.empty(now.shape[0])
-    geometry.fill_clearances(shapes, now, least)
-    shares = np.ones(now.shape[0])
-    for i in range(now.shape[0]):
-        n, e, d = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
-        if least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
-            least[i], shares[i] = _clearance_between(shapes, before[i], n, e, d)
+    least, shares = np.empty(len(now)), np.ones(len(now))
+    _clear(shapes, before, now, worth_m, np.empty(len(shapes)), least, shares)
     return least, shares
 
 
-@kernel()
-def _clearance_between(shapes: Floats, before: Floats, n: float, e: float, d: float) -> tuple[float, float]:
-    """The least clearance on the straight way from a place (3,) on, and the share."""
-    between, there, clear_m = np.empty(FINE + 1), np.empty((FINE + 1, 3)), np.empty(FINE + 1)
-    least, at = math.inf, 1.0
+def _clear(
+    shapes: Floats, before: Floats, now: Floats, worth_m: float, reach: Floats, least: Floats, shares: Floats
+) -> None:
+    geometry.fill_clearances(shapes, now, least, reach)
+    for i in range(now.shape[0]):
+        n, e, d = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
+        if least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
+            least[i], shares[i] = _clearance_between(shapes, before[i, 0], before[i, 1], before[i, 2], n, e, d, reach)
+
+
+def _clearance_between(
+    shapes: Floats, from_n: float, from_e: float, from_d: float, n: float, e: float, d: float, reach: Floats
+) -> tuple[float, float]:
+    """The least clearance on the straight way from a place on, and the share."""
+    between = cython.declare(cython.double[ENDS])
+    clear_m = cython.declare(cython.double[ENDS])
+    least, at = math.INFINITY, 1.0
     low, high = 0.0, 1.0
     for _ in range(2):  # the second time closer around the nearest place of the first
+        nearest = 0
         for step in range(FINE + 1):
             share = high if step == FINE else low + step * ((high - low) / FINE)
             between[step] = share
-            there[step, 0], there[step, 1] = before[0] + share * n, before[1] + share * e
-            there[step, 2] = before[2] + share * d
-        geometry.fill_clearances(shapes, there, clear_m)
-        k = int(clear_m.argmin())
-        least, at = clear_m[k], between[k]
-        low, high = between[max(k - 1, 0)], between[min(k + 1, FINE)]
+            north, east, down = from_n + share * n, from_e + share * e, from_d + share * d
+            clear_m[step] = geometry.clearance_at(shapes, reach, north, east, down)
+            if clear_m[step] < clear_m[nearest]:
+                nearest = step
+        least, at = clear_m[nearest], between[nearest]
+        low, high = between[max(nearest - 1, 0)], between[min(nearest + 1, FINE)]
     return least, at
 
 
-@kernel()
 def look(
     p: Floats,
     v: Floats,
@@ -223,68 +246,86 @@ def look(
     began, and the least clearance of those who are `ours`, inf for others, and its share; only what may be less than
     the two limits is worth a closer look.
     """
+    rows, place = np.empty((2, len(p)), np.int64)
+    block, own = np.empty((4, len(p), 3)), np.empty(len(p), np.uint8)
+    pairs, reach = np.empty((len(exempt), 2), np.int64), np.empty(len(shapes))
+    seen = cython.declare(Seen)
+    seen = _look(
+        p, v, last, period_s, flying.view(np.uint8), ours.view(np.uint8), exempt, shapes, limit_m, worth_m,
+        clear_limit_m, clear_worth_m, ways, found, rows, place, block, own, pairs, reach,
+    )  # fmt: skip
+    return (
+        seen.count, seen.pair.distance_m, seen.pair.one, seen.pair.other, seen.pair.share, seen.pair.count,
+        seen.clearest,
+    )  # fmt: skip
+
+
+def _look(
+    p: Floats, v: Floats, last: Floats, period_s: float, flying: Any, ours: Any, exempt: Ints, shapes: Floats,
+    limit_m: float, worth_m: float, clear_limit_m: float, clear_worth_m: float, ways: Floats, found: Floats,
+    rows: Ints, place: Ints, block: Floats, own: Any, pairs: Ints, reach: Floats,
+) -> Any:  # fmt: skip
+    """`look` with its scratch: rows, place and own (n,), block (4, n, 3), pairs as exempt, reach (shapes,)."""
+    seen = cython.declare(Seen)
     n = p.shape[0]
-    numbers = np.empty((2, n), dtype=np.int64)
-    rows, place, p_last, v_last = numbers[0], numbers[1], last[0], last[1]
-    place[:] = -1
+    now, was, v_now, v_was = block[0], block[1], block[2], block[3]
     count = 0
     known = True
     for i in range(n):
+        place[i] = -1
         if flying[i] and not math.isnan(p[i, 0]):
             rows[count], place[i] = i, count
             count += 1
-            known &= not (math.isnan(p_last[i, 0]) or math.isnan(p_last[i, 1]) or math.isnan(p_last[i, 2]))
-    curved = count if known and v.shape[0] > 0 else 0
-    block, own = np.empty((2 * (count + curved), 3)), np.empty(count, dtype=np.bool_)
-    now, was = block[:count], block[count : 2 * count]
-    v_now, v_was = block[2 * count : 2 * count + curved], block[2 * count + curved :]
-    own_count = 0
+            if math.isnan(last[0, i, 0]) or math.isnan(last[0, i, 1]) or math.isnan(last[0, i, 2]):
+                known = False
+    curved = known and count > 0 and v.shape[0] > 0
     for k in range(count):
         i = rows[k]
         own[k] = ours[i]
-        own_count += ours[i]
         for axis in range(3):
             now[k, axis] = p[i, axis]
-            was[k, axis] = p[i, axis] if math.isnan(p_last[i, axis]) else p_last[i, axis]
+            was[k, axis] = p[i, axis] if math.isnan(last[0, i, axis]) else last[0, i, axis]
             ways[i, axis] = was[k, axis]
-            if curved > 0:
-                v_now[k, axis], v_was[k, axis] = v[i, axis], v_last[i, axis]
-    pairs = np.empty_like(exempt)
+            if curved:
+                v_now[k, axis], v_was[k, axis] = v[i, axis], last[1, i, axis]
     kept = 0
     for k in range(exempt.shape[0]):
         if place[exempt[k, 0]] >= 0 and place[exempt[k, 1]] >= 0:
             pairs[kept, 0], pairs[kept, 1] = place[exempt[k, 0]], place[exempt[k, 1]]
             kept += 1
-    least, one, other, share, near = nearest_pair(
-        was, now, v_was, v_now, period_s, own, pairs[:kept], limit_m, worth_m, found
-    )
-    if one >= 0:
-        one, other = rows[one], rows[other]
-    for k in range(min(near, found.shape[0])):
-        found[k, 0], found[k, 1] = rows[int(found[k, 0])], rows[int(found[k, 1])]
+    pair = find_pair(was, now, v_was, v_now, count, curved, period_s, own, pairs, kept, limit_m, worth_m, found)
+    if pair.one >= 0:
+        pair.one, pair.other = rows[pair.one], rows[pair.other]
+    for k in range(min(pair.count, found.shape[0])):
+        found[k, 0] = rows[cython.cast(cython.Py_ssize_t, found[k, 0])]
+        found[k, 1] = rows[cython.cast(cython.Py_ssize_t, found[k, 1])]
     for i in range(n):
-        ways[i, CLEAR_M], ways[i, CLEAR_AT] = math.inf, 1.0
+        ways[i, CLEAR_M], ways[i, CLEAR_AT] = math.INFINITY, 1.0
     clearest = -1
     if shapes.shape[0] > 0:
+        geometry.fill_reach(shapes, reach)
         clear_of_m = max(clear_limit_m, min(clear_worth_m, 1e9))
-        if own_count < count:
-            rows, was, now = rows[:count][own], was[own], now[own]
-        of_each, at_share = clearances(shapes, was, now, clear_of_m)
         least_m = max(clear_limit_m, clear_worth_m)
-        for k in range(own_count):
+        for k in range(count):
+            if not own[k]:
+                continue
             i = rows[k]
-            ways[i, CLEAR_M], ways[i, CLEAR_AT] = of_each[k], at_share[k]
-            if of_each[k] < least_m:
-                clearest, least_m = i, of_each[k]
+            clear_m, share = geometry.clearance_at(shapes, reach, now[k, 0], now[k, 1], now[k, 2]), 1.0
+            dn, de, dd = now[k, 0] - was[k, 0], now[k, 1] - was[k, 1], now[k, 2] - was[k, 2]
+            if clear_m - math.sqrt(dn * dn + de * de + dd * dd) < clear_of_m:
+                clear_m, share = _clearance_between(shapes, was[k, 0], was[k, 1], was[k, 2], dn, de, dd, reach)
+            ways[i, CLEAR_M], ways[i, CLEAR_AT] = clear_m, share
+            if clear_m < least_m:
+                clearest, least_m = i, clear_m
     for i in range(n):
         for axis in range(3):
-            p_last[i, axis] = p[i, axis] if place[i] >= 0 else math.nan
+            last[0, i, axis] = p[i, axis] if place[i] >= 0 else math.NAN
             if v.shape[0] > 0:
-                v_last[i, axis] = v[i, axis]
-    return count, least, one, other, share, near, clearest
+                last[1, i, axis] = v[i, axis]
+    seen.count, seen.pair, seen.clearest = count, pair, clearest
+    return seen
 
 
-@kernel(**UNCOUNTED)
 def pass_points(p: Floats, last: Floats, points: Floats, ahead: Ints, end: Ints, within2: float) -> int:
     """Let n vehicles pass way points on their straight ways of one interval; how many of them have some left.
 
@@ -292,13 +333,16 @@ def pass_points(p: Floats, last: Floats, points: Floats, ahead: Ints, end: Ints,
     (m, 3), those of row i from ahead[i], which is moved on, to end[i]. within2: square distance at which one is passed.
     """
     left = 0
-    for i in range(len(p)):
+    for i in range(p.shape[0]):
         if ahead[i] < end[i] and not math.isnan(p[i, 0]):
-            begin = p[i] if math.isnan(last[i, 0]) else last[i]
-            dn, de, dd = p[i, 0] - begin[0], p[i, 1] - begin[1], p[i, 2] - begin[2]
+            known = not math.isnan(last[i, 0])
+            n = last[i, 0] if known else p[i, 0]
+            e = last[i, 1] if known else p[i, 1]
+            d = last[i, 2] if known else p[i, 2]
             while ahead[i] < end[i]:
-                point = points[ahead[i]]
-                gap2, _ = segment_gap2(begin[0] - point[0], begin[1] - point[1], begin[2] - point[2], dn, de, dd)
+                k = ahead[i]
+                rn, re, rd = n - points[k, 0], e - points[k, 1], d - points[k, 2]
+                gap2, _ = segment_gap2(rn, re, rd, p[i, 0] - n, p[i, 1] - e, p[i, 2] - d)
                 if gap2 > within2:
                     break
                 ahead[i] += 1
@@ -309,5 +353,5 @@ def pass_points(p: Floats, last: Floats, points: Floats, ahead: Ints, end: Ints,
 
 def nearest_shape(shapes: Floats, place: Floats) -> int:
     """Which shape's surface is nearest to a place (3,)."""
-    each = [float(geometry.clearance(shapes[k : k + 1], place[None])[0]) for k in range(len(shapes))]
+    each = [float(clearance(shapes[k : k + 1], place[None])[0]) for k in range(len(shapes))]
     return int(np.argmin(each))

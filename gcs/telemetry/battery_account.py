@@ -99,7 +99,9 @@ class BatteryAccount:
         Neither facts nor the power are kept.
         """
         left_j = np.empty(len(reports.t_s))
-        energy.take_all(self.account, *reports, armed, left_j)
+        t_s, consumed_j, power_w, remaining, second_hand = reports
+        second = second_hand.view(np.uint8)
+        energy.take_all(self.account, t_s, consumed_j, power_w, remaining, second, armed, left_j)
         return left_j
 
     def counter(self, name: str, value: int, time_s: float) -> str:

@@ -16,29 +16,50 @@ Rules:
   is left, from SWAP_SHARE of the capacity on, is a battery that was swapped: a fact, with the energy that it brought.
 - The first share says what the battery held at the start, unless the vehicle has said so.
 
-It is one compiled kernel, which a session calls with each report (from its frame: gcs/telemetry/readings.py) and a
-reader with all reports between two other messages. NaN stands for what is not known.
+The rules are compiled: a session calls them with each report (from its frame: gcs/telemetry/readings.py) and a reader
+with all reports between two other messages. An account is a struct, in energy.pxd. NaN stands for what is not known.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from enum import StrEnum
 from typing import Any
 
 import numpy as np
+from cython.cimports.gcs.telemetry.energy import (
+    COUNTED,
+    DRAWN,
+    IMPOSSIBLE_POWER,
+    IMPOSSIBLE_TOTAL,
+    METERS,
+    MOST_HISTORY,
+    NONE,
+    POWER,
+    SECOND_HAND,
+    SHARE,
+    TOTAL,
+    Outcome,
+    _blank,
+    accounts_of,
+)
+from cython.cimports.gcs.telemetry.plausibility import countable
+from cython.cimports.libc.math import INFINITY, NAN, fabs, isnan
 from numpy.typing import NDArray
 
-from gcs.kernel_files import checksum
-from gcs.kernels import inner, kernel
-from gcs.telemetry import plausibility
-from gcs.telemetry.plausibility import MOST_W, STEP_J, countable
+from gcs.telemetry.plausibility import MOST_W, STEP_J
+
+__all__ = [
+    "ACCOUNT", "COUNTED", "DRAWN", "GAP_S", "IMPOSSIBLE_POWER", "IMPOSSIBLE_TOTAL", "MOST_HISTORY", "NONE", "POWER",
+    "SECOND_HAND", "SHARE", "SOURCES", "TOTAL", "EnergySource", "new_account", "take", "take_all",
+]  # fmt: skip
 
 GAP_S = 5.0
-SWAP_SHARE = 0.2
-RESTART_J = 1000.0
-"""A total that falls by less has been overtaken on the air."""
+_GAP_S = GAP_S
+_SWAP_SHARE = 0.2
+_RESTART_J = 1000.0  # a total that falls by less has been overtaken on the air
+_POWER_WINDOW_S = 5.0
+_STEPS_WINDOW_S = 120.0  # power by battery_remaining is estimated from the steps of so long a time: they are few
+_MOST_W, _STEP_J = MOST_W, STEP_J
 
 
 class EnergySource(StrEnum):
@@ -51,90 +72,40 @@ class EnergySource(StrEnum):
 
 
 SOURCES = tuple(EnergySource)
-NONE, TOTAL, POWER, SHARE = range(len(SOURCES))
-METERS = len(SOURCES)
-"""Of these the first is never spoken to: a meter stands at its source's place."""
+# MOST_HISTORY reports are enough for the mean power of either window: of more the oldest are forgotten.
 
-POWER_WINDOW_S = 5.0
-STEPS_WINDOW_S = 120.0
-"""Power by battery_remaining is estimated from the steps of so long a time: they are few."""
-MOST_HISTORY = 256
-"""So many reports are enough for either: of more the oldest are forgotten."""
-
-IMPOSSIBLE_TOTAL, IMPOSSIBLE_POWER, SECOND_HAND, COUNTED, DRAWN = range(-2, 3)
-"""Fate of a report: it cannot be; SYS_STATUS does not count while BATTERY_STATUS may still come, or does; it was
-counted; and the source of the energy drawn was among its words."""
-
-ACCOUNT = np.dtype(
-    [
-        ("capacity_j", "f8"),
-        ("initial_j", "f8"),
-        ("initial_known", "?"),
-        ("received_j", "f8"),  # by its own counter and by others' books
-        ("booked_j", "f8"),  # by others' books
-        ("given_j", "f8"),
-        ("swappable", "?"),  # whether a great rise on the ground may be a swapped battery
-        ("from_now", "?"),  # drawn since the first report, not since the vehicle was switched on
-        ("before_j", "f8"),  # drawn before that, where it is not counted
-        ("drawn_j", "f8"),
-        ("source", "i8"),
-        ("meters_j", "f8", METERS),
-        ("anchors_j", "f8", METERS),  # a meter's reading from which the energy drawn goes on,
-        ("at_anchors_j", "f8", METERS),  # and the energy drawn then
-        ("spoke_s", "f8", METERS),
-        ("first_hand_s", "f8"),
-        ("believed_j", "f8"),  # the last total that can be,
-        ("believed_s", "f8"),  # and when it came
-        ("total_j", "f8"),  # since the autopilot's last restart
-        ("before_restart_j", "f8"),
-        ("sample_s", "f8"),
-        ("sample_w", "f8"),
-        ("expected_j", "f8"),  # what should be left by the last share and by what has moved since
-        ("moved_j", "f8"),  # received less given by its own words, as far as that expects it
-        ("seen_booked_j", "f8"),
-        ("unseen_j", "f8"),  # booked, and not yet seen as a rise of the share
-        ("told_j", "f8", 2),  # by its counters of what it received and gave: the last that can be,
-        ("told_s", "f8", 2),  # and when it came
-        ("power_w", "f8"),  # mean of the last while,
-        ("power_source", "i8"),  # by this source,
-        ("drawn_at_s", "f8", MOST_HISTORY),  # from when so much had been drawn, in a ring
-        ("drawn_then_j", "f8", MOST_HISTORY),
-        ("oldest", "i8"),
-        ("history", "i8"),  # how many of them there are
-    ],
-    align=True,
-)
+ACCOUNT = np.asarray(_blank()).dtype
+"""The struct Account as NumPy has it."""
 
 
 def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) -> NDArray[Any]:
     """(1,) an account before its first report; `initial_j` holds until the first share says better."""
     account = np.zeros(1, ACCOUNT)
     for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j"):
-        account[name] = math.nan
-    account["spoke_s"] = -math.inf
-    account["believed_j"] = account["told_j"] = math.inf
+        account[name] = NAN
+    account["spoke_s"] = -INFINITY
+    account["believed_j"] = account["told_j"] = INFINITY
     account["capacity_j"], account["initial_j"] = capacity_j, initial_j
     account["from_now"], account["swappable"] = from_now, True
     return account
 
 
-@inner()
 def count(
     one: Any, t_s: float, consumed_j: float, power_w: float, remaining: float, second_hand: bool, armed: bool
-) -> tuple[int, float, float]:
-    """Kernel: as `take`, of an account's record: its fate, and the two that may be NaN."""
-    bridged_s = gained_j = math.nan
-    total, power, share = not math.isnan(consumed_j), not math.isnan(power_w), not math.isnan(remaining)
-    if abs(power_w) > MOST_W:
-        return IMPOSSIBLE_POWER, bridged_s, gained_j
+) -> Any:
+    """As `take`, of an account's record."""
+    bridged_s, gained_j = NAN, NAN
+    total, power, share = not isnan(consumed_j), not isnan(power_w), not isnan(remaining)
+    if fabs(power_w) > _MOST_W:
+        return Outcome(IMPOSSIBLE_POWER, bridged_s, gained_j)
     if total:
-        if not countable(consumed_j, one.believed_j, t_s - one.believed_s, max(STEP_J, one.capacity_j)):
-            return IMPOSSIBLE_TOTAL, bridged_s, gained_j
+        if not countable(consumed_j, one.believed_j, t_s - one.believed_s, max(_STEP_J, one.capacity_j)):
+            return Outcome(IMPOSSIBLE_TOTAL, bridged_s, gained_j)
         one.believed_j, one.believed_s = consumed_j, t_s
-    if math.isnan(one.first_hand_s):
+    if isnan(one.first_hand_s):
         one.first_hand_s = t_s
-    if second_hand and t_s - one.first_hand_s <= GAP_S:
-        return SECOND_HAND, bridged_s, gained_j
+    if second_hand and t_s - one.first_hand_s <= _GAP_S:
+        return Outcome(SECOND_HAND, bridged_s, gained_j)
     before_j = one.before_j
     if total:
         _total(one, consumed_j, armed)
@@ -149,9 +120,9 @@ def count(
     if (total or power or share) and not second_hand:
         one.first_hand_s = t_s
     became = COUNTED
-    for best, spoke in ((TOTAL, total), (POWER, power), (SHARE, share)):
-        if t_s - one.spoke_s[best] <= GAP_S:
-            if spoke:
+    for best in range(TOTAL, METERS):
+        if t_s - one.spoke_s[best] <= _GAP_S:
+            if (total and best == TOTAL) or (power and best == POWER) or (share and best == SHARE):
                 _draw(one, best)
                 became = DRAWN
             break
@@ -159,15 +130,14 @@ def count(
         one.initial_j -= one.before_j - before_j  # it was told of when the vehicle was switched on
     elif share:
         one.initial_j = left_j + one.drawn_j + one.given_j - one.received_j
-        one.initial_known = True
-    if not math.isnan(gained_j):
+        one.initial_known = 1
+    if not isnan(gained_j):
         one.initial_j += gained_j
-    return became, bridged_s, gained_j
+    return Outcome(became, bridged_s, gained_j)
 
 
-@inner()
 def mean_power(one: Any, now_s: float) -> Any:
-    """Kernel: bring the mean power of the last while up to a report whose fate is DRAWN, over steps of the energy drawn
+    """Bring the mean power of the last while up to a report whose fate is DRAWN, over steps of the energy drawn
     where it moves in steps; whether another source is read now."""
     other = one.power_source != one.source
     if other:
@@ -183,7 +153,7 @@ def mean_power(one: Any, now_s: float) -> Any:
     newest = (one.oldest + one.history) % MOST_HISTORY
     one.drawn_at_s[newest], one.drawn_then_j[newest] = now_s, one.drawn_j
     one.history += 1
-    window_s = STEPS_WINDOW_S if in_steps else POWER_WINDOW_S
+    window_s = _STEPS_WINDOW_S if in_steps else _POWER_WINDOW_S
     while one.history > 2 and now_s - one.drawn_at_s[(one.oldest + 1) % MOST_HISTORY] >= window_s:
         one.oldest = (one.oldest + 1) % MOST_HISTORY
         one.history -= 1
@@ -193,7 +163,6 @@ def mean_power(one: Any, now_s: float) -> Any:
     return other
 
 
-@inner()
 def _draw(one: Any, best: int) -> None:
     """Let the energy drawn go on by what the best meter went on since its anchor.
 
@@ -205,41 +174,38 @@ def _draw(one: Any, best: int) -> None:
             one.before_j = one.meters_j[best] if one.from_now else 0.0
             one.anchors_j[best], one.at_anchors_j[best] = one.before_j, 0.0
         one.source = best
-    if not math.isnan(one.anchors_j[best]):
+    if not isnan(one.anchors_j[best]):
         one.drawn_j = max(one.drawn_j, one.at_anchors_j[best] + one.meters_j[best] - one.anchors_j[best])
     for source in range(best, METERS):
-        if not math.isnan(one.meters_j[source]):
+        if not isnan(one.meters_j[source]):
             one.anchors_j[source], one.at_anchors_j[source] = one.meters_j[source], one.drawn_j
 
 
-@inner()
 def _total(one: Any, consumed_j: float, armed: bool) -> None:
-    if not armed and consumed_j < min(one.total_j - RESTART_J, 0.5 * one.total_j):
+    if not armed and consumed_j < min(one.total_j - _RESTART_J, 0.5 * one.total_j):
         one.before_restart_j += one.total_j
         one.total_j = 0.0
     one.total_j = max(one.total_j, consumed_j)
     one.meters_j[TOTAL] = one.before_restart_j + one.total_j
 
 
-@inner()
-def _integrate(one: Any, t_s: float, power_w: float) -> float:
+def _integrate(one: Any, t_s: float, power_w: float) -> Any:
     """Span in s that had to be bridged, or NaN."""
     span_s = t_s - one.sample_s
-    if math.isnan(span_s):
+    if isnan(span_s):
         one.meters_j[POWER] = 0.0
     elif span_s <= 0.0:
-        return math.nan
+        return NAN
     else:
         one.meters_j[POWER] += 0.5 * (one.sample_w + power_w) * span_s
     one.sample_s, one.sample_w = t_s, power_w
-    return span_s if span_s > GAP_S else math.nan
+    return span_s if span_s > _GAP_S else NAN
 
 
-@inner()
-def _fall(one: Any, left_j: float, armed: bool) -> float:
+def _fall(one: Any, left_j: float, armed: bool) -> Any:
     """J that a swapped battery brought, or NaN."""
     moved_j = one.received_j - one.booked_j - one.given_j
-    if math.isnan(one.expected_j):
+    if isnan(one.expected_j):
         one.expected_j = one.initial_j + moved_j if one.initial_known else left_j
         one.moved_j, one.seen_booked_j = moved_j, one.booked_j
         one.meters_j[SHARE] = 0.0
@@ -251,59 +217,48 @@ def _fall(one: Any, left_j: float, armed: bool) -> float:
         one.meters_j[SHARE] -= rise_j
         one.expected_j = left_j
     elif not armed:
-        gained_j: float = rise_j - one.unseen_j
-        if one.swappable and gained_j >= SWAP_SHARE * one.capacity_j:
+        gained_j = rise_j - one.unseen_j
+        if one.swappable and gained_j >= _SWAP_SHARE * one.capacity_j:
             one.expected_j, one.unseen_j = left_j, 0.0
             return gained_j
         if one.unseen_j > 0.0:
             one.expected_j, one.unseen_j = left_j, max(one.unseen_j - rise_j, 0.0)
-    return math.nan
+    return NAN
 
 
-def _compiled(build: int) -> tuple[Callable[..., tuple[int, float, float]], Callable[..., None]]:
-    """The entries that numba keeps; `build`: checksum of the other file that they are made of."""
-
-    @kernel()
-    def take(
-        account: NDArray[Any],
-        t_s: float,
-        consumed_j: float,
-        power_w: float,
-        remaining: float,
-        second_hand: bool,
-        armed: bool,
-    ) -> tuple[int, float, float]:
-        """Count one report: its fate; then NaN, or the span in s over which power was bridged, and the J that a
-        swapped battery brought."""
-        _ = build
-        one = account[0]
-        became, bridged_s, gained_j = count(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
-        if became == DRAWN:
-            mean_power(one, t_s)
-        return became, bridged_s, gained_j
-
-    @kernel()
-    def take_all(
-        account: NDArray[Any],
-        t_s: NDArray[np.float64],
-        consumed_j: NDArray[np.float64],
-        power_w: NDArray[np.float64],
-        remaining: NDArray[np.float64],
-        second_hand: NDArray[np.bool_],
-        armed: bool,
-        left_j: NDArray[np.float64],
-    ) -> None:
-        """Count reports (n,) in their order; `left_j` (n,) becomes the energy in the battery after each, NaN where a
-        report does not count."""
-        _ = build
-        one = account[0]
-        for i in range(len(t_s)):
-            became, _, _ = count(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
-            left_j[i] = math.nan
-            if became >= COUNTED:
-                left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j
-
-    return take, take_all
+def take(
+    account: NDArray[Any],
+    t_s: float,
+    consumed_j: float,
+    power_w: float,
+    remaining: float,
+    second_hand: bool,
+    armed: bool,
+) -> tuple[int, float, float]:
+    """Count one report: its fate; then NaN, or the span in s over which power was bridged, and the J that a swapped
+    battery brought."""
+    one = accounts_of(account)
+    outcome = count(one, t_s, consumed_j, power_w, remaining, second_hand, armed)
+    if outcome.became == DRAWN:
+        mean_power(one, t_s)
+    return outcome.became, outcome.bridged_s, outcome.gained_j
 
 
-take, take_all = _compiled(checksum(plausibility))
+def take_all(
+    account: NDArray[Any],
+    t_s: NDArray[np.float64],
+    consumed_j: NDArray[np.float64],
+    power_w: NDArray[np.float64],
+    remaining: NDArray[np.float64],
+    second_hand: NDArray[np.uint8],
+    armed: bool,
+    left_j: NDArray[np.float64],
+) -> None:
+    """Count reports (n,) in their order; `left_j` (n,) becomes the energy in the battery after each, NaN where a report
+    does not count."""
+    one = accounts_of(account)
+    for i in range(t_s.shape[0]):
+        outcome = count(one, t_s[i], consumed_j[i], power_w[i], remaining[i], second_hand[i], armed)
+        left_j[i] = NAN
+        if outcome.became >= COUNTED:
+            left_j[i] = one.initial_j + one.received_j - one.drawn_j - one.given_j

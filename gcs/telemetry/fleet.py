@@ -22,7 +22,8 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under
-from gcs.mavlink.datagram import COLUMNS, LAST, NUMBERS, SYSID, AnswerRuns, FrameRun, frame_at
+from gcs.mavlink.datagram import AnswerRuns, FrameRun, frame_at
+from gcs.mavlink.frame_runs import COLUMNS, LAST, NUMBERS, SYSID
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.statustext import chunk_of
 from gcs.telemetry import energy, plausibility
@@ -285,7 +286,8 @@ class Fleet:
         figures = np.empty((FIGURES, count))
         readings, settled = self._readings, self._settled
         changed = fill(
-            time_s, readings, self._facts, self._accounts, self._seen, self._stamps, flags, places, figures
+            time_s, readings, self._facts, self._accounts, self._seen, self._stamps,
+            flags.view(np.uint8), places, figures,
         )  # fmt: skip
         if changed or settled is None:
             self._settled = settled = _Settled(self._stamps.copy(), tuple(self._statuses), self._facts.copy())

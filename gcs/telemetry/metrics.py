@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.gcs.telemetry.approach import segment_gap2
+from cython.cimports.gcs.telemetry.metrics import FLYING, FRESH, P_NOW, flown_at
+from cython.cimports.libc import math
+from numpy.typing import NDArray
 
-from gcs.kernels import UNCOUNTED, kernel
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.scenario.model import Scenario
-from gcs.telemetry.approach import Ints, segment_gap2
-from gcs.telemetry.columns import FLAGS, IS_FLYING, IS_FRESH, P_NOW_NED, PLACES, Flags, FleetColumns, Floats
+from gcs.telemetry.approach import Ints
+from gcs.telemetry.columns import FLAGS, PLACES, Flags, FleetColumns, Floats
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
@@ -27,7 +31,7 @@ class Metrics:
     def __init__(self, scenario: Scenario) -> None:
         self.target_of: Mapping[int, int] = scenario.vehicles.followed
         self._of_targets = scenario.pursuit.by == "competition"
-        within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.inf
+        within_m = scenario.goal.pursue.within_m if scenario.goal.pursue else math.INFINITY
         targets = (target.sysid for target in scenario.vehicles.targets)
         self._pursuit = PursuitHeld(targets if self._of_targets else self.target_of, within_m)
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
@@ -64,7 +68,7 @@ class Metrics:
                 self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
             self._sysids = points.sysids
         _measure(
-            flags,
+            flags.view(np.uint8),
             places,
             self._rows,
             points.values,
@@ -109,29 +113,26 @@ class Metrics:
             for sysid, target in target_of.items()
             if (key := target if self._of_targets else sysid) in place
         ]
-        return np.array(pairs, np.int64).reshape(-1, 3)
+        return np.array(pairs, np.int64).reshape((-1, 3))
 
 
 def _known(rows: Iterable[int], values: Floats) -> dict[int, float]:
     return {sysid: value for sysid, value in zip(rows, values.tolist(), strict=True) if not math.isnan(value)}
 
 
-@kernel()
-def distance_to_path(plan: Floats, oldest: int, n: float, e: float, d: float) -> float:
-    """Distance of a point to the polyline of a ring of points (k, 3) that begins at row `oldest`."""
-    least2 = math.inf
-    count = plan.shape[0]
+def distance_to_path(plan: Any, count: int, oldest: int, n: float, e: float, d: float) -> float:
+    """Distance of a point to the polyline of a ring of points (count, 3) that begins at row `oldest`."""
+    least2 = math.INFINITY
     for i in range(count - 1):
-        a, b = (oldest + i) % count, (oldest + i + 1) % count
-        along_n, along_e, along_d = plan[b, 0] - plan[a, 0], plan[b, 1] - plan[a, 1], plan[b, 2] - plan[a, 2]
-        gap2, _ = segment_gap2(plan[a, 0] - n, plan[a, 1] - e, plan[a, 2] - d, along_n, along_e, along_d)
+        a, b = plan + 3 * ((oldest + i) % count), plan + 3 * ((oldest + i + 1) % count)
+        along_n, along_e, along_d = b[0] - a[0], b[1] - a[1], b[2] - a[2]
+        gap2, _ = segment_gap2(a[0] - n, a[1] - e, a[2] - d, along_n, along_e, along_d)
         least2 = min(least2, gap2)
     return math.sqrt(least2)
 
 
-@kernel(**UNCOUNTED)
 def _measure(
-    flags: Flags,
+    flags: NDArray[np.uint8],
     places: Floats,
     rows: Ints,
     planned: Floats,
@@ -141,45 +142,46 @@ def _measure(
     counts: Ints,
     distances_m: Floats,
 ) -> None:
-    """Kernel: one tick of n vehicles, who count while they are flying and fresh, of `FleetColumns` flags and places.
+    """One tick of n vehicles, which count while they are flying and fresh, of `FleetColumns` flags and places.
 
-    rows (k,), planned (k, 6): who has a set point, and what. pairs (m, 3): rows of pursuer and target, and the column
-    of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to call go
-    on: flown (n, _FLOWN), the place of the last tick, NaN where it does not count, the length of the way, NaN before
-    the second place in a row, and the greatest distance from the plan, NaN before the first; plans (n, PLAN_MEMORY, 3)
-    and counts (n,), the latest set points and how many there were without a break.
+    rows (k,), planned (k, 6): which have a set point, and what. pairs (m, 3): rows of pursuer and target, and the
+    column of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to
+    call go on: flown (n, _FLOWN), as the struct Flown; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points
+    and how many there were without a break.
     """
-    p_ned, last, lengths_m, errors_m = places[P_NOW_NED], flown[:, :_LENGTH], flown[:, _LENGTH], flown[:, _ERROR]
-    for i in range(len(last)):
-        if not (flags[IS_FLYING, i] and flags[IS_FRESH, i]):
-            last[i, 0] = math.nan
+    for i in range(flown.shape[0]):
+        own = flown_at(flown, i)
+        if not (flags[FLYING, i] and flags[FRESH, i]):
+            own.last[0] = math.NAN
             continue
-        if not math.isnan(last[i, 0]):
-            north, east, down = p_ned[i, 0] - last[i, 0], p_ned[i, 1] - last[i, 1], p_ned[i, 2] - last[i, 2]
-            before_m = 0.0 if math.isnan(lengths_m[i]) else lengths_m[i]
-            lengths_m[i] = before_m + math.sqrt(north * north + east * east + down * down)
-        last[i, 0], last[i, 1], last[i, 2] = p_ned[i, 0], p_ned[i, 1], p_ned[i, 2]
+        n, e, d = places[P_NOW, i, 0], places[P_NOW, i, 1], places[P_NOW, i, 2]
+        if not math.isnan(own.last[0]):
+            north, east, down = n - own.last[0], e - own.last[1], d - own.last[2]
+            before_m = 0.0 if math.isnan(own.length_m) else own.length_m
+            own.length_m = before_m + math.sqrt(north * north + east * east + down * down)
+        own.last[0], own.last[1], own.last[2] = n, e, d
     memory = plans.shape[1]
-    for i in range(len(counts)):
+    for i in range(counts.shape[0]):
         counts[i] = -1 - counts[i]  # until it is known whether it has a set point
-    for k in range(len(rows)):
+    for k in range(rows.shape[0]):
         i = rows[k]
-        before = -1 - counts[i]
+        own, before = flown_at(flown, i), -1 - counts[i]
         newest = before % memory
         for axis in range(3):
             plans[i, newest, axis] = planned[k, axis]
         counts[i] = before + 1
-        if before + 1 >= memory and not math.isnan(last[i, 0]):
-            error_m = distance_to_path(plans[i], (newest + 1) % memory, last[i, 0], last[i, 1], last[i, 2])
-            errors_m[i] = error_m if math.isnan(errors_m[i]) else max(errors_m[i], error_m)
-    for i in range(len(counts)):
+        if before + 1 >= memory and not math.isnan(own.last[0]):
+            oldest, plan = (newest + 1) % memory, cython.address(plans[i, 0, 0])
+            error_m = distance_to_path(plan, memory, oldest, own.last[0], own.last[1], own.last[2])
+            own.error_m = error_m if math.isnan(own.error_m) else max(own.error_m, error_m)
+    for i in range(counts.shape[0]):
         counts[i] = max(counts[i], 0)
     for j in range(distances_m.shape[1]):
-        distances_m[0, j] = math.nan
-    for k in range(len(pairs)):
-        a, b, j = pairs[k]
-        if not (math.isnan(last[a, 0]) or math.isnan(last[b, 0])):
-            north, east, down = last[a, 0] - last[b, 0], last[a, 1] - last[b, 1], last[a, 2] - last[b, 2]
+        distances_m[0, j] = math.NAN
+    for k in range(pairs.shape[0]):
+        a, b, j = flown_at(flown, pairs[k, 0]), flown_at(flown, pairs[k, 1]), pairs[k, 2]
+        if not (math.isnan(a.last[0]) or math.isnan(b.last[0])):
+            north, east, down = a.last[0] - b.last[0], a.last[1] - b.last[1], a.last[2] - b.last[2]
             distance_m = math.sqrt(north * north + east * east + down * down)
             if not distance_m >= distances_m[0, j]:
                 distances_m[0, j] = distance_m

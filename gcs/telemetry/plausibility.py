@@ -8,8 +8,16 @@ are choices, far beyond what a multirotor does; who lies within them is not foun
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from gcs.kernels import kernel
+from cython.cimports.gcs.telemetry.plausibility import FAR, FAST, JUMP, NO_NUMBER, POSSIBLE
+from cython.cimports.libc.math import fabs, isfinite, sqrt
+
+__all__ = [
+    "DOUBTED_S", "FAR", "FARTHEST_M", "FAST", "FASTEST_M_S", "JUMP", "JUMP_M", "LEAST_SHARE", "MOST_J", "MOST_SHARE",
+    "MOST_W", "NO_NUMBER", "POSSIBLE", "STEP_J", "capacity", "charge", "counted", "globe", "impossible_count",
+    "impossible_place", "impossible_power", "place_fault",
+]  # fmt: skip
 
 FARTHEST_M = 1e6
 FASTEST_M_S = 300.0
@@ -25,24 +33,21 @@ LEAST_SHARE, MOST_SHARE = -1.0, 2.0
 DOUBTED_S = 5.0
 """A vehicle is doubted for so long after the last that could not be."""
 
-
-POSSIBLE, NO_NUMBER, FAR, FAST, JUMP = range(5)
-"""Faults of a place."""
+_FARTHEST_M, _FASTEST_M_S, _JUMP_M, _MOST_J, _MOST_W = FARTHEST_M, FASTEST_M_S, JUMP_M, MOST_J, MOST_W
 
 
-@kernel()
 def place_fault(
     n: float, e: float, d: float, v_n: float, v_e: float, v_d: float, moved_m: float, elapsed_s: float
-) -> int:
+) -> Any:
     """Why a place in m and a velocity in m/s cannot be, which are `moved_m` and `elapsed_s` from the last place that
     was believed; `moved_m` NaN where there is none."""
-    if not math.isfinite(n + e + d + v_n + v_e + v_d):  # each a 32-bit float: the sum of finite ones is finite
+    if not isfinite(n + e + d + v_n + v_e + v_d):  # each a 32-bit float: the sum of finite ones is finite
         return NO_NUMBER
-    if max(abs(n), abs(e), abs(d)) > FARTHEST_M:
+    if max(fabs(n), fabs(e), fabs(d)) > _FARTHEST_M:
         return FAR
-    if math.sqrt(v_n * v_n + v_e * v_e + v_d * v_d) > FASTEST_M_S:
+    if sqrt(v_n * v_n + v_e * v_e + v_d * v_d) > _FASTEST_M_S:
         return FAST
-    if moved_m > JUMP_M + FASTEST_M_S * max(elapsed_s, 0.0):
+    if moved_m > _JUMP_M + _FASTEST_M_S * max(elapsed_s, 0.0):
         return JUMP
     return POSSIBLE
 
@@ -63,18 +68,14 @@ def globe(latitude_e7: int, longitude_e7: int) -> str:
     return "" if on_earth else "its origin lies on no globe"
 
 
-def _countable(joules: float, before_j: float, elapsed_s: float, step_j: float) -> bool:
+def countable(joules: float, before_j: float, elapsed_s: float, step_j: float) -> bool:
     """Whether a count of energy can be, `elapsed_s` after it was `before_j`; it may grow by `step_j` at once."""
-    return 0.0 <= joules <= MOST_J and joules - before_j <= step_j + MOST_W * max(elapsed_s, 0.0)
-
-
-countable = kernel()(_countable)
-"""The same, for compiled code."""
+    return 0.0 <= joules <= _MOST_J and joules - before_j <= step_j + _MOST_W * max(elapsed_s, 0.0)
 
 
 def counted(joules: float, before_j: float, elapsed_s: float, what: str) -> str:
     """Why a count of energy cannot be, `elapsed_s` after it was `before_j`."""
-    return "" if _countable(joules, before_j, elapsed_s, STEP_J) else impossible_count(joules, what)
+    return "" if countable(joules, before_j, elapsed_s, STEP_J) else impossible_count(joules, what)
 
 
 def impossible_count(joules: float, what: str) -> str:

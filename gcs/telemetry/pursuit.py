@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 import numpy as np
+from cython.cimports.libc.math import NAN, isnan
 from numpy.typing import NDArray
-
-from gcs.kernels import kernel
 
 Floats = NDArray[np.float64]
 
@@ -36,20 +35,20 @@ class PursuitHeld:
         """Go on with ticks at (k,), and distances (k, n) of the keys at them, NaN where not known; (k,) the least that
         any key had held by each."""
         worst_s = np.zeros(len(t_s))
-        _update(t_s, distance_m, self._within_m, self._since_s, self._held_s, worst_s)
+        ticks, distances = np.ascontiguousarray(t_s), np.ascontiguousarray(distance_m)
+        _update(ticks, distances, self._within_m, self._since_s, self._held_s, worst_s)
         return worst_s
 
 
-@kernel()
 def _update(t_s: Floats, distance_m: Floats, within_m: float, since_s: Floats, held_s: Floats, worst_s: Floats) -> None:
-    """Kernel: fills worst_s (k,); since_s (n,), NaN for not held, and held_s (n,) go on from call to call."""
-    for k in range(t_s.size):
-        for i in range(held_s.size):
+    """Fill worst_s (k,); since_s (n,), NaN for not held, and held_s (n,) go on from call to call."""
+    for k in range(t_s.shape[0]):
+        for i in range(held_s.shape[0]):
             if not distance_m[k, i] <= within_m:
-                since_s[i] = np.nan
-            elif np.isnan(since_s[i]):
+                since_s[i] = NAN
+            elif isnan(since_s[i]):
                 since_s[i] = t_s[k]
             else:
                 held_s[i] = max(held_s[i], t_s[k] - since_s[i])
-        if held_s.size:
-            worst_s[k] = held_s.min()
+        for i in range(held_s.shape[0]):
+            worst_s[k] = held_s[i] if i == 0 else min(worst_s[k], held_s[i])

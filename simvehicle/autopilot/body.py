@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3
-from simvehicle.law import step
+from simvehicle.law import rows
 from simvehicle.law.dynamics import body_rates, ned_from_nwu, nwu_from_ned
 from simvehicle.law.plants import Plant
 
 STEP_MS = 4
-_POSITION, _VELOCITY = step.POSITION, step.VELOCITY
+_POSITION, _VELOCITY = rows.POSITION, rows.VELOCITY
 CHUNK_MS = 100
 """Modes, failsafes and transfer are looked at this often at least, however long the step asked for."""
 
@@ -53,7 +53,7 @@ class Body:
         self.power_w = 0.0
         self.position_error_ned: Vec3 = AT_REST
         """what a wrong GPS adds to its place, as it knows and flies it"""
-        self._command = np.zeros((1, step.COMMAND_SIZE))
+        self._command = np.zeros((1, rows.COMMAND_SIZE))
 
     def retune(self) -> None:
         """Fly with the parameters' present values from the next step on."""
@@ -74,7 +74,7 @@ class Body:
     @property
     def true_motion_ned(self) -> tuple[float, ...]:
         """True motion, 12 numbers: position, velocity, Euler angles and their rates; m, m/s, rad, rad/s."""
-        n, w, u, v_n, v_w, v_u, roll, pitch, yaw, p, q, r = self.plant.motion[: step.RATES.stop]
+        n, w, u, v_n, v_w, v_u, roll, pitch, yaw, p, q, r = self.plant.motion[: rows.RATES.stop]
         return n, -w, -u, v_n, -v_w, -v_u, roll, -pitch, -yaw, p, -q, -r
 
     @property
@@ -92,18 +92,18 @@ class Body:
     @property
     def attitude_ned(self) -> Vec3:
         """Roll, pitch and yaw, rad."""
-        return ned_from_nwu(self.plant.now[step.ATTITUDE])
+        return ned_from_nwu(self.plant.now[rows.ATTITUDE])
 
     @property
     def rates_body(self) -> Vec3:
         """Roll, pitch and yaw rate about the body's own axes (front, right, down), rad/s."""
-        roll, pitch, _ = self.plant.now[step.ATTITUDE]
-        return ned_from_nwu(body_rates(roll, pitch, *self.plant.now[step.RATES]))
+        roll, pitch, _ = self.plant.now[rows.ATTITUDE]
+        return ned_from_nwu(body_rates(roll, pitch, *self.plant.now[rows.RATES]))
 
     @property
     def reference_ned(self) -> tuple[Vec3, Vec3]:
         """Position and velocity that the guidance really flies."""
-        p_ned, v_ned = self.plant.now[step.REFERENCE_POSITION], self.plant.now[step.REFERENCE_VELOCITY]
+        p_ned, v_ned = self.plant.now[rows.REFERENCE_POSITION], self.plant.now[rows.REFERENCE_VELOCITY]
         return _shifted(ned_from_nwu(p_ned), self.position_error_ned), ned_from_nwu(v_ned)
 
     @property
@@ -114,12 +114,12 @@ class Body:
     @property
     def remaining_j(self) -> float:
         """Energy in the battery."""
-        return self.plant.now[step.REMAINING_J]
+        return self.plant.now[rows.REMAINING_J]
 
     @property
     def drawn_j(self) -> float:
         """Energy used by motors and avionics since boot."""
-        return self.plant.now[step.DRAWN_J]
+        return self.plant.now[rows.DRAWN_J]
 
     @property
     def capacity_j(self) -> float:
@@ -129,7 +129,7 @@ class Body:
     @property
     def control_effort(self) -> float:
         """Integral of the control inputs' sizes."""
-        return self.plant.now[step.EFFORT]
+        return self.plant.now[rows.EFFORT]
 
     def fly(self, steps: int, wanted: ManeuverTarget, *, yaw_ned_rad: float, motors: bool) -> None:
         """Fly some steps of 4 ms towards a set point; `time_ms` is the caller's to move."""

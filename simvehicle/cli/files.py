@@ -1,6 +1,6 @@
 """Files that the options of `simvehicle` name, each read with its mistakes as click.UsageError."""
 
-# ruff: noqa: PLC0415 - so that help and a bad command line cost no compiler's start
+# ruff: noqa: PLC0415 - so that help and a bad command line load nothing that takes long
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""`simvehicle hatch`: loads and compiles once, then makes every vehicle as a fork."""
+"""`simvehicle hatch`: loads once, then makes every vehicle as a fork."""
 
-# ruff: noqa: PLC0415 - so that help and a bad command line cost no compiler's start
+# ruff: noqa: PLC0415 - so that help and a bad command line load nothing that takes long
 
 from __future__ import annotations
 
@@ -26,14 +26,12 @@ OWN_PROCESS = {"-h", "--help", "--version", "--state"}
 def hatch() -> None:
     """Make many vehicles: one JSON line on stdin each, {"argv": [...], "log": PATH}; ends with stdin.
 
-    Modules are loaded and the flight law is compiled once; every vehicle is then a fork of this process.
+    Modules are loaded once; every vehicle is then a fork of this process.
     """
     on_one_core()
     with uncollected():
         from simvehicle.sitl import forkserver
-        from simvehicle.sitl.warmup import warm_up
 
-        warm_up()
         _rehearse_start()
     loaded()
     status = forkserver.run(sysid_of, title_of, _prepare)
@@ -48,10 +46,6 @@ def _prepare(argv: Sequence[str]) -> Callable[[], int]:
     A command line that is refused is left to the process itself, which says so in its log.
     """
     real = argv[0] if argv and argv[0] in ("ardupilot", "px4") else None
-    if "--world" in argv or real:
-        from simvehicle.sitl.warmup import warm_up_rotors
-
-        warm_up_rotors()
     if real:
         import_module(f"simvehicle.sitl.{real}")  # loaded here, once, for all autopilots of its kind
     alone = partial(run_argv, argv)

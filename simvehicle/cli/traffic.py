@@ -1,6 +1,6 @@
 """`simvehicle traffic`: moving obstacles that report themselves."""
 
-# ruff: noqa: PLC0415 - so that help and a bad command line cost no compiler's start
+# ruff: noqa: PLC0415 - so that help and a bad command line load nothing that takes long
 
 from __future__ import annotations
 

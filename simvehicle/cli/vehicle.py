@@ -1,6 +1,6 @@
 """The vehicles that a command line asks for, from its options to their flight."""
 
-# ruff: noqa: PLC0415 - so that help and a bad command line cost no compiler's start
+# ruff: noqa: PLC0415 - so that help and a bad command line load nothing that takes long
 
 from __future__ import annotations
 

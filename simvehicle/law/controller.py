@@ -3,22 +3,14 @@ loop (docs/model.md#attitude-loop) [lineage]."""
 
 from __future__ import annotations
 
-import math
-
-from simvehicle.kernels import UNCOUNTED, kernel
+from cython.cimports.libc import math
+from cython.cimports.simvehicle.law.arithmetic import bounded
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
 _LEAST_LIFT_LITERAL = 1e-6  # m/s²: keeps the literal form's quotients finite
 _FARTHEST = 1e6  # m/s² and rad/s²: keeps every number finite, far outside what flies
 
 
-@kernel(**UNCOUNTED)
-def bounded(x: float, limit: float) -> float:
-    """x within ±limit."""
-    return min(max(x, -limit), limit)
-
-
-@kernel(**UNCOUNTED)
 def outer(
     vx: float,
     vy: float,
@@ -57,7 +49,6 @@ def outer(
     return roll, pitch, u1
 
 
-@kernel(**UNCOUNTED)
 def outer_literal(
     vx: float,
     vy: float,
@@ -92,7 +83,6 @@ def outer_literal(
     return roll, pitch, wz / (math.cos(roll) * math.cos(pitch))
 
 
-@kernel(**UNCOUNTED)
 def inner(
     error: float,
     rate: float,

@@ -16,12 +16,11 @@ more than `tolerance` rad/s², and makes that correction: what remains is of the
 
 from __future__ import annotations
 
-import math
-
+import cython
 import numpy as np
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import INLINED, UNCOUNTED, inner, kernel
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
@@ -31,7 +30,16 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@inner(**INLINED)
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns((cython.double, cython.double, cython.double, cython.double, cython.bint))
+@cython.locals(
+    s=cython.double, low=cython.double, high=cython.double, width=cython.double, evaluations=cython.int,
+    x1=cython.double, x2=cython.double, x3=cython.double, signal=cython.double, dt=cython.double,
+    epsilon=cython.double, stiffness=cython.double, tolerance=cython.double,
+)  # fmt: skip
 def _improve(
     s: float, low: float, high: float, width: float, evaluations: int,
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, stiffness: float, tolerance: float,
@@ -44,16 +52,16 @@ def _improve(
     k_acceleration = _K_ACCELERATION * stiffness
     x2_next = x2 + dt * s
     speed = epsilon * x2_next
-    power = max(abs(speed), _TINY) ** (2.0 / 7.0)
+    power = max(math.fabs(speed), _TINY) ** (2.0 / 7.0)
     a = x1 + dt * x2_next - signal + speed * power
     a_slope = dt * dt + 9.0 / 7.0 * epsilon * dt * power
-    size = max(abs(s) * epsilon * epsilon, _TINY)
+    size = max(math.fabs(s) * epsilon * epsilon, _TINY)
     root = size**0.6
     b = (s - x3 + k_acceleration * math.copysign(root, s)) / k_angle
     b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
     g = a + b * b * b
     following = s - g / (a_slope + 3.0 * b * b * b_slope)
-    if abs(g) <= tolerance * a_slope:
+    if math.fabs(g) <= tolerance * a_slope:
         return following, low, high, width, True
     # A' >= h² bounds the distance of the root, so the bracket is finite from the first evaluation on.
     if g > 0.0:
@@ -67,12 +75,11 @@ def _improve(
     return following, low, high, high - low, following == s
 
 
-@kernel(**UNCOUNTED)
 def solve(
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, tolerance: float
 ) -> tuple[float, float, float, int]:
     """One implicit step: (X1+, X2+, X3+, evaluations of G)."""
-    s, low, high, width, done = x3, -math.inf, math.inf, math.inf, False
+    s, low, high, width, done = x3, -math.INFINITY, math.INFINITY, math.INFINITY, False
     stiffness = dt / (epsilon * epsilon * epsilon)
     evaluations = 0
     while not done and evaluations < _MOST_EVALUATIONS:
@@ -84,15 +91,14 @@ def solve(
     return x1 + dt * x2_next, x2_next, s, evaluations
 
 
-@inner(**INLINED)
 def solve_two(
     x1: float, x2: float, x3: float, x: float, y1: float, y2: float, y3: float, y: float,
     dt: float, epsilon: float, tolerance: float,
 ) -> tuple[float, float]:  # fmt: skip
     """X3+ of two differentiators with signals x and y, each as `solve` finds it. Evaluations take turns: neither waits
     for the other, so that the processor works on both at once."""
-    s, low, high, width, done = x3, -math.inf, math.inf, math.inf, False
-    s_y, low_y, high_y, width_y, done_y = y3, -math.inf, math.inf, math.inf, False
+    s, low, high, width, done = x3, -math.INFINITY, math.INFINITY, math.INFINITY, False
+    s_y, low_y, high_y, width_y, done_y = y3, -math.INFINITY, math.INFINITY, math.INFINITY, False
     stiffness = dt / (epsilon * epsilon * epsilon)
     evaluations = 0
     while not (done and done_y) and evaluations < _MOST_EVALUATIONS:
@@ -108,6 +114,7 @@ def solve_two(
     return s, s_y
 
 
+@cython.wraparound(True)
 def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDArray[np.float64]:
     """One implicit step of differentiators (docs/model.md#differentiator, paper eq. 21) [lineage].
 
@@ -125,7 +132,7 @@ def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDA
             not greater than 0 and finite.
     """
     for name, value in (("epsilon", epsilon), ("dt_s", dt_s)):
-        if not 0.0 < value < math.inf:
+        if not 0.0 < value < math.INFINITY:
             raise ValueError(f"{name} is {value!r}, but it must be greater than 0 and finite")
     memory = np.asarray(x, dtype=np.float64)
     v = np.asarray(signal, dtype=np.float64)

@@ -6,13 +6,14 @@ A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
 
-from simvehicle.kernels import UNCOUNTED, kernel
 from simvehicle.law.params import Airframe
 
 Row = NDArray[np.float64]
@@ -21,13 +22,11 @@ PLANT_SIZE = 12
 INPUT_SIZE = 4
 
 
-@kernel(**UNCOUNTED)
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
     """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
     return _thrust_towards(roll, pitch, math.sin(yaw), math.cos(yaw))
 
 
-@kernel(**UNCOUNTED)
 def _sine_and_cosine(angle: float, known: float, sine: float, cosine: float) -> tuple[float, float]:
     """Of an angle; those of a known one are not computed again, and most vehicles seldom turn."""
     if angle == known:
@@ -35,7 +34,6 @@ def _sine_and_cosine(angle: float, known: float, sine: float, cosine: float) -> 
     return math.sin(angle), math.cos(angle)
 
 
-@kernel(**UNCOUNTED)
 def _thrust_towards(roll: float, pitch: float, sin_yaw: float, cos_yaw: float) -> tuple[float, float, float]:
     sin_roll, cos_roll = math.sin(roll), math.cos(roll)
     sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
@@ -46,7 +44,6 @@ def _thrust_towards(roll: float, pitch: float, sin_yaw: float, cos_yaw: float) -
     )
 
 
-@kernel(**UNCOUNTED)
 def rk4_axis(
     x: float, v: float, a1: float, a2: float, a3: float, a4: float, drag: float, dt: float
 ) -> tuple[float, float, float, float, float]:
@@ -67,19 +64,11 @@ def rk4_axis(
     return x + half * v, x + half * v2, x + dt * v3, x_next, v_next
 
 
-@kernel(**UNCOUNTED)
-def plant_step(
-    s: Row,
-    u1: float,
-    tau2: float,
-    tau3: float,
-    tau4: float,
-    gravity: float,
-    drag: float,
-    rotational_drag: float,
+def fly_plant(
+    s: Any, u1: float, tau2: float, tau3: float, tau4: float, gravity: float, drag: float, rotational_drag: float,
     dt: float,
-) -> None:
-    """One RK4 step of the plant over dt seconds with its inputs held; the first 12 numbers of s change in place."""
+) -> None:  # fmt: skip
+    """One RK4 step of the plant over dt seconds with its inputs held; the 12 numbers at s change in place."""
     roll2, roll3, roll4, roll, s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
     pitch2, pitch3, pitch4, pitch, s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
     yaw2, yaw3, yaw4, yaw, s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
@@ -98,13 +87,21 @@ def plant_step(
     s[6], s[7], s[8] = roll, pitch, yaw
 
 
-@kernel(**UNCOUNTED)
+def plant_step(
+    s: Row, u1: float, tau2: float, tau3: float, tau4: float, gravity: float, drag: float, rotational_drag: float,
+    dt: float,
+) -> None:  # fmt: skip
+    """`fly_plant` of a row, whose first 12 numbers change in place."""
+    fly_plant(cython.address(s[0]), u1, tau2, tau3, tau4, gravity, drag, rotational_drag, dt)
+
+
+@cython.cdivision(False)
 def wrap_angle(angle: float) -> float:
     """The angle's equal in [-π, π], exact however large it is."""
-    if -math.pi <= angle <= math.pi:
+    if -math.M_PI <= angle <= math.M_PI:
         return angle
-    rest = angle % (2.0 * math.pi)
-    return rest - 2.0 * math.pi if rest > math.pi else rest
+    rest = angle % (2.0 * math.M_PI)
+    return rest - 2.0 * math.M_PI if rest > math.M_PI else rest
 
 
 def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> NDArray[np.float64]:

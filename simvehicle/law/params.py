@@ -14,6 +14,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from simvehicle.law.rows import PARAMETERS, PARAMS_SIZE
+
 STEP_S = 0.004  # the law's period: 250 Hz
 SOLVE_TOLERANCE = 1e-6  # rad/s², last correction of the differentiator's solve (differentiator.py)
 
@@ -236,62 +238,38 @@ NAMED: Mapping[str, VehicleParams] = MappingProxyType(
     }
 )
 
-(
-    P_GRAVITY,
-    P_DRAG,
-    P_ROTATIONAL_DRAG,
-    P_SPEED_GAIN,
-    P_RATE_GAIN,
-    P_ANGLE_GAIN,
-    P_EPSILON,
-    P_TOLERANCE,
-    P_TILT_SLOPE,
-    P_THRUST_MAX,
-    P_ANGULAR_MAX,
-    P_SPEED_MAX,
-    P_ACCELERATION_MAX,
-    P_HOVER_W,
-    P_AVIONICS_W,
-    P_SHAPED,
-    P_GUIDE_GAIN,
-    P_GUIDE_DECEL,
-    P_VELOCITY_GAIN,
-    P_OMEGA,
-    P_REFERENCE_GAIN,
-    P_YAW_RATE,
-    P_BUMPLESS,
-    P_LITERAL,
-) = range(24)
-PARAMS_SIZE = 24
-
 
 def pack(params: VehicleParams) -> NDArray[np.float64]:
-    """Lay a set out for the flight core: shape (PARAMS_SIZE,), indexed by the P_ constants of this module, SI units."""
+    """Lay a set out for the flight core: shape (PARAMS_SIZE,), as rows.pxd has them, SI units."""
     airframe, gains, limits, battery = params.airframe, params.gains, params.limits, params.battery
     guidance = params.guidance
     packed = np.empty(PARAMS_SIZE)
-    packed[P_GRAVITY] = airframe.gravity_m_s2
-    packed[P_DRAG] = airframe.drag_1_s
-    packed[P_ROTATIONAL_DRAG] = airframe.rotational_drag_1_s
-    packed[P_SPEED_GAIN] = gains.speed
-    packed[P_RATE_GAIN] = gains.rate
-    packed[P_ANGLE_GAIN] = gains.angle
-    packed[P_EPSILON] = gains.epsilon
-    packed[P_TOLERANCE] = SOLVE_TOLERANCE
-    packed[P_TILT_SLOPE] = limits.tilt_slope
-    packed[P_THRUST_MAX] = limits.thrust_m_s2
-    packed[P_ANGULAR_MAX] = limits.angular_acceleration_rad_s2
-    packed[P_SPEED_MAX] = limits.speed_m_s
-    packed[P_ACCELERATION_MAX] = limits.acceleration_m_s2
-    packed[P_HOVER_W] = battery.hover_w
-    packed[P_AVIONICS_W] = battery.avionics_w
-    packed[P_SHAPED] = guidance.shaped
-    packed[P_GUIDE_GAIN] = guidance.gain
-    packed[P_GUIDE_DECEL] = guidance.decel
-    packed[P_VELOCITY_GAIN] = guidance.velocity_gain
-    packed[P_OMEGA] = guidance.omega
-    packed[P_REFERENCE_GAIN] = guidance.reference_gain
-    packed[P_YAW_RATE] = guidance.yaw_rate_rad_s
-    packed[P_BUMPLESS] = params.bumpless
-    packed[P_LITERAL] = params.literal
+    values = {
+        "gravity": airframe.gravity_m_s2,
+        "drag": airframe.drag_1_s,
+        "rotational_drag": airframe.rotational_drag_1_s,
+        "speed_gain": gains.speed,
+        "rate_gain": gains.rate,
+        "angle_gain": gains.angle,
+        "epsilon": gains.epsilon,
+        "tolerance": SOLVE_TOLERANCE,
+        "tilt_slope": limits.tilt_slope,
+        "thrust_max": limits.thrust_m_s2,
+        "angular_max": limits.angular_acceleration_rad_s2,
+        "speed_max": limits.speed_m_s,
+        "acceleration_max": limits.acceleration_m_s2,
+        "hover_w": battery.hover_w,
+        "avionics_w": battery.avionics_w,
+        "shaped": guidance.shaped,
+        "guide_gain": guidance.gain,
+        "guide_decel": guidance.decel,
+        "velocity_gain": guidance.velocity_gain,
+        "omega": guidance.omega,
+        "reference_gain": guidance.reference_gain,
+        "yaw_rate": guidance.yaw_rate_rad_s,
+        "bumpless": params.bumpless,
+        "literal": params.literal,
+    }
+    for name, value in values.items():
+        packed[PARAMETERS[name]] = value
     return packed

@@ -11,13 +11,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.law import rotor_flight, step
+from simvehicle.law import rotor_flight, rows, step
 from simvehicle.law.params import STEP_S, VehicleParams, pack
 from simvehicle.world import airframes
 from simvehicle.world.description import STILL_AIR, Air, WorldVehicle
-from simvehicle.world.estimate import ERROR_SIZE
 from simvehicle.world.power import usual_resistance_ohm
-from simvehicle.world.wind import DISCRETE_SIZE, GUST_NOISE
+from simvehicle.world.rows import DISCRETE_SIZE, ERROR_SIZE, GUST_NOISE
 
 Floats = list[float]
 
@@ -29,7 +28,7 @@ class Plant:
     """
 
     def __init__(self) -> None:
-        self.state = np.zeros((1, step.STATE_SIZE))
+        self.state = np.zeros((1, rows.STATE_SIZE))
         self.now: Floats = []
         self._packed = np.zeros((1, 0))
         self._time_s = np.zeros(1)
@@ -94,7 +93,7 @@ class Plant:
     @property
     def standing(self) -> bool:
         """Whether it stands on the ground: at rest at or below its height, as it reports itself."""
-        return self.now[step.POSITION][2] <= 0.0 and self.now[step.VELOCITY] == [0.0, 0.0, 0.0]
+        return self.now[rows.POSITION][2] <= 0.0 and self.now[rows.VELOCITY] == [0.0, 0.0, 0.0]
 
     @property
     def electric(self) -> tuple[float, float] | None:
@@ -104,22 +103,22 @@ class Plant:
     @property
     def drawn_j(self) -> float:
         """Drawn from the battery since the start."""
-        return self.now[step.DRAWN_J]
+        return self.now[rows.DRAWN_J]
 
     @property
     def remaining_j(self) -> float:
         """Left in the battery."""
-        return self.now[step.REMAINING_J]
+        return self.now[rows.REMAINING_J]
 
     def waste(self, joules: float) -> None:
         """Lose energy at once, as far as there is any; it counts as drawn."""
         gone_j = min(joules, self.remaining_j)
-        self.state[0, step.DRAWN_J] += gone_j
+        self.state[0, rows.DRAWN_J] += gone_j
         self.charge(-gone_j)
 
     def charge(self, joules: float) -> None:
         """Put energy into the battery, or take it out where negative."""
-        self.state[0, step.REMAINING_J] += joules
+        self.state[0, rows.REMAINING_J] += joules
         self.now = self.state[0].tolist()
 
 
@@ -134,7 +133,7 @@ class RotorPlant(Plant):
         super().__init__()
         self.own = own
         self._air = air
-        self.state = np.zeros((1, rotor_flight.ROTOR_STATE_SIZE))
+        self.state = np.zeros((1, rows.ROTOR_STATE_SIZE))
         self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
         self._weather = np.zeros((1, 0))
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
@@ -153,7 +152,7 @@ class RotorPlant(Plant):
             errors=self.own.errors,
             resistance_ohm=usual_resistance_ohm(capacity_j) if ohm is None else ohm,
         )[np.newaxis]
-        self.state[0, rotor_flight.CAPACITY_J] = capacity_j
+        self.state[0, rows.CAPACITY_J] = capacity_j
 
     def parameters(self, flight: VehicleParams) -> VehicleParams:
         """As every plant. Raises ValueError where its rotors cannot lift it."""
@@ -167,8 +166,8 @@ class RotorPlant(Plant):
     def _blow(self) -> None:
         """Let the mean wind of the place blow, where it is not the same everywhere."""
         if self._air.field is not None:
-            here = self.state[0, rotor_flight.TRUE_POSITION].tolist()
-            rotor_flight.blow(self._weather[0], self._air.mean_at_nwu(here))
+            here = self.state[0, rows.TRUE_POSITION].tolist()
+            rotor_flight.set_mean_wind(self._weather[0], self._air.mean_at_nwu(here))
 
     def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
         """As every plant. A wind by place is that of the stretch's beginning."""
@@ -229,14 +228,14 @@ class RotorPlant(Plant):
         if self.own.errors is None:
             return now
         known = 3 if self.standing else ERROR_SIZE
-        return [x - e for x, e in zip(now[:known], now[rotor_flight.ERROR], strict=False)] + now[known:ERROR_SIZE]
+        return [x - e for x, e in zip(now[:known], now[rows.ERROR], strict=False)] + now[known:ERROR_SIZE]
 
     @property
     def standing(self) -> bool:
         """As every plant."""
-        return self.now[step.CONTACT] != 0.0
+        return self.now[rows.CONTACT] != 0.0
 
     @property
     def electric(self) -> tuple[float, float]:
         """Voltage in V and current in A at the battery."""
-        return self.now[rotor_flight.VOLTAGE_V], self.now[rotor_flight.CURRENT_A]
+        return self.now[rows.VOLTAGE_V], self.now[rows.CURRENT_A]

@@ -8,244 +8,259 @@ become moments, its thrust and those four rotor speeds. Random numbers are argum
 
 from __future__ import annotations
 
-import zlib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
+from cython.cimports.simvehicle.law import dynamics, power, rows, step
+from cython.cimports.simvehicle.law.arithmetic import bounded
+from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
+from cython.cimports.simvehicle.world import power as rotor_power
+from cython.cimports.simvehicle.world import rotors
+from cython.cimports.simvehicle.world.error_step import step_errors
+from cython.cimports.simvehicle.world.rows import ERROR_SIZE, GUST_NOISE
+from cython.cimports.simvehicle.world.wind import blow, discrete_of, gusts_at
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, inner, kernel
-from simvehicle.law import controller, dynamics, guidance, power, step
-from simvehicle.law.params import P_AVIONICS_W, P_DRAG, P_GRAVITY, P_HOVER_W, Airframe, VehicleParams
-from simvehicle.law.step import CONTACT, DRAWN_J, REMAINING_J, STATE_SIZE
-from simvehicle.world import airframes, estimate, rotors, wind
-from simvehicle.world import power as rotor_power
-from simvehicle.world.airframes import A_HOVER_W, A_MASS, A_THRUST, GRAVITY_M_S2, SEA_LEVEL_KG_M3, RotorAirframe
-from simvehicle.world.estimate import ERROR_SIZE, EstimateErrors
-from simvehicle.world.rotors import B_POSITION, B_QUATERNION, B_RATES, B_ROTORS, B_VELOCITY, BODY_SIZE, SCRATCH_SIZE
-from simvehicle.world.wind import GUST_NOISE, GUST_SIZE
+from simvehicle.law.params import Airframe, VehicleParams
+from simvehicle.law.rows import (
+    ATTITUDE,
+    CAPACITY_J,
+    CONTACT,
+    ERROR,
+    GUST,
+    POSITION,
+    ROTOR_SPEEDS,
+    ROTOR_STATE_SIZE,
+    STATE_SIZE,
+    TRUE_POSITION,
+    TRUE_QUATERNION,
+    TRUE_VELOCITY,
+    VELOCITY,
+    VOLTAGE_V,
+    WIND,
+)
+from simvehicle.world import airframes
+from simvehicle.world.airframes import SEA_LEVEL_KG_M3, RotorAirframe
+from simvehicle.world.estimate import EstimateErrors
+from simvehicle.world.rotors import quaternion
+from simvehicle.world.rows import WEATHER, WEATHER_SIZE
+from simvehicle.world.wind import start_gust
 
 Row = NDArray[np.float64]
 
-BODY = slice(STATE_SIZE, STATE_SIZE + BODY_SIZE)
-GUST = slice(BODY.stop, BODY.stop + GUST_SIZE)  # memory of the turbulence
-WIND = slice(GUST.stop, GUST.stop + 3)  # m/s, nwu
-ERROR = slice(WIND.stop, WIND.stop + ERROR_SIZE)  # of what the law knows
-VOLTAGE_V, CURRENT_A = ERROR.stop, ERROR.stop + 1
-CAPACITY_J = ERROR.stop + 2
-OBSERVER = slice(ERROR.stop + 3, ERROR.stop + 9)  # velocity as foreseen, m/s; disturbance, m/s²
-ROTOR_STATE_SIZE = OBSERVER.stop
-TRUE_POSITION = slice(BODY.start + B_POSITION, BODY.start + B_POSITION + 3)
-TRUE_VELOCITY = slice(BODY.start + B_VELOCITY, BODY.start + B_VELOCITY + 3)
-TRUE_QUATERNION = slice(BODY.start + B_QUATERNION, BODY.start + B_QUATERNION + 4)
-BODY_RATES = slice(BODY.start + B_RATES, BODY.start + B_RATES + 3)
-ROTOR_SPEEDS = slice(BODY.start + B_ROTORS, BODY.start + B_ROTORS + 4)
-# Weather of a vehicle, and how well it knows its motion.
-W_MEAN = slice(0, 3)  # m/s, nwu
-W_ALONG = slice(3, 5)  # unit vector of the mean wind, north and west
-W_20 = 5  # m/s at 20 ft, which sets the turbulence
-W_DEVIATION = slice(6, 10)  # of the estimate: position, velocity, angles, rates
-W_TIME_S = slice(10, 14)
-W_OHM = 14  # inner resistance of the battery
-WEATHER_SIZE = 15
-NOISE_SIZE = GUST_NOISE + ERROR_SIZE
 """Normal numbers that a step takes: the wind's, then the estimate's."""
-_ANGLE, _RATE = step.ATTITUDE.start, step.RATES.start
+_GRAVITY_M_S2 = airframes.GRAVITY_M_S2
 _LEAST_COSINE = 1e-6
-_OBSERVER = OBSERVER.start
 _OBSERVER_1_S = 1.5  # both poles of the disturbance observer
 _STRONGEST_M_S2 = 6.0  # disturbance that it believes
-_BODY, _BODY_END = BODY.start, BODY.stop
-_GUST, _GUST_END, _WIND, _WIND_END = GUST.start, GUST.stop, WIND.start, WIND.stop
-_ERROR, _ERROR_END = ERROR.start, ERROR.stop
-_W_ALONG, _W_DEVIATION, _W_TIME_S = W_ALONG.start, W_DEVIATION.start, W_TIME_S.start
-_GUIDE, _YAW, _LINEAR = step.GUIDE.start, step.GUIDE_YAW.start, step.LINEAR.start
-_GUIDE_END, _YAW_END, _LINEAR_END = step.GUIDE.stop, step.GUIDE_YAW.stop, step.LINEAR.stop
-_REF_V, _REF_A = step.REFERENCE_VELOCITY.start, step.REFERENCE_ACCELERATION.start
 
 
-@inner(**UNCOUNTED)
-def _see(s: Row, body: Row, error: Row) -> None:
+def _see(s: Any, error: Any) -> None:
     """Write what the law knows of its motion: the body's, its attitude as Euler angles with their rates, and errors.
     Standing, it knows that it stands, and how."""
-    roll, pitch, yaw = rotors.euler_of(body[B_QUATERNION : B_QUATERNION + 4])
-    p, q, r = body[B_RATES], body[B_RATES + 1], body[B_RATES + 2]
-    sin_roll, cos_roll = np.sin(roll), np.cos(roll)
-    yaw_rate = (q * sin_roll + r * cos_roll) / max(np.cos(pitch), _LEAST_COSINE)
-    for i in range(6):
-        s[i] = body[i]
-    s[_ANGLE], s[_ANGLE + 1], s[_ANGLE + 2] = roll, pitch, yaw
-    s[_RATE] = p + yaw_rate * np.sin(pitch)
-    s[_RATE + 1] = q * cos_roll - r * sin_roll
-    s[_RATE + 2] = yaw_rate
-    for i in range(3 if s[CONTACT] != 0.0 else ERROR_SIZE):
-        s[i] += error[i]
-    s[_ANGLE + 2] = dynamics.wrap_angle(s[_ANGLE + 2])
+    body, known = cython.address(s.body), cython.address(s.known)
+    roll, pitch, yaw = rotors.euler_of(body.quaternion)
+    p, q, r = body.rates[0], body.rates[1], body.rates[2]
+    sin_roll, cos_roll = math.sin(roll), math.cos(roll)
+    yaw_rate = (q * sin_roll + r * cos_roll) / max(math.cos(pitch), _LEAST_COSINE)
+    for i in range(3):
+        known.position[i], known.velocity[i] = body.position[i], body.velocity[i]
+    known.attitude[0], known.attitude[1], known.attitude[2] = roll, pitch, yaw
+    known.rates[0] = p + yaw_rate * math.sin(pitch)
+    known.rates[1] = q * cos_roll - r * sin_roll
+    known.rates[2] = yaw_rate
+    motion = cython.cast(cython.p_double, known)
+    for i in range(3 if known.contact != 0.0 else ERROR_SIZE):
+        motion[i] += error[i]
+    known.attitude[2] = dynamics.wrap_angle(known.attitude[2])
 
 
-@inner(**UNCOUNTED)
-def _observe(s: Row, p: Row, u1: float, dt: float) -> None:
+def _observe(s: Any, p: Any, u1: float, dt: float) -> None:
     """Disturbance observer (docs/model.md#rotors) [choice]: v̂' = u1 e - g - (K/m) v + d̂ + 2ω (v - v̂), d̂' = ω² (v - v̂),
     with e the direction of thrust. Standing or falling it believes in none."""
-    ex, ey, ez = dynamics.thrust_direction(s[_ANGLE], s[_ANGLE + 1], s[_ANGLE + 2])
-    pushed = (u1 * ex, u1 * ey, u1 * ez - p[P_GRAVITY])
+    angles = s.known.attitude
+    pushed = cython.declare(cython.double[3])
+    ex, ey, ez = dynamics.thrust_direction(angles[0], angles[1], angles[2])
+    pushed[0], pushed[1], pushed[2] = u1 * ex, u1 * ey, u1 * ez - p.gravity
     for i in range(3):
-        v = s[3 + i]
-        if s[CONTACT] != 0.0 or u1 == 0.0:
-            s[_OBSERVER + i], s[_OBSERVER + 3 + i] = v, 0.0
+        v = s.known.velocity[i]
+        if s.known.contact != 0.0 or u1 == 0.0:
+            s.foreseen[i], s.disturbance[i] = v, 0.0
             continue
-        missed = v - s[_OBSERVER + i]
-        foreseen = pushed[i] - p[P_DRAG] * v + s[_OBSERVER + 3 + i] + 2.0 * _OBSERVER_1_S * missed
-        s[_OBSERVER + i] += dt * foreseen
-        believed = s[_OBSERVER + 3 + i] + dt * _OBSERVER_1_S * _OBSERVER_1_S * missed
-        s[_OBSERVER + 3 + i] = controller.bounded(believed, _STRONGEST_M_S2)
+        missed = v - s.foreseen[i]
+        foreseen = pushed[i] - p.drag * v + s.disturbance[i] + 2.0 * _OBSERVER_1_S * missed
+        s.foreseen[i] += dt * foreseen
+        believed = s.disturbance[i] + dt * _OBSERVER_1_S * _OBSERVER_1_S * missed
+        s.disturbance[i] = bounded(believed, _STRONGEST_M_S2)
 
 
-@inner(**UNCOUNTED)
-def _blow(s: Row, body: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float) -> None:
+def _blow(s: Any, w: Any, gusts: Any, count: int, noise: Any, t: float, dt: float) -> None:
     """Write the wind of the step that begins at t."""
-    now = s[_WIND:_WIND_END]
-    x, y, z = wind.discrete(gusts, t)
-    if w[W_20] > 0.0:
-        dx, dy, dz = body[3] - now[0], body[4] - now[1], body[5] - now[2]
-        air_speed = np.sqrt(dx * dx + dy * dy + dz * dz)
-        along, left, up = wind.turbulence(s[_GUST:_GUST_END], noise, body[2], air_speed, w[W_20], dt)
-        x += w[_W_ALONG] * along - w[_W_ALONG + 1] * left
-        y += w[_W_ALONG + 1] * along + w[_W_ALONG] * left
+    now, v = s.wind, s.body.velocity
+    x, y, z = discrete_of(gusts, count, t)
+    if w.w20 > 0.0:
+        dx, dy, dz = v[0] - now[0], v[1] - now[1], v[2] - now[2]
+        air_speed = math.sqrt(dx * dx + dy * dy + dz * dz)
+        along, left, up = blow(s.gust, noise, s.body.position[2], air_speed, w.w20, dt)
+        x += w.along[0] * along - w.along[1] * left
+        y += w.along[1] * along + w.along[0] * left
         z += up
-    now[0], now[1], now[2] = w[0] + x, w[1] + y, w[2] + z
+    now[0], now[1], now[2] = w.mean[0] + x, w.mean[1] + y, w.mean[2] + z
 
 
-@inner(**UNCOUNTED)
-def _draw(s: Row, body: Row, p: Row, a: Row, w: Row, dt: float) -> float:
+def _draw(s: Any, p: Any, a: Any, w: Any, dt: float) -> float:
     """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power); the thrust, N."""
-    thrust_n = 0.0
+    body, wind, thrust_n = cython.address(s.body), s.wind, 0.0
     for i in range(4):
-        thrust_n += a[A_THRUST] * body[B_ROTORS + i] * body[B_ROTORS + i]
-    q = body[B_QUATERNION : B_QUATERNION + 4]
-    ux, uy, uz = rotors.rotated(q, body[3] - s[_WIND], body[4] - s[_WIND + 1], body[5] - s[_WIND + 2], -1.0)
-    shaft_w = rotor_power.shaft_power(thrust_n, body[B_ROTORS : B_ROTORS + 4], np.sqrt(ux * ux + uy * uy), uz, a)
-    power_w = shaft_w * p[P_HOVER_W] / a[A_HOVER_W] + p[P_AVIONICS_W]
-    left_j = max(s[REMAINING_J], 0.0)
+        thrust_n += a.thrust * body.rotors[i] * body.rotors[i]
+    v = body.velocity
+    ux, uy, uz = rotors.rotated(body.quaternion, v[0] - wind[0], v[1] - wind[1], v[2] - wind[2], -1.0)
+    shaft_w = rotor_power.rotor_power(thrust_n, body.rotors, math.sqrt(ux * ux + uy * uy), uz, a)
+    power_w = shaft_w * p.hover_w / a.hover_w + p.avionics_w
+    left_j = max(s.known.remaining_j, 0.0)
     if left_j == 0.0:
         power_w = 0.0
-    s[VOLTAGE_V], s[CURRENT_A], taken_w = rotor_power.discharge(power_w, left_j / s[CAPACITY_J], w[W_OHM])
+    s.voltage_v, s.current_a, taken_w = rotor_power.discharge(power_w, left_j / s.capacity_j, w.ohm)
     drawn_j = min(taken_w * dt, left_j)
-    s[DRAWN_J] += drawn_j
-    s[REMAINING_J] -= drawn_j
+    s.known.drawn_j += drawn_j
+    s.known.remaining_j -= drawn_j
     return thrust_n
 
 
-@inner(**UNCOUNTED)
 def _step(
-    s: Row, c: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, decays: Row, t: float, dt: float, scratch: Row
+    s: Any, c: Any, p: Any, a: Any, w: Any, gusts: Any, count: int, noise: Any, decays: Any, t: float, dt: float
 ) -> float:
     """One step from t to t + dt; returns the thrust per mass at its end."""
-    guide, yaw, linear = s[_GUIDE:_GUIDE_END], s[_YAW:_YAW_END], s[_LINEAR:_LINEAR_END]
+    known, body = cython.address(s.known), cython.address(s.body)
+    wanted = cython.declare(cython.double[4])
     u1 = tau2 = tau3 = tau4 = 0.0
-    body, wanted = s[_BODY:_BODY_END], scratch[SCRATCH_SIZE : SCRATCH_SIZE + 4]
-    x, y, stood = body[0], body[1], s[CONTACT] != 0.0
-    running = c[step.CMD_MOTORS] != 0.0 and s[REMAINING_J] > 0.0
+    x, y, stood = body.position[0], body.position[1], known.contact != 0.0
+    running = c.motors != 0.0 and known.remaining_j > 0.0
     if running:
-        step.set_reference(s, c, p, guide, linear, t)
+        step.set_reference(known, c, p, t)
         for i in range(3):
-            s[_REF_A + i] -= s[_OBSERVER + 3 + i]
-        u1, tau2, tau3, tau4 = step.control(s, c, p, yaw, dt)
-        step.guide_on(s, c, p, guide, yaw, t, dt)
-        mx, my, mz = rotors.moments_of(s[_ANGLE : _ANGLE + 3], s[_RATE : _RATE + 3], tau2, tau3, tau4, a)
-        rotors.allocate(a[A_MASS] * u1, mx, my, mz, a, wanted)
+            known.reference_acceleration[i] -= s.disturbance[i]
+        u1, tau2, tau3, tau4 = step.control(known, c, p, dt)
+        step.guide_on(known, c, p, t, dt)
+        mx, my, mz = rotors.moments_of(known.attitude, known.rates, tau2, tau3, tau4, a)
+        rotors.allocate(a.mass * u1, mx, my, mz, a, wanted)
     else:
-        wanted[:] = 0.0
-    _observe(s, p, u1, dt)
-    _blow(s, body, w, gusts, noise, t, dt)
-    rotors.body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
-    s[CONTACT] = 1.0 if c[step.CMD_GROUND] != 0.0 and rotors.meet_ground(body, x, y, stood) else 0.0
-    error = s[_ERROR:_ERROR_END]
-    estimate.error_step(error, noise[GUST_NOISE:], w[_W_DEVIATION : _W_DEVIATION + 4], decays)
-    _see(s, body, error)
-    thrust = _draw(s, body, p, a, w, dt)
-    s[step.EFFORT] += power.effort_rate(u1, tau2, tau3, tau4) * dt
-    if not running:
-        step.start_afresh(s, p, guide, yaw, linear)
-    thrust_m_s2: float = thrust / a[A_MASS]
-    return thrust_m_s2
-
-
-def _compiled(build: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
-    """The entries that numba keeps on disk, with `build` as a part of their key (see step.py)."""
-
-    @kernel(error_model="numpy")
-    def fly(
-        states: Row,
-        commands: Row,
-        parameters: Row,
-        frames: Row,
-        weathers: Row,
-        gusts: Row,
-        noise: Row,
-        times: Row,
-        dt: float,
-        thrust: Row,
-    ) -> None:
-        _ = build
-        scratch, decays = np.zeros(SCRATCH_SIZE + 4), np.zeros(4)
-        for vehicle in range(states.shape[0]):
-            s, c, p, a, w = states[vehicle], commands[vehicle], parameters[vehicle], frames[vehicle], weathers[vehicle]
-            for i in range(4):
-                decays[i] = np.exp(-dt / w[_W_TIME_S + i])
-            linear = s[_LINEAR:_LINEAR_END]
-            if linear[guidance.LINEAR_STAMP] != c[step.CMD_TIME_S]:
-                linear[guidance.LINEAR_STAMP] = c[step.CMD_TIME_S]
-                linear[guidance.LINEAR_SINCE] = times[vehicle]
-                for i in range(3):
-                    linear[guidance.LINEAR_START + i] = s[_REF_V + i]
-            for k in range(thrust.shape[1]):
-                t = times[vehicle] + k * dt
-                thrust[vehicle, k] = _step(s, c, p, a, w, gusts, noise[vehicle, k], decays, t, dt, scratch)
-            if s[step.STARTED] != 0.0:
-                step.set_reference(s, c, p, s[_GUIDE:_GUIDE_END], linear, times[vehicle] + thrust.shape[1] * dt)
-
-    @kernel(error_model="numpy")
-    def turn(
-        s: Row, wanted: Row, p: Row, a: Row, w: Row, gusts: Row, noise: Row, t: float, dt: float, force: Row
-    ) -> None:
-        _ = build
-        body, scratch = s[_BODY:_BODY_END], np.zeros(SCRATCH_SIZE)
-        x, y, stood = body[0], body[1], s[CONTACT] != 0.0
-        vx, vy, vz = body[B_VELOCITY], body[B_VELOCITY + 1], body[B_VELOCITY + 2]
         for i in range(4):
-            if s[REMAINING_J] <= 0.0:
-                wanted[i] = 0.0
-        _blow(s, body, w, gusts, noise, t, dt)
-        rotors.body_step(body, wanted, s[_WIND:_WIND_END], a, dt, scratch)
-        s[CONTACT] = 1.0 if rotors.meet_ground(body, x, y, stood) else 0.0
-        _see(s, body, scratch[:ERROR_SIZE] * 0.0)
-        _draw(s, body, p, a, w, dt)
-        fx, fy = (body[B_VELOCITY] - vx) / dt, (body[B_VELOCITY + 1] - vy) / dt
-        fz = (body[B_VELOCITY + 2] - vz) / dt + GRAVITY_M_S2
-        force[0], force[1], force[2] = rotors.rotated(body[B_QUATERNION : B_QUATERNION + 4], fx, fy, fz, -1.0)
-
-    return fly, turn
-
-
-def checksum() -> int:
-    """Of the files that are compiled into the core, this one among them: as `step.checksum`."""
-    files = (__file__, *(str(module.__file__) for module in (airframes, rotors, wind, rotor_power, estimate)))
-    return zlib.crc32(b"".join(Path(file).read_bytes() for file in files), step.checksum())
+            wanted[i] = 0.0
+    _observe(s, p, u1, dt)
+    _blow(s, w, gusts, count, noise, t, dt)
+    rotors.step_body(body, wanted, s.wind, a, dt)
+    known.contact = 1.0 if c.ground != 0.0 and rotors.land_body(body, x, y, stood) else 0.0
+    step_errors(s.error, noise + GUST_NOISE, w.deviation, decays)
+    _see(s, s.error)
+    thrust = _draw(s, p, a, w, dt)
+    known.effort += power.effort_rate(u1, tau2, tau3, tau4) * dt
+    if not running:
+        step.start_afresh(known, p)
+    return thrust / a.mass
 
 
-fly_rows, turn_row = _compiled(checksum())
-"""fly_rows: (states (n, ROTOR_STATE_SIZE), commands, packed params of `on_rotors`, packed airframes, weathers (n,
-WEATHER_SIZE), discrete gusts (m, DISCRETE_SIZE) that blow on all, noise (n, k, NOISE_SIZE), times (n,), dt, thrust
-(n, k)), as `step.fly_rows`; the rotors' thrust per mass, m/s², is that after every step.
+def fly_row(
+    s: Any, c: Any, p: Any, a: Any, w: Any, gusts: Any, count: int, noise: Any, t: float, dt: float, steps: int,
+    thrust: Any,
+) -> None:  # fmt: skip
+    """Fly a vehicle some steps on from t, whose noise is (steps, NOISE_SIZE); the thrust per mass after each is
+    written."""
+    decays = cython.declare(cython.double[4])
+    for i in range(4):
+        decays[i] = math.exp(-dt / w.time_s[i])
+    known = cython.address(s.known)
+    step.take_command(known, c, t)
+    for k in range(steps):
+        thrust[k] = _step(s, c, p, a, w, gusts, count, noise + k * NOISE_SIZE, decays, t + k * dt, dt)
+    if known.started != 0.0:
+        step.set_reference(known, c, p, t + steps * dt)
 
-turn_row: one step of a vehicle that another autopilot flies, over ground, from (state (ROTOR_STATE_SIZE,) of known
-motion, rotor speeds (4,) that it wants, packed params, packed airframe, weather, gusts, noise (NOISE_SIZE,), time, dt,
-force (3,)); in place and unchecked. What is written last is the specific force about the body's axes, m/s²: all that
-acts on it but gravity, per mass."""
+
+def fly_rows(
+    states: Row,
+    commands: Row,
+    parameters: Row,
+    frames: Row,
+    weathers: Row,
+    gusts: Row,
+    noise: Row,
+    times: Row,
+    dt: float,
+    thrust: Row,
+) -> None:
+    """Fly vehicles on, in place and unchecked, as `step.fly_rows`.
+
+    Args:
+        states: (n, ROTOR_STATE_SIZE).
+        commands: (n, COMMAND_SIZE).
+        parameters: packed params of `on_rotors`.
+        frames: packed airframes.
+        weathers: (n, WEATHER_SIZE).
+        gusts: discrete ones, (m, DISCRETE_SIZE), that blow on all.
+        noise: (n, k, NOISE_SIZE).
+        times: (n,), s.
+        dt: a step, s.
+        thrust: (n, k), written: the rotors' thrust per mass, m/s², after every step.
+    """
+    for vehicle in range(states.shape[0]):
+        s, c, p = (
+            rows.rotors_of(states, vehicle),
+            rows.command_of(commands, vehicle),
+            rows.parameters_of(parameters, vehicle),
+        )
+        a, w = rotors.airframe_at(frames[vehicle]), rows.weather_of(weathers, vehicle)
+        gust, steps = gusts_at(gusts), thrust.shape[1]
+        of_vehicle, out = cython.address(noise[vehicle, 0, 0]), cython.address(thrust[vehicle, 0])
+        fly_row(s, c, p, a, w, gust, gusts.shape[0], of_vehicle, times[vehicle], dt, steps, out)
+
+
+def turn_row(
+    state: Row,
+    wanted: Row,
+    parameters: Row,
+    airframe: Row,
+    weather: Row,
+    gusts: Row,
+    noise: Row,
+    t: float,
+    dt: float,
+    force: Row,
+) -> None:
+    """One step of a vehicle that another autopilot flies, over ground; in place and unchecked.
+
+    Args:
+        state: (ROTOR_STATE_SIZE,), of known motion.
+        wanted: rotor speeds (4,), rad/s, that it wants; written where its battery is empty.
+        parameters, airframe, weather, gusts: as `fly_rows` has them, of one vehicle.
+        noise: (NOISE_SIZE,).
+        t, dt: time and step, s.
+        force: (3,), written: the specific force about the body's axes, m/s²: all that acts on it but gravity, per mass.
+    """
+    s = cython.cast("RotorState *", cython.address(state[0]))
+    w = cython.cast("const Weather *", cython.address(weather[0]))
+    p, a = cython.cast("const Parameters *", cython.address(parameters[0])), rotors.airframe_at(airframe)
+    body, known = cython.address(s.body), cython.address(s.known)
+    x, y, stood = body.position[0], body.position[1], known.contact != 0.0
+    vx, vy, vz = body.velocity[0], body.velocity[1], body.velocity[2]
+    for i in range(4):
+        if known.remaining_j <= 0.0:
+            wanted[i] = 0.0
+    none = cython.declare(cython.double[ERROR_SIZE])
+    for i in range(ERROR_SIZE):
+        none[i] = 0.0
+    _blow(s, w, gusts_at(gusts), gusts.shape[0], cython.address(noise[0]), t, dt)
+    rotors.step_body(body, cython.address(wanted[0]), s.wind, a, dt)
+    known.contact = 1.0 if rotors.land_body(body, x, y, stood) else 0.0
+    _see(s, none)
+    _draw(s, p, a, w, dt)
+    fx, fy = (body.velocity[0] - vx) / dt, (body.velocity[1] - vy) / dt
+    fz = (body.velocity[2] - vz) / dt + _GRAVITY_M_S2
+    force[0], force[1], force[2] = rotors.rotated(body.quaternion, fx, fy, fz, -1.0)
 
 
 def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> VehicleParams:
@@ -258,7 +273,7 @@ def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: flo
     spare = airframes.HEADROOM * share * airframe.greatest_thrust_m_s2
     body = Airframe(
         mass_kg=airframe.mass_kg,
-        gravity_m_s2=GRAVITY_M_S2,
+        gravity_m_s2=_GRAVITY_M_S2,
         drag_kg_s=airframe.hover_drag_1_s * airframe.mass_kg * share**0.5,
         rotational_drag=0.0,
     )
@@ -273,9 +288,9 @@ def initial_state(
     where it is airborne."""
     state = np.zeros(ROTOR_STATE_SIZE)
     state[:STATE_SIZE] = known
-    state[TRUE_POSITION], state[TRUE_VELOCITY] = state[step.POSITION], state[step.VELOCITY]
-    roll, pitch, yaw = (float(angle) for angle in state[step.ATTITUDE])
-    rotors.quaternion_of(roll, pitch, yaw, state[TRUE_QUATERNION])
+    state[TRUE_POSITION], state[TRUE_VELOCITY] = state[POSITION], state[VELOCITY]
+    roll, pitch, yaw = (float(angle) for angle in state[ATTITUDE])
+    state[TRUE_QUATERNION] = quaternion(roll, pitch, yaw)
     state[ROTOR_SPEEDS] = airframe.hover_rad_s if airborne else 0.0
     state[CAPACITY_J] = flight.battery.capacity_j
     state[VOLTAGE_V] = rotor_power.CELLS * rotor_power.cell_v(flight.battery.initial_j / flight.battery.capacity_j)
@@ -288,28 +303,28 @@ def weather_row(
     """Weather of one vehicle (WEATHER_SIZE,): mean wind, m/s; the wind at 20 ft that sets the turbulence, none with 0;
     errors of its estimate, none without; its battery's resistance. Turbulence lies along the mean wind, else north."""
     row = np.zeros(WEATHER_SIZE)
-    blow(row, mean_nwu)
-    row[W_20] = w20_m_s
-    row[W_TIME_S] = 1.0
+    set_mean_wind(row, mean_nwu)
+    row[WEATHER["w20"]] = w20_m_s
+    row[WEATHER["time_s"]] = 1.0
     if errors is not None:
-        row[W_DEVIATION], row[W_TIME_S] = errors.deviations, errors.times_s
-    row[W_OHM] = resistance_ohm
+        row[WEATHER["deviation"]], row[WEATHER["time_s"]] = errors.deviations, errors.times_s
+    row[WEATHER["ohm"]] = resistance_ohm
     return row
 
 
-def blow(weather: NDArray[np.float64], mean_nwu: Sequence[float]) -> None:
+def set_mean_wind(weather: NDArray[np.float64], mean_nwu: Sequence[float]) -> None:
     """Give a weather (WEATHER_SIZE,), in place, another mean wind, m/s."""
-    north, west, _ = weather[W_MEAN] = mean_nwu
+    north, west, _ = weather[WEATHER["mean"]] = mean_nwu
     speed = float(np.hypot(north, west))
-    weather[W_ALONG] = (north / speed, west / speed) if speed > 0.0 else (1.0, 0.0)
+    weather[WEATHER["along"]] = (north / speed, west / speed) if speed > 0.0 else (1.0, 0.0)
 
 
 def start_weather(state: NDArray[np.float64], weather: NDArray[np.float64], noise: NDArray[np.float64]) -> None:
     """Give a state (ROTOR_STATE_SIZE,), in place, a wind that has blown for long, and errors that have lasted; noise:
     (NOISE_SIZE,) normal numbers."""
-    state[GUST] = wind.start_gust(noise[:GUST_NOISE])
-    state[WIND] = weather[W_MEAN]
-    state[ERROR] = np.repeat(weather[W_DEVIATION], 3) * noise[GUST_NOISE:]
+    state[GUST] = start_gust(noise[:GUST_NOISE])
+    state[WIND] = weather[WEATHER["mean"]]
+    state[ERROR] = np.repeat(weather[WEATHER["deviation"]], 3) * noise[GUST_NOISE:]
     known = 3 if state[CONTACT] != 0.0 else ERROR_SIZE
     state[:known] += state[ERROR][:known]
-    state[step.ATTITUDE][2] = dynamics.wrap_angle(float(state[step.ATTITUDE][2]))
+    state[ATTITUDE][2] = dynamics.wrap_angle(float(state[ATTITUDE][2]))

@@ -6,70 +6,77 @@ law/step.py lays it out (nwu), not from a gathered `VehicleState`.
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
+from cython.cimports.libc.string import memcpy
+from cython.cimports.simvehicle.law.rows import state_of
+from cython.cimports.simvehicle.mavlink.motion_frames import (
+    _ATTITUDE_ID,
+    _ATTITUDE_SEED,
+    _GLOBAL_ID,
+    _GLOBAL_SEED,
+    _LOCAL_ID,
+    _LOCAL_SEED,
+    _PAYLOAD_BYTES,
+    ATTITUDE,
+    GLOBAL_POSITION,
+    HEADER_BYTES,
+    LOCAL_POSITION,
+    MAGIC,
+    TURN_DEG,
+)
 from numpy.typing import NDArray
 
-from simvehicle.kernels import UNCOUNTED, inner, kernel
-
-ATTITUDE, LOCAL_POSITION, GLOBAL_POSITION = 1, 2, 4
 """Bits of the messages that are wanted."""
-LARGEST_BYTES = 3 * 40
+LARGEST_BYTES: int
 """All three frames."""
-
-_PAYLOAD_BYTES = 28  # of each of the three
-HEADER_BYTES = 10
-_ATTITUDE_ID, _LOCAL_ID, _GLOBAL_ID = 30, 32, 33
-_ATTITUDE_SEED, _LOCAL_SEED, _GLOBAL_SEED = 39, 185, 104
-MAGIC = 0xFD
-_TURN_RAD, TURN_DEG = 2.0 * math.pi, 360.0
-DEGREES = 180.0 / math.pi
+_TURN_RAD = 2.0 * math.M_PI
 
 
-@inner(**UNCOUNTED)
 def remainder(x: float, whole: float) -> float:
     """IEEE's remainder, as math.remainder; exact."""
-    rest: float = np.fmod(x, whole)
-    if abs(rest) > 0.5 * whole:
+    rest = math.fmod(x, whole)
+    if math.fabs(rest) > 0.5 * whole:
         rest -= math.copysign(whole, rest)
     return rest
 
 
-@inner(**UNCOUNTED)
 def bounded(value: float, bits: int) -> int:
     """The nearest number that so many bits hold."""
-    limit = 2.0 ** (bits - 1)
-    return int(min(max(np.rint(value), -limit), limit - 1.0))
+    limit = math.ldexp(1.0, bits - 1)
+    return cython.cast(cython.longlong, min(max(math.rint(value), -limit), limit - 1.0))
 
 
-@inner(**UNCOUNTED)
-def checksum(frame: NDArray[np.uint8], start: int, end: int, seed: int) -> int:
+def rounded(value: float) -> int:
+    """The nearest whole number."""
+    return cython.cast(cython.longlong, math.rint(value))
+
+
+def heading_cdeg(angle_rad: float) -> int:
+    """An angle in hundredths of a degree, 0 to 35999."""
+    cdeg = rounded(1e2 * (angle_rad * (180.0 / math.M_PI))) % 36000
+    return cdeg + 36000 if cdeg < 0 else cdeg
+
+
+def checksum(frame: Any, start: int, end: int, seed: int) -> int:
     """CRC-16/MCRF4XX of bytes and the message's seed."""
     crc = 0xFFFF
     for i in range(start, end + 1):
-        low = (crc & 0xFF) ^ (seed if i == end else int(frame[i]))
+        low = (crc & 0xFF) ^ (seed if i == end else frame[i])
         low = (low ^ (low << 4)) & 0xFF
         crc = (crc >> 8) ^ (low << 8) ^ (low << 3) ^ (low >> 4)
     return crc & 0xFFFF
 
 
-@inner(**UNCOUNTED)
 def write_frame(
-    out: NDArray[np.uint8],
-    at: int,
-    payload: NDArray[np.uint8],
-    size: int,
-    msgid: int,
-    seed: int,
-    seq: int,
-    sysid: int,
-    compid: int,
+    out: Any, at: int, payload: Any, size: int, msgid: int, seed: int, seq: int, sysid: int, compid: int
 ) -> int:
     """Write a frame of a payload of this size, its trailing zeros cut; where it ends."""
     body = at + HEADER_BYTES
-    for i in range(size):
-        out[body + i] = payload[i]
+    memcpy(out + body, payload, size)
     length = size
     while length > 1 and out[body + length - 1] == 0:
         length -= 1
@@ -82,7 +89,6 @@ def write_frame(
     return end + 2
 
 
-@kernel(error_model="numpy")
 def write_motion(
     out: NDArray[np.uint8],
     state: NDArray[np.float64],
@@ -106,12 +112,22 @@ def write_motion(
         wanted: ATTITUDE | LOCAL_POSITION | GLOBAL_POSITION.
         seq, sysid, compid: number of the first frame, and sender.
     """
-    s = state[0]
-    words = np.empty(7, np.int32)
-    floats, payload = words.view(np.float32), words.view(np.uint8)
-    north, east, down = s[0], -s[1], -s[2]
-    v_north, v_east, v_down = s[3], -s[4], -s[5]
-    roll, pitch, yaw = s[6], s[7], s[8]
+    s = state_of(state, 0)
+    return motion_of(
+        cython.address(out[0]), s, cython.address(origin[0]), home_down_m, time_ms, wanted, seq, sysid, compid
+    )
+
+
+def motion_of(
+    out: Any, s: Any, origin: Any, home_down_m: float, time_ms: int, wanted: int, seq: int, sysid: int, compid: int
+) -> tuple[int, int, int]:
+    """`write_motion` of a state."""
+    words = cython.declare(cython.int[7])
+    floats, payload = cython.cast(cython.p_float, words), cython.cast("unsigned char *", words)
+    north, east, down = s.position[0], -s.position[1], -s.position[2]
+    v_north, v_east, v_down = s.velocity[0], -s.velocity[1], -s.velocity[2]
+    roll, pitch, yaw = s.attitude[0], s.attitude[1], s.attitude[2]
+    roll_rate, pitch_rate, yaw_rate = s.rates[0], s.rates[1], s.rates[2]
     at = 0
     if wanted & ATTITUDE:
         sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
@@ -119,9 +135,9 @@ def write_motion(
         floats[1] = remainder(roll, _TURN_RAD)
         floats[2] = remainder(-pitch, _TURN_RAD)
         floats[3] = remainder(-yaw, _TURN_RAD)
-        floats[4] = s[9] - s[11] * math.sin(pitch)
-        floats[5] = -(s[10] * cos_roll + s[11] * sin_roll * cos_pitch)
-        floats[6] = -(-s[10] * sin_roll + s[11] * cos_roll * cos_pitch)
+        floats[4] = roll_rate - yaw_rate * math.sin(pitch)
+        floats[5] = -(pitch_rate * cos_roll + yaw_rate * sin_roll * cos_pitch)
+        floats[6] = -(-pitch_rate * sin_roll + yaw_rate * cos_roll * cos_pitch)
         at = write_frame(out, at, payload, _PAYLOAD_BYTES, _ATTITUDE_ID, _ATTITUDE_SEED, seq, sysid, compid)
         seq += 1
     first = at
@@ -134,12 +150,11 @@ def write_motion(
     second = at
     if wanted & GLOBAL_POSITION:
         words[0] = time_ms
-        words[1] = int(np.rint(1e7 * remainder(origin[0] + north * origin[3], TURN_DEG)))
-        words[2] = int(np.rint(1e7 * remainder(origin[1] + east * origin[4], TURN_DEG)))
+        words[1] = rounded(1e7 * remainder(origin[0] + north * origin[3], TURN_DEG))
+        words[2] = rounded(1e7 * remainder(origin[1] + east * origin[4], TURN_DEG))
         words[3] = bounded(1e3 * (origin[2] - down), 32)
         words[4] = bounded(1e3 * (home_down_m - down), 32)
-        heading = int(np.rint(1e2 * (-yaw * DEGREES))) % 36000
         words[5] = (bounded(100.0 * v_north, 16) & 0xFFFF) | (bounded(100.0 * v_east, 16) << 16)
-        words[6] = (bounded(100.0 * v_down, 16) & 0xFFFF) | (heading << 16)
+        words[6] = (bounded(100.0 * v_down, 16) & 0xFFFF) | (heading_cdeg(-yaw) << 16)
         at = write_frame(out, at, payload, _PAYLOAD_BYTES, _GLOBAL_ID, _GLOBAL_SEED, seq, sysid, compid)
     return first, second, at

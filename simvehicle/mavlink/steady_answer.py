@@ -1,63 +1,72 @@
 """The answer of a vehicle whose tick is usual, and its record of truth, in compiled code.
 
 Messages are telemetry.py's byte for byte: a stream's payload is built there once, and what changes in flight is brought
-up to date here. `one` is a row of steady_tick.py's STEADY.
+up to date here. `one` is a row of STEADY.
 """
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
+from cython.cimports.libc.string import memcpy
+from cython.cimports.simvehicle.mavlink.motion_frames import (
+    TURN_DEG,
+    bounded,
+    heading_cdeg,
+    motion_of,
+    remainder,
+    rounded,
+    write_frame,
+)
+from cython.cimports.simvehicle.mavlink.steady_answer import (
+    _ACTIVE,
+    _ATTITUDE,
+    _BATTERY,
+    _CELLS,
+    _EFFORT,
+    _EXTENDED,
+    _GLOBAL,
+    _GPS,
+    _HEARTBEAT,
+    _HOME,
+    _IN,
+    _IN_AIR,
+    _ON_GROUND,
+    _ORIGIN,
+    _PREARM,
+    _STANDBY,
+    _STATUS,
+    _SYSTEM_TIME_BYTES,
+    _TARGET,
+    AUTOPILOT,
+    PAYLOAD_BYTES,
+    STREAM_COUNT,
+    SYSTEM_TIME_ID,
+    SYSTEM_TIME_SEED,
+    TRUTH_NUMBERS,
+    a_row,
+)
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot import snapshot
-from simvehicle.kernels import UNCOUNTED, inner
-from simvehicle.law import step
-from simvehicle.law.rotor_flight import CURRENT_A, ERROR, VOLTAGE_V
 from simvehicle.mavlink import telemetry
 from simvehicle.mavlink.codec import schema
-from simvehicle.mavlink.motion_frames import DEGREES, TURN_DEG, bounded, remainder, write_frame, write_motion
 
-TRUTH_NUMBERS = 18
 """Of a record of sitl/truth.py, before the thrust of each step."""
-FRAMES_BYTES = 1024
+FRAMES_BYTES: int
 """More than all frames of one answer."""
-AUTOPILOT = 1
-SYSTEM_TIME_ID, SYSTEM_TIME_SEED, _SYSTEM_TIME_BYTES = 2, 137, 12
-
+"""Room for the payload of each stream."""
 STREAMS = tuple(stream.key for stream in telemetry.TELEMETRY)
-_HEARTBEAT, _STATUS, _EXTENDED, _ATTITUDE, _LOCAL, _GLOBAL = (
-    STREAMS.index(key)
-    for key in (
-        "HEARTBEAT",
-        "SYS_STATUS",
-        "EXTENDED_SYS_STATE",
-        "ATTITUDE",
-        "LOCAL_POSITION_NED",
-        "GLOBAL_POSITION_INT",
-    )
-)
-_GPS, _HOME, _ORIGIN, _BATTERY, _TARGET, _EFFORT, _OUT, _IN = (
-    STREAMS.index(key)
-    for key in (
-        *("GPS_RAW_INT", "HOME_POSITION", "GPS_GLOBAL_ORIGIN", "BATTERY_STATUS"),
-        *("POSITION_TARGET_LOCAL_NED", "CtlEffort", "XferOut", "XferIn"),
-    )
-)
 WRITTEN = frozenset(STREAMS[: _IN + 1])
 """Streams that are written here; a tick in which another one is due is left."""
-PAYLOAD_BYTES = 64
-_STANDBY, _ACTIVE = int(mav.MAV_STATE_STANDBY), int(mav.MAV_STATE_ACTIVE)
-_ON_GROUND, _IN_AIR = int(mav.MAV_LANDED_STATE_ON_GROUND), int(mav.MAV_LANDED_STATE_IN_AIR)
-_PREARM = int(mav.MAV_SYS_STATUS_PREARM_CHECK)
-_CELLS, _FULL_V, _EMPTY_V = snapshot.CELLS, snapshot.CELL_FULL_V, snapshot.CELL_EMPTY_V
-_ERROR = ERROR.start
-_X, _V, _REF_X, _REF_V = (
-    part.start for part in (step.POSITION, step.VELOCITY, step.REFERENCE_POSITION, step.REFERENCE_VELOCITY)
-)
+_FULL_V, _EMPTY_V = snapshot.CELL_FULL_V, snapshot.CELL_EMPTY_V
+
+
+STEADY = np.asarray(a_row()).dtype
+"""Of a vehicle's row, with the fields of the struct Steady."""
 
 
 def frame_table() -> NDArray[np.int64]:
@@ -70,35 +79,35 @@ def frame_table() -> NDArray[np.int64]:
     return table
 
 
-@inner(**UNCOUNTED)
-def _put(out: NDArray[np.uint8], at: int, value: int, size: int) -> None:
+def _put(out: Any, at: int, value: int, size: int) -> None:
     for i in range(size):
         out[at + i] = (value >> (8 * i)) & 0xFF
 
 
-@inner(**UNCOUNTED)
-def _put_float(out: NDArray[np.uint8], at: int, value: float) -> None:
-    _put(out, at, int(np.float32(value).view(np.uint32)), 4)
+def _put_float(out: Any, at: int, value: float) -> None:
+    single = cython.cast(cython.float, value)
+    memcpy(out + at, cython.address(single), 4)
 
 
-@inner(**UNCOUNTED)
-def _landed(one: Any, s: NDArray[np.float64]) -> bool:
-    still = s[_V] == 0.0 and s[_V + 1] == 0.0 and s[_V + 2] == 0.0
-    stands = s[step.CONTACT] != 0.0 if one.rotors != 0 else s[_X + 2] <= 0.0 and still
-    return bool(one.ground != 0 and stands)
+def _landed(one: Any, s: Any) -> bool:
+    v = s.known.velocity
+    still = v[0] == 0.0 and v[1] == 0.0 and v[2] == 0.0
+    stands = s.known.contact != 0.0 if one.rotors != 0 else s.known.position[2] <= 0.0 and still
+    return one.ground != 0 and stands
 
 
-@inner(**UNCOUNTED)
-def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArray[np.uint8]) -> None:
+def _write_values(one: Any, s: Any, stream: int, payload: Any) -> None:
     """Bring a stream's payload up to date; motion is write_motion's."""
-    unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, s[step.REMAINING_J]
+    known = cython.address(s.known)
+    unix_us, remaining_j = one.unix_epoch_us + 1000 * one.time_ms, known.remaining_j
     share = min(max(remaining_j / one.capacity_j, 0.0), 1.0)
     voltage_v = _CELLS * (_EMPTY_V + (_FULL_V - _EMPTY_V) * share)
     current = bounded(1e2 * one.power_w / voltage_v, 16)
     if one.rotors != 0:
-        voltage_v, current = s[VOLTAGE_V], bounded(1e2 * s[CURRENT_A], 16)
-    percent = int(min(max(np.rint(100.0 * remaining_j / one.capacity_j), 0.0), 100.0))
-    north, east, down, v_north, v_east = s[_X], -s[_X + 1], -s[_X + 2], s[_V], -s[_V + 1]
+        voltage_v, current = s.voltage_v, bounded(1e2 * s.current_a, 16)
+    percent = rounded(min(max(math.rint(100.0 * remaining_j / one.capacity_j), 0.0), 100.0))
+    north, east, down = known.position[0], -known.position[1], -known.position[2]
+    v_north, v_east = known.velocity[0], -known.velocity[1]
     if stream == _HEARTBEAT:
         payload[7] = _STANDBY if _landed(one, s) else _ACTIVE
     elif stream == _STATUS:
@@ -106,7 +115,7 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
         if one.checked != 0 and remaining_j < one.floor_j:
             health ^= _PREARM
         _put(payload, 8, health, 4)
-        _put(payload, 14, int(np.rint(1e3 * voltage_v)), 2)
+        _put(payload, 14, rounded(1e3 * voltage_v), 2)
         _put(payload, 16, current, 2)
         payload[30] = percent
     elif stream == _EXTENDED:
@@ -114,20 +123,20 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
     elif stream == _GPS:
         altitude = bounded(1e3 * (one.origin[2] - down), 32)
         _put(payload, 0, unix_us, 8)
-        _put(payload, 8, int(np.rint(1e7 * remainder(one.origin[0] + north * one.origin[3], TURN_DEG))), 4)
-        _put(payload, 12, int(np.rint(1e7 * remainder(one.origin[1] + east * one.origin[4], TURN_DEG))), 4)
+        _put(payload, 8, rounded(1e7 * remainder(one.origin[0] + north * one.origin[3], TURN_DEG)), 4)
+        _put(payload, 12, rounded(1e7 * remainder(one.origin[1] + east * one.origin[4], TURN_DEG)), 4)
         _put(payload, 16, altitude, 4)
         _put(payload, 24, bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16), 2)
-        _put(payload, 26, int(np.rint(1e2 * (math.atan2(v_east, v_north) * DEGREES))) % 36000, 2)
+        _put(payload, 26, heading_cdeg(math.atan2(v_east, v_north)), 2)
         _put(payload, 30, altitude, 4)
     elif stream == _HOME:
         _put(payload, 52, unix_us, 8)
     elif stream == _ORIGIN:
         _put(payload, 12, unix_us, 8)
     elif stream == _BATTERY:
-        _put(payload, 0, bounded(1e3 * (s[step.DRAWN_J] / (_CELLS * _FULL_V) / 3600.0), 32), 4)
-        _put(payload, 4, bounded(math.floor(s[step.DRAWN_J] / 100.0), 32), 4)
-        cell_mv = int(np.rint(1e3 * voltage_v / _CELLS))
+        _put(payload, 0, bounded(1e3 * (known.drawn_j / (_CELLS * _FULL_V) / 3600.0), 32), 4)
+        _put(payload, 4, bounded(math.floor(known.drawn_j / 100.0), 32), 4)
+        cell_mv = rounded(1e3 * voltage_v / _CELLS)
         for i in range(_CELLS):
             _put(payload, 10 + 2 * i, cell_mv, 2)
         _put(payload, 30, current, 2)
@@ -137,24 +146,22 @@ def _write_values(one: Any, s: NDArray[np.float64], stream: int, payload: NDArra
     else:
         _put(payload, 0, one.time_ms, 4)
         if stream == _EFFORT:
-            _put_float(payload, 4, s[step.EFFORT])
+            _put_float(payload, 4, known.effort)
         elif stream == _TARGET:
             for i in range(3):
                 sign = 1.0 if i == 0 else -1.0
-                _put_float(payload, 4 + 4 * i, sign * s[_REF_X + i])
-                _put_float(payload, 16 + 4 * i, sign * s[_REF_V + i])
+                _put_float(payload, 4 + 4 * i, sign * known.reference_position[i])
+                _put_float(payload, 16 + 4 * i, sign * known.reference_velocity[i])
 
 
-@inner(**UNCOUNTED)
-def _number_of(payload: NDArray[np.uint8], at: int) -> int:
+def _number_of(payload: Any, at: int) -> int:
     value = 0
     for i in range(4):
-        value |= int(payload[at + i]) << (8 * i)
+        value |= cython.cast(cython.longlong, payload[at + i]) << (8 * i)
     return value
 
 
-@inner(error_model="numpy")
-def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], unix_us: int) -> None:
+def write_answer(one: Any, s: Any, frames: Any, unix_us: int) -> None:
     """Write what is due, closed by the own SYSTEM_TIME; what is due next is put down."""
     at, out, motion = 0, one.answer, 0
     for stream in range(_IN + 1):
@@ -165,19 +172,19 @@ def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], un
             if _ATTITUDE <= stream <= _GLOBAL:
                 motion |= 1 << (stream - _ATTITUDE)
             else:
-                payload = one.payloads[PAYLOAD_BYTES * stream : PAYLOAD_BYTES * (stream + 1)]
+                payload = one.payloads + PAYLOAD_BYTES * stream
                 _write_values(one, s, stream, payload)
-                msgid, seed, size = frames[stream, 0], frames[stream, 1], frames[stream, 2]
+                msgid, seed, size = frames[3 * stream], frames[3 * stream + 1], frames[3 * stream + 2]
                 at = write_frame(out, at, payload, size, msgid, seed, one.seq, one.sysid, AUTOPILOT)
                 one.seq = (one.seq + 1) & 0xFF
         if stream == _GLOBAL and motion != 0:
-            _, _, length = write_motion(
-                out[at:], s.reshape(1, s.size), one.origin, one.home_down_m, one.time_ms, motion, one.seq, one.sysid,
+            _, _, length = motion_of(
+                out + at, cython.address(s.known), one.origin, one.home_down_m, one.time_ms, motion, one.seq, one.sysid,
                 AUTOPILOT,
             )  # fmt: skip
             at += length
             one.seq = (one.seq + (motion & 1) + (motion >> 1 & 1) + (motion >> 2)) & 0xFF
-    payload = one.payloads[PAYLOAD_BYTES * len(STREAMS) :]
+    payload = one.payloads + PAYLOAD_BYTES * STREAM_COUNT
     _put(payload, 0, unix_us, 8)
     _put(payload, 8, one.granted_ms, 4)
     one.answer_bytes = write_frame(
@@ -186,15 +193,15 @@ def write_answer(one: Any, s: NDArray[np.float64], frames: NDArray[np.int64], un
     one.seq = (one.seq + 1) & 0xFF
 
 
-@inner(**UNCOUNTED)
-def write_truth(one: Any, s: NDArray[np.float64], thrust: NDArray[np.float64], truth: NDArray[np.float64]) -> None:
-    """A record as sitl/truth.py has it."""
-    truth[0], truth[1] = one.time_ms / 1e3, thrust.size
+def write_truth(one: Any, s: Any, thrust: Any, steps: int, truth: Any) -> None:
+    """A record as sitl/truth.py has it, with the thrust of each of some steps."""
+    known, motion = cython.address(s.known), cython.cast(cython.p_double, s)
+    truth[0], truth[1] = one.time_ms / 1e3, steps
     for i in range(12):
-        true = s[i]
-        if one.senses != 0 and (i < 3 or s[step.CONTACT] == 0.0):
-            true -= s[_ERROR + i]
+        true = motion[i]
+        if one.senses != 0 and (i < 3 or known.contact == 0.0):
+            true -= s.error[i]
         truth[2 + i] = true if i % 3 == 0 else -true
-    truth[14], truth[15], truth[16], truth[17] = s[step.DRAWN_J], one.received_j, one.given_j, s[step.REMAINING_J]
-    for k in range(thrust.size):
-        truth[TRUTH_NUMBERS + k] = thrust[0, k]
+    truth[14], truth[15], truth[16], truth[17] = known.drawn_j, one.received_j, one.given_j, known.remaining_j
+    for k in range(steps):
+        truth[TRUTH_NUMBERS + k] = thrust[k]

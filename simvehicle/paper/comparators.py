@@ -7,14 +7,7 @@ later. They serve the figures of studies.py; no vehicle flies them.
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-from numpy.typing import NDArray
-
-from simvehicle.kernels import kernel
-
-Floats = NDArray[np.float64]
+from cython.cimports.libc import math
 
 SLIDING_ALPHA = 18.0  # 1/s², α [lineage]
 SLIDING_LAMBDA = 6.0  # 1/s, λ for signals of size 1 [lineage]
@@ -23,17 +16,14 @@ HIGH_GAIN_K2 = 2.0  # [lineage]
 HIGH_GAIN_ALPHA = 0.15  # s [lineage]
 
 
-@kernel(error_model="numpy")
 def _sig(x: float, power: float) -> float:
-    return math.copysign(abs(x) ** power, x)
+    return math.copysign(math.fabs(x) ** power, x)
 
 
-@kernel(error_model="numpy")
 def _sign(x: float) -> float:
     return 0.0 if x == 0.0 else math.copysign(1.0, x)
 
 
-@kernel(error_model="numpy")
 def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float) -> tuple[float, float, float]:
     """One explicit Euler step of the finite-time differentiator (docs/model.md#differentiator) [lineage]: (X1+, X2+,
     X3+).
@@ -45,7 +35,6 @@ def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon:
     return x1 + dt * x2, x2 + dt * x3, x3 + dt * slope
 
 
-@kernel(error_model="numpy")
 def sliding_mode(
     x: float, u1: float, signal: float, dt: float, alpha: float, lambda_: float
 ) -> tuple[float, float, float]:
@@ -55,11 +44,10 @@ def sliding_mode(
     x' = u = u1 - λ |x - v|^(1/2) sgn(x - v),   u1' = -α sgn(x - v);   u is the derivative's estimate
     """
     error = x - signal
-    u = u1 - lambda_ * math.sqrt(abs(error)) * _sign(error)
+    u = u1 - lambda_ * math.sqrt(math.fabs(error)) * _sign(error)
     return x + dt * u, u1 - dt * alpha * _sign(error), u
 
 
-@kernel(error_model="numpy")
 def high_gain(
     x1: float, x2: float, signal: float, dt: float, k1: float, k2: float, alpha: float
 ) -> tuple[float, float]:

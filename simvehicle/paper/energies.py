@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.law import step
+from simvehicle.law import rows, step
 from simvehicle.law.params import NAMED, STEP_S, pack
 
 Floats = NDArray[np.float64]
@@ -93,7 +93,7 @@ def fly(plans: Plans, step_s: float, variants: list[tuple[int, str, float]]) -> 
     n, steps = plans.starts.shape[0], plans.velocities.shape[2] + STILL_STEPS
     law_steps = round(step_s / STEP_S)
     airframe = NAMED["paper"].airframe
-    rows = [
+    flights = [
         step.initial_state(
             NAMED[gains],
             position_nwu=(0.0, 0.0, 0.0),
@@ -104,22 +104,22 @@ def fly(plans: Plans, step_s: float, variants: list[tuple[int, str, float]]) -> 
         for _, gains, _ in variants
         for velocity in plans.starts.tolist()
     ]
-    state = np.array(rows)
+    state = np.array(flights)
     packed = np.repeat([pack(NAMED[gains]) for _, gains, _ in variants], n, axis=0)
     # A plan is given for 1 m/s, at which a step takes 0.1 s.
     wanted = np.concatenate([plans.velocities[plan] * (0.1 / step_s) for plan, *_ in variants])
-    command = np.zeros((len(rows), step.COMMAND_SIZE))
-    command[:, step.CMD_MOTORS] = 1.0
-    command[:, step.CMD_YAW] = np.repeat([yaw for *_, yaw in variants], n)
-    command[:, step.CMD_PERIOD_S] = step_s
-    kept = np.zeros((len(rows), len(MEASURES), steps))
-    total, effort_before = np.zeros((len(rows), len(MEASURES))), np.zeros(len(rows))
+    command = np.zeros((len(flights), rows.COMMAND_SIZE))
+    command[:, rows.CMD_MOTORS] = 1.0
+    command[:, rows.CMD_YAW] = np.repeat([yaw for *_, yaw in variants], n)
+    command[:, rows.CMD_PERIOD_S] = step_s
+    kept = np.zeros((len(flights), len(MEASURES), steps))
+    total, effort_before = np.zeros((len(flights), len(MEASURES))), np.zeros(len(flights))
     for k in range(steps):
-        command[:, step.CMD_VELOCITY] = wanted[:, k] if k < wanted.shape[1] else 0.0
-        command[:, step.CMD_TIME_S] = k * step_s
+        command[:, rows.CMD_VELOCITY] = wanted[:, k] if k < wanted.shape[1] else 0.0
+        command[:, rows.CMD_TIME_S] = k * step_s
         state, u1 = step.advance(state, command, packed, time_s=k * step_s, steps=law_steps)
-        effort = state[:, step.EFFORT] - effort_before
-        effort_before = state[:, step.EFFORT].copy()
+        effort = state[:, rows.EFFORT] - effort_before
+        effort_before = state[:, rows.EFFORT].copy()
         thrust = np.abs(u1).sum(axis=1) * STEP_S
         torque = effort - thrust
         total += np.column_stack(

@@ -16,7 +16,9 @@ from numpy.typing import NDArray
 from simvehicle.law import controller, differentiator, dynamics
 from simvehicle.law.params import NAMED, SOLVE_TOLERANCE, STEP_S
 from simvehicle.paper import comparators
-from simvehicle.world.estimate import ERROR_SIZE, EstimateErrors, error_step
+from simvehicle.world.error_step import error_step
+from simvehicle.world.estimate import EstimateErrors
+from simvehicle.world.rows import ERROR_SIZE
 
 Floats = NDArray[np.float64]
 Differentiate = Callable[[float], tuple[float, float]]

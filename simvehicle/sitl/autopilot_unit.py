@@ -19,7 +19,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import Vec3
-from simvehicle.law import rotor_flight, step
+from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import VehicleParams
 from simvehicle.law.plants import RotorPlant
@@ -185,18 +185,18 @@ class AutopilotUnit(ABC):
 
     @property
     def _p_ned(self) -> Vec3:
-        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_POSITION])
+        return ned_from_nwu(self._plant.now[rows.TRUE_POSITION])
 
     @property
     def _v_ned(self) -> Vec3:
-        return ned_from_nwu(self._plant.now[rotor_flight.TRUE_VELOCITY])
+        return ned_from_nwu(self._plant.now[rows.TRUE_VELOCITY])
 
     def _boot(self) -> None:
         """Let it boot where it stands, in a time of its own before the session's, until it would let itself be armed.
         Raises AutopilotError."""
         boot, process = AutopilotBoot(self._wanted.sysid, self.boot_mode), self._process
-        quaternion = np.array(self._plant.now[rotor_flight.TRUE_QUATERNION])
-        standing = ned_from_nwu(rotors.rotated(quaternion, 0.0, 0.0, GRAVITY_M_S2, -1.0))
+        quaternion = np.array(self._plant.now[rows.TRUE_QUATERNION])
+        standing = ned_from_nwu(rotors.in_body_axes(quaternion, 0.0, 0.0, GRAVITY_M_S2))
         while not boot.ready:
             if boot.mismatch:
                 raise AutopilotError(f"{process.name} {boot.mismatch}")
@@ -246,10 +246,10 @@ class AutopilotUnit(ABC):
         """One step of time, and its motion then as its sensors have it, with the specific force about its axes."""
         now = self._plant.now
         self._steps += 1
-        w, x, y, z = now[rotor_flight.TRUE_QUATERNION]
+        w, x, y, z = now[rows.TRUE_QUATERNION]
         p_ned = _sum(self._p_ned, self._failures.position_error_ned)
         v_ned: Sequence[float] = self._v_ned
-        rates: Sequence[float] = ned_from_nwu(now[rotor_flight.BODY_RATES])
+        rates: Sequence[float] = ned_from_nwu(now[rows.BODY_RATES])
         quaternion = (w, x, -y, -z)
         errors = self._wanted.sensors.step()
         if errors is not None:
@@ -265,7 +265,7 @@ class AutopilotUnit(ABC):
         now = self._plant.now
         parts = (slice(0, 3), slice(3, 6), slice(6, 9), slice(9, 12))
         motion = [number for part in parts for number in ned_from_nwu(now[part])]
-        drawn_j, left_j = now[step.DRAWN_J], now[step.REMAINING_J]
+        drawn_j, left_j = now[rows.DRAWN_J], now[rows.REMAINING_J]
         received_j = float(self._battery.exchange.received_j)
         record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, received_j, 0.0, left_j]
         return np.array(record, dtype="<f8").tobytes()

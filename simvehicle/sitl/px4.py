@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.law import rotor_flight
+from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.real_autopilots import hil
@@ -98,11 +98,11 @@ class Px4Unit(AutopilotUnit):
             fix=not lost,
         )
         lat_deg, lon_deg, alt_m = self._frame.to_global(*self._p_ned)
-        w, x, y, z = self._plant.now[rotor_flight.TRUE_QUATERNION]
+        w, x, y, z = self._plant.now[rows.TRUE_QUATERNION]
         there = hil.truth(
             time_us,
             quaternion=(w, x, -y, -z),
-            rates_body=ned_from_nwu(self._plant.now[rotor_flight.BODY_RATES]),
+            rates_body=ned_from_nwu(self._plant.now[rows.BODY_RATES]),
             lat_deg=lat_deg,
             lon_deg=lon_deg,
             alt_m=alt_m,

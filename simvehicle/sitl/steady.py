@@ -17,16 +17,15 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law.params import PARAMS_SIZE
 from simvehicle.law.plants import Plant, RotorPlant
-from simvehicle.law.rotor_flight import NOISE_SIZE, ROTOR_STATE_SIZE
-from simvehicle.law.step import STATE_SIZE
+from simvehicle.law.rotor_flight import NOISE_SIZE
+from simvehicle.law.rows import PARAMS_SIZE, ROTOR_STATE_SIZE, STATE_SIZE
 from simvehicle.mavlink.codec import HEADER_BYTES, ReceivedFrame, encode
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.lockstep import Grants
-from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STREAMS, WRITTEN, frame_table
-from simvehicle.mavlink.steady_tick import MOST_STEPS, SENT_BYTES, STEADY
+from simvehicle.mavlink.steady_answer import FRAMES_BYTES, PAYLOAD_BYTES, STEADY, STREAMS, WRITTEN, frame_table
+from simvehicle.mavlink.steady_tick import MOST_STEPS, SENT_BYTES
 from simvehicle.mavlink.telemetry import TELEMETRY
 from simvehicle.sitl import steady_loop
 from simvehicle.sitl.link import SUPERVISED_BYTES, SupervisedLink
@@ -89,7 +88,7 @@ class RotorRows:
         self._airframes, self._weathers = np.zeros((n, airframe.shape[1])), np.zeros((n, weather.shape[1]))
         self._noise = np.zeros((n, STEPS_AHEAD, NOISE_SIZE))
         self.arrays = (self._airframes, self._weathers, gusts, self._noise)
-        """as `steady_tick.fly` has them"""
+        """as `steady_loop.serve` has them"""
 
     @classmethod
     def shared_by(cls, plants: Sequence[Plant], n: int) -> RotorRows | None:
@@ -136,7 +135,7 @@ class SteadyFlight:
         """what the loop keeps of its waits for datagrams"""
         self._arguments = (
             *(self._buffer, n > 1, self._row_of, self._rows, self._states, self._parameters),
-            (np.zeros(0),) if self._rotors is None else self._rotors.arrays,
+            *((None,) * 4 if self._rotors is None else self._rotors.arrays),
             *(frame_table(), self._truth, self._flown, self._left),
             *(np.zeros(SENT_BYTES + FRAMES_BYTES, np.uint8), self.waits),
         )

@@ -14,6 +14,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from simvehicle.world.rows import AIRFRAME, AIRFRAME_SIZE
+
 GRAVITY_M_S2 = 9.80665
 SEA_LEVEL_KG_M3 = 1.225
 ROTORS = 4
@@ -149,31 +151,37 @@ AIRFRAMES: Mapping[str, RotorAirframe] = MappingProxyType(
     }
 )
 
-A_MASS, A_GRAVITY, A_IX, A_IY, A_IZ = range(5)
-A_THRUST, A_TORQUE, A_ROTOR_DRAG, A_INFLOW_DRAG = range(5, 9)
-A_BODY_DRAG = 9  # three
-A_FASTEST, A_LAG, A_AREA, A_DENSITY = range(12, 16)
-A_X, A_Y, A_SPIN = 16, 20, 24  # four each
-A_ALLOCATION = 28  # 4 x 4, row by row: the rotors' thrusts of total thrust and three moments
-A_RADIUS, A_PROFILE, A_HOVER_W = 44, 45, 46
-A_SIZE = 47
-
 
 def pack(airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> NDArray[np.float64]:
-    """Row (A_SIZE,) of an airframe in air of a density: what air does grows with it in proportion."""
+    """Row (AIRFRAME_SIZE,) of an airframe in air of a density: what air does grows with it in proportion."""
     share = density_kg_m3 / SEA_LEVEL_KG_M3
-    packed = np.empty(A_SIZE)
-    packed[A_MASS], packed[A_GRAVITY] = airframe.mass_kg, GRAVITY_M_S2
-    packed[A_IX : A_IZ + 1] = airframe.inertia_kg_m2
-    packed[A_THRUST], packed[A_TORQUE] = share * airframe.thrust_n_s2, share * airframe.torque_nm_s2
-    packed[A_ROTOR_DRAG], packed[A_INFLOW_DRAG] = share * airframe.rotor_drag_kg, share * airframe.inflow_drag_kg
-    packed[A_BODY_DRAG : A_BODY_DRAG + 3] = share * np.array(airframe.body_drag_kg_m)
-    packed[A_FASTEST], packed[A_LAG] = airframe.fastest_rad_s, airframe.motor_lag_s
-    packed[A_AREA], packed[A_DENSITY] = ROTORS * math.pi * airframe.rotor_radius_m**2, density_kg_m3
-    packed[A_X : A_X + 4], packed[A_Y : A_Y + 4] = np.array(airframe.arms_m).T
-    packed[A_SPIN : A_SPIN + 4] = SPIN
-    packed[A_ALLOCATION:A_RADIUS] = np.linalg.inv(airframe.effectiveness).ravel()
-    packed[A_RADIUS], packed[A_HOVER_W] = airframe.rotor_radius_m, airframe.hover_shaft_w
+    x, y = np.array(airframe.arms_m).T
+    ix, iy, iz = airframe.inertia_kg_m2
     profile_w = (1.0 - INDUCED_FACTOR * FIGURE_OF_MERIT) * airframe.hover_shaft_w
-    packed[A_PROFILE] = share * profile_w / (ROTORS * airframe.hover_rad_s**3)
+    values = {
+        "mass": airframe.mass_kg,
+        "gravity": GRAVITY_M_S2,
+        "ix": ix,
+        "iy": iy,
+        "iz": iz,
+        "thrust": share * airframe.thrust_n_s2,
+        "torque": share * airframe.torque_nm_s2,
+        "rotor_drag": share * airframe.rotor_drag_kg,
+        "inflow_drag": share * airframe.inflow_drag_kg,
+        "body_drag": share * np.array(airframe.body_drag_kg_m),
+        "fastest": airframe.fastest_rad_s,
+        "lag": airframe.motor_lag_s,
+        "area": ROTORS * math.pi * airframe.rotor_radius_m**2,
+        "density": density_kg_m3,
+        "x": x,
+        "y": y,
+        "spin": SPIN,
+        "allocation": np.linalg.inv(airframe.effectiveness).ravel(),
+        "radius": airframe.rotor_radius_m,
+        "profile": share * profile_w / (ROTORS * airframe.hover_rad_s**3),
+        "hover_w": airframe.hover_shaft_w,
+    }
+    packed = np.empty(AIRFRAME_SIZE)
+    for name, value in values.items():
+        packed[AIRFRAME[name]] = value
     return packed

@@ -8,14 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.kernels import inner
-
-Row = NDArray[np.float64]
-
-ERROR_SIZE = 12
-"""Of position, velocity, Euler angles and their rates, three each, nwu."""
-AXES = 3
-
 
 @dataclass(frozen=True, kw_only=True)
 class EstimateErrors:
@@ -58,13 +50,3 @@ class EstimateErrors:
     def times_s(self) -> NDArray[np.float64]:
         """(4,), correlation times of the same."""
         return np.array([self.position_s, self.velocity_s, self.attitude_s, self.rate_s])
-
-
-@inner(error_model="numpy")
-def error_step(error: Row, noise: Row, deviations: Row, decays: Row) -> None:
-    """One step of errors (ERROR_SIZE,) in place: e⁺ = a e + σ √(1 - a²) n, with a = exp(-dt/τ), decays (4,)."""
-    for k in range(4):
-        a = decays[k]
-        push = deviations[k] * math.sqrt(max(1.0 - a * a, 0.0))
-        for i in range(AXES * k, AXES * k + AXES):
-            error[i] = a * error[i] + push * noise[i]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.world.estimate import AXES, EstimateErrors
+from simvehicle.world.estimate import EstimateErrors
 
 Floats = list[float]
 
@@ -21,8 +21,8 @@ class SensorErrors:
         """`dt_s`: a step. `seed` and `sysid`: of the stream that they are drawn from. None: there are none."""
         self._none = errors is None
         own = EstimateErrors() if errors is None else errors
-        deviations = np.repeat([*own.deviations, own.accel_m_s2], AXES)
-        decays = np.exp(-dt_s / np.repeat([*own.times_s, own.accel_s], AXES))
+        deviations = np.repeat([*own.deviations, own.accel_m_s2], 3)
+        decays = np.exp(-dt_s / np.repeat([*own.times_s, own.accel_s], 3))
         self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, 2)))
         self._decays, self._pushes = decays, deviations * np.sqrt(1.0 - decays**2)
         self._now: NDArray[np.float64] = deviations * self._random.standard_normal(deviations.size)
@@ -59,7 +59,7 @@ class SensorNoise:
         """`seed` and `sysid`: of the stream that it is drawn from."""
         self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, 3)))
         deviations = (ACCEL_NOISE_M_S2, RATE_NOISE_RAD_S, FIELD_NOISE_T)
-        self._deviations = np.array([*np.repeat(deviations, AXES), PRESSURE_NOISE_PA])
+        self._deviations = np.array([*np.repeat(deviations, 3), PRESSURE_NOISE_PA])
         self._drawn: list[Floats] = []
 
     def step(self) -> Noise:

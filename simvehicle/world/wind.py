@@ -6,45 +6,39 @@ are five numbers of unit scale: one of the filter along the mean wind, two of ea
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
+import cython
 import numpy as np
+from cython.cimports.libc import math
+from cython.cimports.simvehicle.world.rows import GUST_SIZE
+from cython.cimports.simvehicle.world.wind import gusts_at
 from numpy.typing import NDArray
-
-from simvehicle.kernels import inner
 
 Row = NDArray[np.float64]
 
-GUST_SIZE = 5
-GUST_NOISE = 5
-"""Normal numbers that a step takes."""
-G_AT, G_RISE, G_HOLD, G_X, G_Y, G_Z = range(6)
-DISCRETE_SIZE = 6
-FOOT_M = 0.3048
-LOWEST_FT, HIGHEST_FT = 10.0, 1000.0
-LEAST_AIR_SPEED_M_S = 1.0
+_FOOT_M = 0.3048
+_LOWEST_FT, _HIGHEST_FT = 10.0, 1000.0
+_LEAST_AIR_SPEED_M_S = 1.0
 _ROOT3 = math.sqrt(3.0)
 _SMALL = 1e-3
 
 
-@inner(error_model="numpy")
 def dryden_scales(height_m: float, w20_m_s: float) -> tuple[float, float, float, float]:
     """σ_u = σ_v and σ_w in m/s, L_u = L_v and L_w in m (MIL-F-8785C, 3.7.3.4, low altitude), of a wind at 20 ft."""
-    h = min(max(height_m / FOOT_M, LOWEST_FT), HIGHEST_FT)
+    h = min(max(height_m / _FOOT_M, _LOWEST_FT), _HIGHEST_FT)
     d = 0.177 + 0.000823 * h
     sigma_w = 0.1 * w20_m_s
-    return sigma_w / d**0.4, sigma_w, h / d**1.2 * FOOT_M, h * FOOT_M
+    return sigma_w / d**0.4, sigma_w, h / d**1.2 * _FOOT_M, h * _FOOT_M
 
 
-@inner(error_model="numpy")
 def _first_order(z: float, h: float, noise: float) -> float:
     """x of unit variance, correlated over a time of which a step is the share h."""
     a = math.exp(-h)
     return a * z + math.sqrt(max(1.0 - a * a, 0.0)) * noise
 
 
-@inner(error_model="numpy")
-def _second_order(g: Row, i: int, h: float, n1: float, n2: float) -> float:
+def _second_order(g: Any, i: int, h: float, n1: float, n2: float) -> float:
     """(1 + √3 T s)/(1 + T s)² of white noise, of unit variance: √3 y1 + (1 - √3) y2 of two lags in a row, exactly."""
     a = math.exp(-h)
     if h < _SMALL:
@@ -63,13 +57,12 @@ def _second_order(g: Row, i: int, h: float, n1: float, n2: float) -> float:
     return shaped
 
 
-@inner(error_model="numpy")
-def turbulence(
-    gust: Row, noise: Row, height_m: float, air_speed_m_s: float, w20_m_s: float, dt: float
+def blow(
+    gust: Any, noise: Any, height_m: float, air_speed_m_s: float, w20_m_s: float, dt: float
 ) -> tuple[float, float, float]:
     """Turbulence along the mean wind, to its left and up, m/s, one step on; gust (GUST_SIZE,) changes in place."""
     sigma, sigma_w, length, length_w = dryden_scales(height_m, w20_m_s)
-    speed = max(air_speed_m_s, LEAST_AIR_SPEED_M_S)
+    speed = max(air_speed_m_s, _LEAST_AIR_SPEED_M_S)
     h, h_w = dt * speed / length, dt * speed / length_w
     gust[0] = _first_order(gust[0], h, noise[0])
     v = _second_order(gust, 1, h, noise[1], noise[2])
@@ -87,18 +80,29 @@ def start_gust(noise: Row) -> Row:
     return gust
 
 
-@inner(error_model="numpy")
+def turbulence(
+    gust: Row, noise: Row, height_m: float, air_speed_m_s: float, w20_m_s: float, dt: float
+) -> tuple[float, float, float]:
+    """`blow` of rows: gust (GUST_SIZE,) in place, noise (GUST_NOISE,)."""
+    return blow(cython.address(gust[0]), cython.address(noise[0]), height_m, air_speed_m_s, w20_m_s, dt)
+
+
 def discrete(gusts: Row, t: float) -> tuple[float, float, float]:
-    """Sum of discrete gusts (k, DISCRETE_SIZE), m/s: each rises as (1 - cos)/2, holds, and falls as it rose."""
+    """`discrete_of` a table (k, DISCRETE_SIZE)."""
+    return discrete_of(gusts_at(gusts), gusts.shape[0], t)
+
+
+def discrete_of(gusts: Any, count: int, t: float) -> tuple[float, float, float]:
+    """Sum of discrete gusts, m/s: each rises as (1 - cos)/2, holds, and falls as it rose."""
     x = y = z = 0.0
-    for i in range(gusts.shape[0]):
-        g = gusts[i]
-        since, rise = t - g[G_AT], g[G_RISE]
-        if since <= 0.0 or since >= 2.0 * rise + g[G_HOLD]:
+    for i in range(count):
+        g = cython.address(gusts[i])
+        since, rise = t - g.at, g.rise
+        if since <= 0.0 or since >= 2.0 * rise + g.hold:
             continue
-        within = min(since, 2.0 * rise + g[G_HOLD] - since)
-        share = 1.0 if within >= rise else 0.5 * (1.0 - math.cos(math.pi * within / rise))
-        x += share * g[G_X]
-        y += share * g[G_Y]
-        z += share * g[G_Z]
+        within = min(since, 2.0 * rise + g.hold - since)
+        share = 1.0 if within >= rise else 0.5 * (1.0 - math.cos(math.M_PI * within / rise))
+        x += share * g.x
+        y += share * g.y
+        z += share * g.z
     return x, y, z

@@ -23,8 +23,8 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law import step
-from simvehicle.law.params import P_TOLERANCE, VehicleParams, pack
+from simvehicle.law import rows, step
+from simvehicle.law.params import VehicleParams, pack
 from simvehicle.law.plants import RotorPlant
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, WorldVehicle
@@ -43,19 +43,19 @@ def _circle() -> Callable[..., np.ndarray]:
 
     def fly(tolerance: float | None = None) -> np.ndarray:
         """Ten seconds along a circle of 3 m, a set point every 0.1 s, as in a session; positions (GRANTS, 3)."""
-        state, command, packed = start, np.zeros((1, step.COMMAND_SIZE)), pack(params)[np.newaxis].copy()
+        state, command, packed = start, np.zeros((1, rows.COMMAND_SIZE)), pack(params)[np.newaxis].copy()
         if tolerance is not None:
-            packed[0, P_TOLERANCE] = tolerance
-        command[0, step.CMD_USE_POSITION] = command[0, step.CMD_MOTORS] = 1.0
-        command[0, step.CMD_SPEED_MAX], command[0, step.CMD_PERIOD_S] = 5.0, 0.1
+            packed[0, rows.PARAMETERS["tolerance"]] = tolerance
+        command[0, rows.CMD_USE_POSITION] = command[0, rows.CMD_MOTORS] = 1.0
+        command[0, rows.CMD_SPEED_MAX], command[0, rows.CMD_PERIOD_S] = 5.0, 0.1
         path = []
         for k in range(GRANTS):
             angle = 0.05 * k
-            command[0, step.CMD_POSITION] = (3.0 * math.cos(angle), 3.0 * math.sin(angle), 5.0)
-            command[0, step.CMD_VELOCITY] = (-1.5 * math.sin(angle), 1.5 * math.cos(angle), 0.0)
-            command[0, step.CMD_TIME_S] = 0.1 * k
+            command[0, rows.CMD_POSITION] = (3.0 * math.cos(angle), 3.0 * math.sin(angle), 5.0)
+            command[0, rows.CMD_VELOCITY] = (-1.5 * math.sin(angle), 1.5 * math.cos(angle), 0.0)
+            command[0, rows.CMD_TIME_S] = 0.1 * k
             state, _ = step.advance(state, command, packed, time_s=0.1 * k, steps=STEPS)
-            path.append(state[0, step.POSITION])
+            path.append(state[0, rows.POSITION])
         return np.array(path)
 
     return fly

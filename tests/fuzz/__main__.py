@@ -85,9 +85,7 @@ def main() -> int:
     says.add_argument("--seed", type=int, default=1)
     says.add_argument("--within", action="store_true", help="in this process, as it is called by itself")
     says.add_argument("--only", default="", help="some targets, by name with commas")
-    says.add_argument(
-        "--distil", action="store_true", help="only write what was kept to corpus/reached"
-    )
+    says.add_argument("--distil", action="store_true", help="only write what was kept to corpus/reached")
     options = says.parse_args()
     if options.distil:
         distil(options.kept)

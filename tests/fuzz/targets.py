@@ -31,7 +31,6 @@ from gcs.session.server import Publisher
 from gcs.supervisor.forwarding import passed
 from gcs.supervisor.redecide import Comparer, RecordedLink
 from gcs.supervisor.supervisor import Supervisor
-from gcs.supervisor.warmup import rehearse
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
@@ -169,7 +168,6 @@ def _scenario(**more: Any) -> Scenario:
 
 def _supervisor() -> tuple[Supervisor, RecordedLink]:
     scenario = _scenario()
-    rehearse(scenario)  # else what it compiles is taken for a hang, and for growth
     link = RecordedLink([(vehicle.sysid, 1) for vehicle in scenario.vehicles.all])
     supervisor = Supervisor(scenario, link, cast(Recorder, Comparer()))
     supervisor.begin()

@@ -5,25 +5,25 @@ import math
 from typing import Any
 
 import numpy as np
+from compiled import function
 
-from gcs.planner import fuzzy_escape
-from gcs.planner.potential_field import (
-    SURFACE_FLOOR_M,
-    FieldConstants,
-    attraction_to,
-    repulsion_of_shape,
-    repulsion_size,
-)
-from gcs.scenario.geometry import shape_surface
+from gcs.planner import fuzzy_escape, potential_field
+from gcs.planner.potential_field import SURFACE_FLOOR_M, FieldConstants
+from gcs.scenario import geometry
+
+_attraction_to = function(potential_field, "attraction_to", 3, *["number"] * 7, "row")
+_repulsion_size = function(potential_field, "repulsion_size", 1, "number", "number", "row")
+_repulsion_of_shape = function(potential_field, "repulsion_of_shape", 3, "row", *["number"] * 4, "row")
+_escape_force = function(fuzzy_escape, "escape_force", 3, "row", *["number"] * 12)
+_shape_surface = function(geometry, "shape_surface", 4, "row", *["number"] * 3)
 
 
 def force(q: Any, *, tracked: Any, waypoints: Any, repulsors: Any, ranges_m: Any, field: FieldConstants) -> Any:
     """Attraction (3,) and repulsion (3,) at a place: what the leader's kernel adds up."""
-    constants, at = field.constants(), tuple(map(float, q))
-    pulls = [attraction_to(*map(float, g), math.inf, *at, constants) for g in tracked]
-    pulls += [attraction_to(*map(float, g), field.attraction_range_m, *at, constants) for g in waypoints]
-    ranges = zip(range(len(repulsors)), ranges_m, strict=True)
-    pushes = [repulsion_of_shape(repulsors, i, float(rho_o), *at, constants) for i, rho_o in ranges]
+    constants, reach_m = field.constants(), field.attraction_range_m
+    pulls = [_attraction_to(*g, math.inf, *q, constants) for g in tracked]
+    pulls += [_attraction_to(*g, reach_m, *q, constants) for g in waypoints]
+    pushes = [_repulsion_of_shape(*one, *q, constants) for one in zip(repulsors, ranges_m, strict=True)]
     return np.array([(0.0, 0.0, 0.0), *pulls]).sum(axis=0), np.array([(0.0, 0.0, 0.0), *pushes]).sum(axis=0)
 
 
@@ -38,14 +38,13 @@ def escape(
     step_m: float | None = None,
 ) -> Any:
     """Escape force (3,) and the memory after it."""
-    following, numbers = memory.copy(), [float(x) for vector in (q, attraction, repulsion) for x in vector]
-    full_m = field.step_m if step_m is None else step_m
-    return np.array(fuzzy_escape.escape_force(following, *numbers, goal_m, full_m, field.step_m)), following
+    following, full_m = memory.copy(), field.step_m if step_m is None else step_m
+    return np.array(_escape_force(following, *q, *attraction, *repulsion, goal_m, full_m, field.step_m)), following
 
 
 def surface(table: Any, q: Any) -> Any:
     """Signed distance (m,) to each shape's surface, and unit vectors (m, 3) from the surfaces towards a place."""
-    found = np.array([shape_surface(table, i, *map(float, q)) for i in range(len(table))]).reshape(-1, 4)
+    found = np.array([_shape_surface(row, *q) for row in table]).reshape(-1, 4)
     return found[:, 0], found[:, 1:]
 
 
@@ -63,4 +62,4 @@ def repulsion_potential(rho: float, range_m: float, field: FieldConstants) -> fl
         potential += 0.5 * field.k1 * (1 / near - 1 / range_m) ** 2
     if near <= inner:
         potential += 0.5 * field.a * field.k1 * (1 / near - 1 / inner) ** 2
-    return potential + (near - rho) * float(repulsion_size(near, range_m, field.k1, field.a, field.b))
+    return potential + (near - rho) * float(_repulsion_size(near, range_m, field.constants()))

@@ -9,7 +9,8 @@ from oracle import CLASSES, peer_frame
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import MOST_BYTES, FrameRun, frame_at, raws_of, runs_of
+from gcs.mavlink.datagram import FrameRun, frame_at, raws_of, runs_of
+from gcs.mavlink.frame_runs import MOST_BYTES
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.sequence import TickCollector
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.mavlink.autopilots import GENERIC, profile_of
+from gcs.mavlink.autopilots import GENERIC, in_table, profile_of
 from gcs.mavlink.codec import WireFloat
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.parameters.value import TYPE_NAMES, WIRE_BYTES, from_wire
@@ -32,8 +32,8 @@ class Encodings:
     def learn(self, beats: NDArray[Any], versions: NDArray[Any]) -> None:
         """Take HEARTBEAT's and AUTOPILOT_VERSION's, each as a structured array (n,) with sysid and compid."""
         for sysid, compid, autopilot in _distinct(beats["sysid"], beats["compid"], beats["autopilot"]):
-            if (profile := profile_of(autopilot)) is not GENERIC:
-                self._known[sysid, compid] = profile.integers_bytewise
+            if in_table(autopilot):
+                self._known[sysid, compid] = profile_of(autopilot).integers_bytewise
         bits = versions["capabilities"] & np.uint64(_BYTEWISE | _CAST)
         for sysid, compid, said in _distinct(versions["sysid"], versions["compid"], bits):
             if said in (_BYTEWISE, _CAST):

@@ -17,9 +17,9 @@ from gcs.mavlink.ids import STATION
 from gcs.recording import tlog_reader
 from gcs.recording.importing.sample import ImportFailed
 from gcs.recording.importing.sources import Opened, opened
-from gcs.recording.recorded_clock import EARLIEST_US
+from gcs.recording.times.recorded_clock import EARLIEST_US
+from gcs.recording.times.vehicle_clock import SECOND_US
 from gcs.recording.tlog_walk import SYSID, T_US, TIME_BYTES
-from gcs.recording.vehicle_clock import SECOND_US
 
 TOGETHER_US = 86_400 * SECOND_US
 """Recordings that know the date and begin within a day keep their times; others begin together [choice]."""

@@ -9,12 +9,11 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
-from numpy.typing import NDArray
 
-from gcs.kernels import kernel
 from gcs.recording.series import Floats
 from gcs.refuelling.winner_take_all import simulate
 from gcs.report.paper import races
+from gcs.report.paper.disturbed import delayed, noisy
 from gcs.report.paper.examples import EXPONENTS
 from gcs.report.paper.robustness import DELAYS_S, DURATION_S, NOISY_EXPONENTS, SEED, VARIANCES, WINDOW_S
 from gcs.report.paper.study import Measurement, Study, Table
@@ -72,7 +71,7 @@ def rectified_noise(v0: Floats, tau: Floats, *, p: float, rate: float, variance:
     steps, last = round(DURATION_S / NOISE_STEP_S), round(WINDOW_S / NOISE_STEP_S)
     noise = np.random.default_rng(SEED).standard_normal((steps, len(tau))) * np.sqrt(variance)
     total, squares = np.zeros(len(tau)), np.zeros(len(tau))
-    _noisy(v0.copy(), tau, noise, p, rate, NOISE_STEP_S, steps - last, total, squares)
+    noisy(v0.copy(), tau, noise, p, rate, NOISE_STEP_S, steps - last, total, squares)
     mean = total / last
     return mean, np.sqrt(np.maximum(squares / last - mean**2, 0.0))
 
@@ -81,7 +80,7 @@ def delayed_whole(v0: Floats, tau: Floats, delays_s: Floats, *, p: float, rate: 
     """States (n,) after EVENTUALLY_S where vehicle i hears everything, its own state too, delays_s[i] late; v >= 0,
     constant history, explicit Euler in steps of 10 ms."""
     delays = np.round(delays_s / DELAY_STEP_S).astype(np.int64)
-    return np.asarray(_delayed(v0, tau, delays, p, rate, DELAY_STEP_S, round(races.EVENTUALLY_S / DELAY_STEP_S)))
+    return delayed(v0, tau, delays, p, rate, DELAY_STEP_S, round(races.EVENTUALLY_S / DELAY_STEP_S))
 
 
 def _one_law(v0: Floats, tau: Floats) -> float:
@@ -112,49 +111,3 @@ def _ratio_of_p(v0: Floats, tau: Floats) -> float:
         v = simulate(v0, tau, times, p=p, rate=1.0)
         ratios.append(np.log(v / v[:, :1]))
     return max(float(np.abs(each - ratios[0]).max()) for each in ratios)
-
-
-@kernel()
-def _noisy(
-    v: Floats,
-    tau: Floats,
-    noise: Floats,
-    p: float,
-    rate: float,
-    step_s: float,
-    counted_from: int,
-    total: Floats,
-    squares: Floats,
-) -> None:
-    """Kernel: changes v (n,); sums v and v² of the steps from `counted_from` on. noise (steps, n)."""
-    for k in range(noise.shape[0]):
-        norm = 0.0
-        for i in range(v.size):
-            norm += v[i] * v[i] if p == 2.0 else v[i] ** p
-        for i in range(v.size):
-            v[i] = max(v[i] + step_s * (rate * (tau[i] - norm) * v[i] + noise[k, i]), 0.0)
-            if k >= counted_from:
-                total[i] += v[i]
-                squares[i] += v[i] * v[i]
-
-
-@kernel()
-def _delayed(
-    v0: Floats, tau: Floats, delays: NDArray[np.int64], p: float, rate: float, step_s: float, steps: int
-) -> Floats:
-    """Kernel: the states after `steps`; delays (n,) in steps."""
-    window = int(delays.max()) + 1
-    past = np.zeros((window, v0.size))
-    norms = np.zeros(window)
-    v = v0.copy()
-    for k in range(steps):
-        slot = k % window
-        norm = 0.0
-        for i in range(v.size):
-            past[slot, i] = v[i]
-            norm += v[i] ** p
-        norms[slot] = norm
-        for i in range(v.size):
-            at = max(k - delays[i], 0) % window
-            v[i] = max(v[i] + step_s * rate * (tau[i] - norms[at]) * past[at, i], 0.0)
-    return v

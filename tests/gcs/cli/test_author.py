@@ -260,14 +260,6 @@ def test_the_doctor_finds_nothing_that_keeps_sessions_from_running_here() -> Non
     assert all(finding["advice"] for finding in findings if finding["level"] != "ok")
 
 
-def test_the_doctor_says_that_a_full_disk_keeps_no_compiled_code(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(doctor, "CODE_BYTES", 1 << 60)
-    (finding,) = (one for one in doctor.examine() if one.what == "compiled code")
-    assert finding.level == "note"
-    assert finding.found.endswith(" MiB free")
-    assert "make room" in finding.advice
-
-
 def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr("sys.executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))

@@ -8,7 +8,15 @@ from pathlib import Path
 import pytest
 from commands import gcs
 from mission_tapes import LAT_DEG, LON_DEG, Tape, north
-from pymavlink import mavwp
+from pymavlink import mavutil, mavwp
+
+
+@pytest.fixture(autouse=True)
+def mavlink_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    """pymavlink's loaders write items of the version that it was imported for."""
+    monkeypatch.setenv("MAVLINK20", "1")
+    mavutil.set_dialect("ardupilotmega")
+
 
 MISSION = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.5\t8.5\t500\t1\n1\t0\t3\t22\t15\t0\t0\tnan\t47.5\t8.5\t20\t1\n"
 SITE = {

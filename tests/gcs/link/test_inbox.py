@@ -11,7 +11,7 @@ import pytest
 from gcs.link.inbox import FULL, LOST, NOTHING, UNKNOWN, Inbox
 from gcs.link.intake import numbered
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import ADDRESS, AWAITED, NUMBERS
+from gcs.mavlink.frame_runs import ADDRESS, AWAITED, NUMBERS
 from gcs.mavlink.sequence import TickCollector
 
 KNOWN = 6

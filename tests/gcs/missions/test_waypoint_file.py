@@ -33,6 +33,15 @@ COMMANDS = sorted(
     for command in mav.enums["MAV_CMD"]
     if command not in FENCE_COMMANDS and command not in (mav.MAV_CMD_NAV_RALLY_POINT, mav.MAV_CMD_ENUM_END)
 )
+
+
+@pytest.fixture(autouse=True)
+def mavlink_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    """pymavlink's loaders write items of the version that it was imported for."""
+    monkeypatch.setenv("MAVLINK20", "1")
+    mavutil.set_dialect("ardupilotmega")
+
+
 MICRO = 1e-6
 
 

@@ -59,7 +59,7 @@ def test_a_way_past_a_wall_is_as_far_from_it_as_its_nearest_place() -> None:
     for _ in range(100):
         a, b, c, d = random.uniform(-5.0, 5.0, (4, 2))
         table = geometry.table([geometry.wall(tuple(a), tuple(b))])
-        least, share, gn, ge = geometry.past_wall(table, 0, *c, *d)
+        least, share, gn, ge = geometry.way_past_wall(table, 0, c, d)
         on_wall, on_way = sampled(a, b), sampled(c, d)
         truth = np.hypot(*(on_way[:, None] - on_wall[None]).transpose(2, 0, 1)).min()
         left = np.array([-(b - a)[1], (b - a)[0]]) / math.dist(a, b)
@@ -91,7 +91,7 @@ def test_the_border_lies_between_where_one_may_be_and_where_not(seed: int) -> No
         allowed = np.array([rules.allows(n, e) for n, e in places.tolist()])
         assert (fence.allows(places)[clear] == allowed[clear]).all()
         walls = range(len(fence.walls))
-        crosses = any(geometry.past_wall(fence.walls, i, *c, *d)[0] < 0.0 for i in walls)
+        crosses = any(geometry.way_past_wall(fence.walls, i, np.array(c), np.array(d))[0] < 0.0 for i in walls)
         if clear.all():
             assert crosses is (len(set(allowed.tolist())) == 2)
 
@@ -99,7 +99,7 @@ def test_the_border_lies_between_where_one_may_be_and_where_not(seed: int) -> No
 def test_areas_that_touch_or_overlap_have_no_border_between_them() -> None:
     west, east = (Area(polygon_m=((-5, e), (5, e), (5, e + 4), (-5, e + 4))) for e in (-4.0, 0.0))
     fence = fence_of(FenceRules(inside=(west, east, Area(circle_m=(0.0, 0.0), radius_m=3.0))))
-    assert geometry.past_wall(fence.walls, 0, 0.0, -3.0, 0.0, 3.0)[0] > 0.0
+    assert geometry.way_past_wall(fence.walls, 0, np.array([0.0, -3.0]), np.array([0.0, 3.0]))[0] > 0.0
     length_m = 2.0 * np.hypot(*fence.walls[:, geometry.SIZE_1 : geometry.SIZE_2 + 1].T).sum()
     assert length_m == pytest.approx(2 * 10.0 + 2 * 8.0)
 

@@ -13,9 +13,9 @@ from scipy.sparse.csgraph import dijkstra
 from walls import CEILING, L_WALL, U_WALL, room, walls
 
 from gcs.planner import route_grid
-from gcs.planner.line_of_sight import leg_clearance, sight
+from gcs.planner.line_of_sight import clear_m, sight
 from gcs.planner.route import Router
-from gcs.planner.route_grid import CostField, _allowed, _moves, cell_at, cells, centre
+from gcs.planner.route_grid import CostField, cell_at, cells, centre
 from gcs.scenario import geometry as ob
 
 CLEARANCE_M = 0.6
@@ -181,20 +181,28 @@ def random_table(rng, count):
     return ob.table(rows)
 
 
+def shifted(cells_of, move):
+    """The inner cells' neighbours in one direction."""
+    return cells_of[tuple(slice(1 + x, size - 1 + x) for x, size in zip(move, cells_of.shape, strict=True))]
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_search_costs_are_those_of_scipy_on_the_same_graph(seed):
     rng = np.random.default_rng(seed)
     grid = cells(random_table(rng, 6), clearance_m=0.6, least_m=0.3, cell_m=0.6, margin_m=1.0, floor_d=-0.3)
-    around, moves = _moves(grid.count_d * grid.count_e, grid.count_d)
-    free = np.empty(27, dtype=np.int64)
+    weight = grid.weight.reshape(grid.count_n, grid.count_e, grid.count_d).astype(np.int64)
+    index = np.arange(weight.size).reshape(weight.shape)
+    inner = (slice(1, -1),) * 3
     rows, columns, costs = [], [], []
-    for cell in np.flatnonzero(grid.weight):
-        _allowed(grid.weight, cell, around, free)
-        for k in np.flatnonzero(free):
-            if k != 13:
-                rows.append(cell)
-                columns.append(cell + around[k])
-                costs.append(moves[k] * (free[13] + free[k]))
+    for move in itertools.product((-1, 0, 1), repeat=3):
+        # The cells of the block that the move goes through, its ends among them; all must be free.
+        block = [shifted(weight, part) for part in itertools.product(*({0, x} for x in move))]
+        free = np.logical_and.reduce(block) if any(move) else np.zeros_like(weight[inner], dtype=bool)
+        cost = (0, 35, 50, 61)[sum(map(abs, move))] * (weight[inner] + shifted(weight, move))
+        rows.append(index[inner][free])
+        columns.append(shifted(index, move)[free])
+        costs.append(cost[free])
+    rows, columns, costs = map(np.concatenate, (rows, columns, costs))
     graph = coo_matrix((costs, (rows, columns)), shape=(len(grid.weight),) * 2).tocsr()
     largest = np.bincount(grid.part[grid.part > 0]).argmax()
     goal, *starts = rng.choice(np.flatnonzero(grid.part == largest), 9, replace=False)
@@ -256,7 +264,7 @@ def test_a_legs_clearance_is_that_of_its_places(seed):
     reach = float(rng.uniform(0.2, 2.0))
     t = np.linspace(0, 1, 1500)[:, None]
     truth = ob.clearance(table, a + t * (b - a)).min()
-    told = leg_clearance(sight(table, reach), *a, *b, reach, -math.inf)
+    told = clear_m(sight(table, reach), a, b, reach)
     step = np.linalg.norm(b - a) / 1499
     assert min(truth, reach) - step - 1e-6 <= told <= min(truth, reach) + 1e-6
 

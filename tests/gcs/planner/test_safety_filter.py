@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.planner import braking_clearance
 from gcs.planner.braking_clearance import stop_way
+from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, clearances
 from gcs.planner.safety_filter import KINDS, FilterSettings, Leaders, Others, filter_step
 from gcs.scenario import geometry as shapes
 
@@ -160,20 +160,19 @@ def test_from_any_state_braking_clearance_is_at_least_what_braking_keeps(seed, r
 @fixed
 @given(seeds)
 def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
-    """(1) of braking_clearance.py for the bounds themselves, which the guarantee rests on: pairs, shapes, walls, still others."""
+    """(1) of braking_clearance.py for the bounds themselves, on which the guarantee rests: pairs, shapes, walls, others."""
     rng = np.random.default_rng(seed)
     p, v, b = rng.uniform(-2, 2, (2, 3)), rng.normal(size=(2, 3)) * 3, rng.uniform(2, 6, 2)
     table, other = world(rng), np.concatenate([rng.uniform(-2, 2, 3), np.zeros(3), [0.5, 0.0]])[None]
-    last = np.full(7, -math.inf)
+    fence = np.full((2, 6), -3.0)
+    rows = np.array(
+        [(PAIR, 0, 1), (PLANE, 0, 1), *((OBSTACLE, 0, k) for k in range(len(table))), (OTHER, 1, 0)], dtype=np.int64
+    )
+    last = np.full(len(rows), -math.inf)
     for _ in range(30):
         u = brake(v, b[:, None])
-        rows = [
-            braking_clearance.pair_clearance(p, v, u, b, 0, 1, DT, 99.0),
-            braking_clearance.plane_clearance(p, v, u, b, 0, 1, -3.0, DT),
-        ]
-        rows += [braking_clearance.shape_clearance(p, v, u, b, 0, table, k, DT, 99.0) for k in range(len(table))]
-        rows.append(braking_clearance.other_clearance(p, v, u, b, 1, other, 0, DT, RULES.horizon_s, 99.0))
-        now = np.array([min(row[0], row[1]) for row in rows])
+        found = clearances(rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s)
+        now = found[:, :2].min(axis=1)
         assert (now >= last - 1e-9).all()
         last, p, v = now, p + DT * v + 0.5 * DT * DT * u, v + DT * u
 

@@ -1,11 +1,6 @@
 """What is said of vehicles that are missing before a session begins, and when that ends it."""
 
-import os
-from pathlib import Path
-
-import pytest
-
-from gcs.processes.startup import BOOTED_WITHIN_S, HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals, compiled, starting_line
+from gcs.processes.startup import BOOTED_WITHIN_S, HELLO_WITHIN_S, SAY_AGAIN_S, Arrivals
 from gcs.scenario.external import External
 
 AT = "udpin:127.0.0.1:14550"
@@ -46,14 +41,3 @@ def test_each_has_its_own_patience() -> None:
     booting = Arrivals(LABELS, {}, [1])
     assert booting.too_late({1}, BOOTED_WITHIN_S, {}, {}) is None
     assert booting.too_late({1}, BOOTED_WITHIN_S + 0.1, {}, {}) == "no word from pursuer 1 within 300 s of their start"
-
-
-def test_compiling_is_spoken_of_only_where_it_happens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    assert "compiling what flies and plans" in starting_line()
-    index = tmp_path / "planner_1" / "leader._advance_all-1.py311.nbi"
-    index.parent.mkdir()
-    index.touch()
-    assert starting_line() == "still starting ..."
-    os.utime(index, (0, 0))  # older than the source
-    assert not compiled()

@@ -12,10 +12,17 @@ import pymap3d
 import pytest
 from commands import gcs
 from mission_tapes import ALT_M, AWAY_DEG, LAT_DEG, LON_DEG, STATION, VEHICLE, Tape, north
-from pymavlink import mavwp
+from pymavlink import mavutil, mavwp
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.session.replay import Replay
+
+
+@pytest.fixture(autouse=True)
+def mavlink_2(monkeypatch: pytest.MonkeyPatch) -> None:
+    """pymavlink's loaders write items of the version that it was imported for."""
+    monkeypatch.setenv("MAVLINK20", "1")
+    mavutil.set_dialect("ardupilotmega")
 
 
 def plans(path: Path, t_s: float) -> list[dict[str, Any]]:

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common
 
 from gcs.recording import tlog_reader
-from gcs.recording.recorded_clock import NO_STAMP, judged
-from gcs.recording.vehicle_clock import VehicleClock
+from gcs.recording.times.recorded_clock import NO_STAMP, judged
+from gcs.recording.times.vehicle_clock import VehicleClock
 
 Times = NDArray[np.int64]
 SECOND_US = 1_000_000

@@ -11,7 +11,8 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import COLUMNS, runs_of
+from gcs.mavlink.datagram import runs_of
+from gcs.mavlink.frame_runs import COLUMNS
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.readings import FOUND, new_readings, read

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from simvehicle.law import controller, dynamics, step
+from simvehicle.law import controller, dynamics, rows, step
 from simvehicle.law.params import NAMED, Airframe, Gains, Limits, VehicleParams, pack
 
 AIRFRAME = Airframe()
@@ -20,14 +20,15 @@ def control(
     *, velocity=ZERO, attitude=ZERO, rates=ZERO, v_d=ZERO, a_d=ZERO, yaw=0.0, memory=None, vehicle=PAPER, dt_s=H
 ):
     """The core's own control of one vehicle: u1 (1,), tau (1, 3) and the differentiators' memory (1, 6)."""
-    state, command = np.zeros(step.STATE_SIZE), np.zeros(step.COMMAND_SIZE)
-    state[step.VELOCITY], state[step.ATTITUDE], state[step.RATES] = velocity[0], attitude[0], rates[0]
-    state[step.REFERENCE_VELOCITY], state[step.REFERENCE_ACCELERATION] = v_d[0], a_d[0]
+    state, command = np.zeros(rows.STATE_SIZE), np.zeros(rows.COMMAND_SIZE)
+    state[rows.VELOCITY], state[rows.ATTITUDE], state[rows.RATES] = velocity[0], attitude[0], rates[0]
+    state[rows.REFERENCE_VELOCITY], state[rows.REFERENCE_ACCELERATION] = v_d[0], a_d[0]
     if memory is not None:
-        state[step.DIFF_ROLL], state[step.DIFF_PITCH] = memory[0, :3], memory[0, 3:]
-    state[step.STARTED], command[step.CMD_YAW] = 1.0, yaw
-    u1, *tau = step.control(state, command, pack(vehicle), np.full(4, yaw), dt_s)
-    return np.array([u1]), np.array([tau]), np.array([[*state[step.DIFF_ROLL], *state[step.DIFF_PITCH]]])
+        state[rows.DIFF_ROLL], state[rows.DIFF_PITCH] = memory[0, :3], memory[0, 3:]
+    state[rows.STARTED], command[rows.CMD_YAW] = 1.0, yaw
+    state[rows.GUIDE_YAW] = yaw
+    u1, *tau = step.control_row(state, command, pack(vehicle), dt_s)
+    return np.array([u1]), np.array([tau]), np.array([[*state[rows.DIFF_ROLL], *state[rows.DIFF_PITCH]]])
 
 
 def test_speed_error_decays_at_lambda_where_the_attitude_is_as_asked():

@@ -11,7 +11,7 @@ from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law import rotor_flight, step
+from simvehicle.law import rotor_flight, rows
 from simvehicle.law.params import NAMED
 from simvehicle.law.plants import RotorPlant
 from simvehicle.world import airframes
@@ -27,10 +27,10 @@ def vehicle(name: str = "iris", *, airborne: bool = False) -> Vehicle:
 
 
 def command(north_m: float, west_m: float, up_m: float) -> np.ndarray:
-    row = np.zeros((1, step.COMMAND_SIZE))
-    row[0, step.CMD_POSITION] = north_m, west_m, up_m
-    row[0, step.CMD_USE_POSITION] = row[0, step.CMD_MOTORS] = row[0, step.CMD_GROUND] = 1.0
-    row[0, step.CMD_SPEED_MAX] = 5.0
+    row = np.zeros((1, rows.COMMAND_SIZE))
+    row[0, rows.CMD_POSITION] = north_m, west_m, up_m
+    row[0, rows.CMD_USE_POSITION] = row[0, rows.CMD_MOTORS] = row[0, rows.CMD_GROUND] = 1.0
+    row[0, rows.CMD_SPEED_MAX] = 5.0
     return row
 
 
@@ -52,7 +52,7 @@ def test_the_law_takes_rotors_to_a_place_and_stays(name: str) -> None:
     thrust = plants[0].advance(wanted, time_s=0.0, steps=2500)
     assert all(np.array_equal(*pair) for pair in zip(given, before, strict=True))
     flown = plants[0].state
-    assert flown[0, rotor_flight.TRUE_POSITION] == pytest.approx([10.0, -4.0, 5.0], abs=0.02)
+    assert flown[0, rows.TRUE_POSITION] == pytest.approx([10.0, -4.0, 5.0], abs=0.02)
     assert thrust[0, -1] == pytest.approx(airframes.GRAVITY_M_S2, rel=1e-3)
     plants[1].advance(wanted, time_s=0.0, steps=1000)
     plants[1].advance(wanted, time_s=4.0, steps=1500)
@@ -92,7 +92,7 @@ def test_its_ledger_closes_and_an_empty_battery_stops_its_rotors() -> None:
     one.advance(10_000)
     assert one.drawn_j + one.remaining_j == pytest.approx(1000.0, abs=1e-9)
     assert one.remaining_j == 0.0
-    assert one.plant.state[0, rotor_flight.ROTOR_SPEEDS].max() < 1.0
+    assert one.plant.state[0, rows.ROTOR_SPEEDS].max() < 1.0
     assert one.v_ned[2] > 10.0
 
 

@@ -13,7 +13,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law import step
+from simvehicle.law import rows
 from simvehicle.mavlink import motion_frames, telemetry
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.connection import Connection
@@ -29,7 +29,7 @@ def vehicle_in(random: np.random.Generator, scale: float) -> Vehicle:
     """A vehicle somewhere on the globe in a random state; some of its numbers are 0."""
     origin = LocalFrame(random.uniform(-80.0, 80.0), random.uniform(-180.0, 180.0), random.uniform(-100.0, 4000.0))
     vehicle = Vehicle(IDENTITIES["px4"], Parameters(), origin, Start(airborne=True))
-    state = random.normal(size=step.STATE_SIZE) * scale * (random.random(step.STATE_SIZE) < 0.8)
+    state = random.normal(size=rows.STATE_SIZE) * scale * (random.random(rows.STATE_SIZE) < 0.8)
     vehicle.plant.state[0] = state
     vehicle.plant.now = state.tolist()
     vehicle.time_ms = int(random.integers(0, 1 << 31))
@@ -55,7 +55,7 @@ def test_frames_are_the_builders_byte_for_byte(scale: float, wanted: int) -> Non
 
 def test_pymavlink_reads_the_state() -> None:
     vehicle = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(47.0, 8.0, 500.0), Start(airborne=True))
-    state = np.zeros(step.STATE_SIZE)
+    state = np.zeros(rows.STATE_SIZE)
     state[:12] = (1.0, -2.0, 3.0, 0.1, -0.2, 0.3, 0.01, -0.02, -0.5, 0.0, 0.0, 0.25)
     vehicle.plant.state[0], vehicle.plant.now = state, state.tolist()
     vehicle.time_ms = 1200

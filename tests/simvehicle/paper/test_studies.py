@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from simvehicle.cli import run_argv
-from simvehicle.law import step
+from simvehicle.law import rows, step
 from simvehicle.law.params import NAMED, pack
 from simvehicle.paper import studies
 
@@ -86,12 +86,12 @@ def test_the_study_flies_what_the_vehicle_flies():
         attitude_rad=studies.ATTITUDE_RAD,
         airborne=True,
     )[np.newaxis]
-    command = np.zeros((1, step.COMMAND_SIZE))
-    command[0, step.CMD_VELOCITY] = studies.VELOCITY_NWU
-    command[0, step.CMD_MOTORS] = 1.0
+    command = np.zeros((1, rows.COMMAND_SIZE))
+    command[0, rows.CMD_VELOCITY] = studies.VELOCITY_NWU
+    command[0, rows.CMD_MOTORS] = 1.0
     flown, _ = step.advance(state, command, pack(vehicle)[np.newaxis], time_s=0.0, steps=1000)
     _, velocity, _ = studies.closed_loop(vehicle, step_s=0.004, noise_m_s=0.0, explicit=False, duration_s=4.0)
-    assert velocity[-1] == pytest.approx(flown[0, step.VELOCITY], abs=1e-12)
+    assert velocity[-1] == pytest.approx(flown[0, rows.VELOCITY], abs=1e-12)
 
 
 def test_explicit_and_implicit_flights_meet_as_the_step_goes_to_zero():
@@ -138,7 +138,7 @@ def test_a_folder_that_cannot_be_written_is_one_sentence(tmp_path, capsys):
 def test_what_flies_never_loads_the_drawing():
     code = (
         "import sys; from simvehicle.cli import run_argv; run_argv(['--help']); "
-        "from simvehicle.law import step; from simvehicle.sitl import forkserver, warmup; "
+        "from simvehicle.law import step; from simvehicle.sitl import forkserver; "
         "from simvehicle.mavlink import dispatcher; assert 'matplotlib' not in sys.modules"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=False, text=True)

@@ -30,10 +30,10 @@ def body(
 
 def flown(airframe: RotorAirframe, start: Array, wanted: Array, wind: Array = STILL, density: float = 1.225) -> Array:
     """Start and every step after it, (k + 1, 17)."""
-    winds, packed = np.array(np.broadcast_to(wind, (len(wanted), 3))), pack(airframe, density)
-    at, scratch, path = start.copy(), np.zeros(rotors.SCRATCH_SIZE), [start]
+    winds, packed = np.broadcast_to(wind, (len(wanted), 3)).copy(), pack(airframe, density)
+    at, path = start.copy(), [start]
     for speeds, blowing in zip(wanted.astype(np.float64), winds, strict=True):
-        rotors.body_step(at, speeds, blowing, packed, DT_S, scratch)
+        rotors.body_step(at, speeds, blowing, packed, DT_S)
         path.append(at.copy())
     return np.array(path)
 
@@ -156,8 +156,7 @@ def test_allocation_gives_what_rotors_can_and_gives_up_yaw_first(airframe: Rotor
     for _ in range(500):
         thrust = random.uniform(0.0, 4.4) * most_n
         mx, my, mz = random.normal(0.0, 1.0, 3) * most_n * [abs(y).max(), abs(x).max(), 0.7 * ratio]
-        speeds = np.zeros(4)
-        rotors.allocate(thrust, mx, my, mz, packed, speeds)
+        speeds = rotors.rotor_speeds(thrust, mx, my, mz, packed)
         forces = airframe.thrust_n_s2 * speeds**2
         assert np.all(forces >= 0.0)
         assert np.all(speeds <= airframe.fastest_rad_s * (1 + 1e-12))
@@ -181,7 +180,7 @@ def test_moments_turn_the_angles_as_the_law_asks() -> None:
     packed, inertia = pack(airframe), np.array(airframe.inertia_kg_m2)
     for _ in range(20):
         angles, rates, wanted = random.uniform(-1, 1, 3), random.uniform(-2, 2, 3), random.uniform(-9, 9, 3)
-        moment = np.array(rotors.moments_of(angles, rates, *wanted, packed))
+        moment = np.array(rotors.moments(angles, rates, wanted, packed))
         h = 1e-4
         turns = [Rotation.from_euler("ZYX", (angles + rates * t + 0.5 * wanted * t * t)[::-1]) for t in (-h, 0, h)]
         before, after = ((a.inv() * b).as_rotvec() / h for a, b in ((turns[0], turns[1]), (turns[1], turns[2])))

@@ -15,12 +15,13 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.law import rotor_flight
+from simvehicle.law import rows
 from simvehicle.law.plants import RotorPlant
 from simvehicle.world import wind
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, World, WorldError, WorldVehicle, read_world
 from simvehicle.world.estimate import EstimateErrors
+from simvehicle.world.rows import GUST_NOISE, GUST_SIZE
 from simvehicle.world.wind_field import WindField
 
 DT_S, SPEED_M_S, HEIGHT_M, W20_M_S = 0.1, 8.0, 20.0, 7.7
@@ -29,8 +30,8 @@ DT_S, SPEED_M_S, HEIGHT_M, W20_M_S = 0.1, 8.0, 20.0, 7.7
 def blown(steps: int, seed: int, dt_s: float = DT_S) -> np.ndarray:
     """Turbulence (steps, 3) at one height and air speed."""
     random = np.random.default_rng(seed)
-    gust = wind.start_gust(random.standard_normal(wind.GUST_SIZE))
-    noise = random.standard_normal((steps, wind.GUST_NOISE))
+    gust = wind.start_gust(random.standard_normal(GUST_SIZE))
+    noise = random.standard_normal((steps, GUST_NOISE))
     out = np.empty((steps, 3))
     for k in range(steps):
         out[k] = wind.turbulence(gust, noise[k], HEIGHT_M, SPEED_M_S, W20_M_S, dt_s)
@@ -107,8 +108,8 @@ def test_sensors_change_nothing_of_the_wind() -> None:
 def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> None:
     one = hovering(3)
     row = one.state[0]
-    known = row[:12] - row[rotor_flight.ERROR]
-    assert np.allclose(known[:6], row[rotor_flight.BODY][:6])
+    known = row[:12] - row[rows.ERROR]
+    assert np.allclose(known[:6], row[rows.BODY][:6])
     assert one.true_motion_ned[:3] == pytest.approx(tuple(known[:3] * [1, -1, -1]))
     assert one.p_ned != one.true_motion_ned[:3]
     errors = EstimateErrors(position_s=0.5, velocity_s=0.5, attitude_s=0.5, rate_s=0.02)
@@ -119,7 +120,7 @@ def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> Non
     for t_ms in range(100, 120_001, 100):
         other.set_clock(t_ms - 100, 0)
         other.advance(t_ms)
-        seen.append(other.state[0, rotor_flight.ERROR].copy())
+        seen.append(other.state[0, rows.ERROR].copy())
     deviations = np.std(seen, axis=0).reshape(4, 3).mean(axis=1)
     assert deviations == pytest.approx([0.3, 0.05, math.radians(0.3), math.radians(0.3)], rel=0.15)
 
@@ -155,7 +156,7 @@ def test_a_table_of_one_wind_is_that_wind_and_one_that_changes_blows_by_place() 
     assert flown(even, 0.0).tobytes() == flown(mean, 0.0).tobytes()
     behind = WindField((-1.0, 1.0), (0.0,), (0.0,), ((0.0, 0.0, 0.0), (3.0, -4.0, 0.5)))
     sheltered = flown(Air(field=behind), -50.0)
-    assert sheltered[0, rotor_flight.WIND] == pytest.approx([0.0, 0.0, 0.0])
+    assert sheltered[0, rows.WIND] == pytest.approx([0.0, 0.0, 0.0])
     assert flown(Air(field=behind), 50.0).tobytes() == flown(Air(mean_nwu=(3.0, 4.0, 0.5)), 50.0).tobytes()
 
 

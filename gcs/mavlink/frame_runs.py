@@ -1,0 +1,105 @@
+"""Which frames of the dialect some bytes consist of, by sender: the search that gcs/mavlink/datagram.py and
+gcs/link/inbox.py call, and the rows that it fills.
+
+frame_runs.pxd has the rows as structs: Run, of frames of one system that follow each other, and Awaited, of a vehicle
+whose answer may come. Arrays of them are (n, COLUMNS) and (vehicles, AWAITED) of int64; the constants below are their
+columns.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import cython
+from cython.cimports.gcs.mavlink import payload
+from cython.cimports.gcs.mavlink.frame_runs import (
+    _BEGINS,
+    _IDS,
+    _NO_SEED,
+    _RUNS,
+    _SEEDS,
+    _SYSTEM_TIME,
+    _TIME_BOOT_MS,
+    HALF,
+    MOST_BYTES,
+    NO_RUN,
+    NO_TIME,
+    NOT_GRANTED,
+    NOWHERE,
+    NUMBERS,
+    SMALLEST_FRAME,
+    Found,
+    seed_of,
+)
+from cython.cimports.skytender.checksum import crc_of, ended
+
+from gcs.mavlink import codec
+
+__all__ = [
+    "ADDRESS", "AWAITED", "COLUMNS", "COMPID", "COMPID_OF", "FIRST", "GRANTED_MS", "HALF", "HELD", "IN_STEP", "LAST",
+    "MOST_BYTES", "NEXT", "NOT_GRANTED", "NOWHERE", "NO_RUN", "NO_TIME", "NUMBERS", "RUN", "SEQ", "SMALLEST_FRAME",
+    "SYSID", "TIME_MS", "found_in",
+]  # fmt: skip
+
+COLUMNS = 7
+FIRST, LAST, SYSID, COMPID, SEQ, IN_STEP, TIME_MS = range(COLUMNS)
+AWAITED = 6
+NEXT, GRANTED_MS, COMPID_OF, HELD, ADDRESS, RUN = range(AWAITED)
+
+for _msgid in range(_IDS):
+    _SEEDS[_msgid] = _NO_SEED
+for _msgid, _seed in codec.seeds():
+    _SEEDS[_msgid] = _seed
+
+
+def find(data: Any, at: int, size: int, begins: Any, rows: Any, found: Any) -> Any:
+    """Find the frames of data[at:size], and go on filling begins and rows behind the frames and runs that were found
+    before. Behind a datagram's last frame stands its end."""
+    nothing: Any = Found(-1, -1)
+    frames, runs = found.frames, found.runs
+    row: Any = cython.address(rows[runs])
+    if at == size:
+        return nothing
+    while at < size:
+        if at + SMALLEST_FRAME > size or data[at] != 0xFD or data[at + 2] > 1:
+            return nothing
+        body_end = at + 10 + data[at + 1]
+        end = body_end + (15 if data[at + 2] else 2)
+        seed = seed_of(data + at)
+        if end > size or seed < 0:
+            return nothing
+        crc = ended(crc_of(data, at + 1, body_end), seed)
+        if data[body_end] != crc & 0xFF or data[body_end + 1] != crc >> 8:
+            return nothing
+        seq, sysid, compid = data[at + 4], data[at + 5], data[at + 6]
+        if runs == found.runs or row.sysid != sysid:
+            row = cython.address(rows[runs])
+            row.first, row.sysid, row.compid, row.seq, row.in_step = frames, sysid, compid, seq, 1
+            runs += 1
+        if compid != row.compid or seq != (row.seq + frames - row.first) & 0xFF:
+            row.in_step = 0
+        row.time_ms = NO_TIME
+        if data[at + 7] == _SYSTEM_TIME and data[at + 8] == 0:
+            row.time_ms = payload.u32(data, at + _TIME_BOOT_MS, body_end)
+        begins[frames] = at
+        frames += 1
+        row.last = frames
+        at = end
+    begins[frames] = size
+    return Found(frames + 1, runs)
+
+
+def found_in(datagram: bytes) -> tuple[list[int], list[tuple[int, ...]]] | None:
+    """(where each frame begins, and the last one ends; rows of runs) of a datagram; None where not every byte belongs
+    to a frame of the dialect."""
+    if len(datagram) > MOST_BYTES:
+        return None
+    found = find(datagram, 0, len(datagram), _BEGINS, _RUNS, Found(0, 0))
+    if found.runs < 0:
+        return None
+    begins = [_BEGINS[k] for k in range(found.frames)]
+    rows: list[tuple[int, ...]] = []
+    for k in range(found.runs):
+        run: Any = cython.address(_RUNS[k])
+        rows.append((run.first, run.last, run.sysid, run.compid, run.seq, run.in_step, run.time_ms))
+    return begins, rows

@@ -1,0 +1,1 @@
+"""When the frames of a recording came: its own stamps, or the clocks of the vehicles in it."""

@@ -1,0 +1,36 @@
+cimport cython
+from libc.stdint cimport int64_t
+
+cdef struct Facts:
+    double alive  # 1 or 0
+    double armed
+    double steerable
+    double offset_n  # m, of its own frame in the common one; NaN while unknown
+    double offset_e
+    double offset_d
+    double turn  # rad, of that frame's axes
+    double cosine
+    double sine
+    double ground_down  # m; NaN while unknown
+    double doubted  # s, when it last told what cannot be; -inf without
+
+cdef enum:  # columns of gcs/telemetry/columns.py
+    _IS_ALIVE, _IS_STEERABLE, _IS_FLYING, _IS_FRESH, _IS_LANDED
+
+cdef enum:
+    _P_NED, _V_NED, _P_NOW_NED
+
+cdef enum:
+    _AGE_S, _GROUND_DOWN_M, _REMAINING_J, _DRAWN_J, _INITIAL_J, _CAPACITY_J
+
+cdef double _LANDED_M, _STALE_S, _DOUBTED_S, _LEAST_SHARE, _MOST_SHARE
+
+cdef inline const Facts* facts_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
+    return <const Facts*>&rows[i, 0]
+
+@cython.locals(
+    changed=cython.bint, known=cython.bint, landed=cython.bint, doubted=cython.bint, overfull=cython.bint,
+    alive=cython.bint, armed=cython.bint, flying=cython.bint, fresh=cython.bint, now_seen=int64_t)
+cpdef fill(
+    double now_s, double[:, ::1] reports, double[:, ::1] facts, accounts, int64_t[::1] seen, int64_t[::1] stamps,
+    unsigned char[:, ::1] flags, double[:, :, ::1] places, double[:, ::1] figures)

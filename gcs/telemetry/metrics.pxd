@@ -1,0 +1,22 @@
+cimport cython
+from libc.stdint cimport int64_t
+
+cdef enum:  # rows of the blocks, as columns.py has them
+    FLYING = 2
+    FRESH = 3
+    P_NOW = 2
+
+cdef struct Flown:
+    double[3] last  # place at the last tick, NaN where it does not count
+    double length_m  # of the way, NaN before the second place in a row
+    double error_m  # greatest distance from the plan, NaN before the first
+
+cdef inline Flown* flown_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
+    return <Flown*>&rows[i, 0]
+
+cdef double distance_to_path(
+    const double* plan, Py_ssize_t count, Py_ssize_t oldest, double n, double e, double d) noexcept nogil
+cdef void _measure(
+    const unsigned char[:, ::1] flags, const double[:, :, ::1] places, const int64_t[::1] rows,
+    const double[:, ::1] planned, const int64_t[:, ::1] pairs, double[:, ::1] flown, double[:, :, ::1] plans,
+    int64_t[::1] counts, double[:, ::1] distances_m) noexcept nogil

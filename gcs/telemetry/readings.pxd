@@ -1,0 +1,111 @@
+cimport cython
+from libc.stdint cimport int64_t
+
+from gcs.telemetry.energy cimport Account
+
+cpdef enum:
+    # Why `read` stops: nothing is left; the next message is kept elsewhere; a HEARTBEAT told another mode; a place cannot
+    # be (found[0]: a fault of plausibility.py, found[1]: how far it jumps, m); there is more to a battery's report than
+    # what its account keeps (found: the arguments of `BatteryAccount.taken`); the last run is of none of the vehicles.
+    END
+    ELSEWHERE
+    MODE
+    PLACE
+    BATTERY
+    UNKNOWN
+
+cpdef enum:
+    FROM_AUTOPILOT = 1
+    FROM_ANYBODY = 2
+    SMALL_IDS = 256  # all messages that are kept have an id below
+
+cdef enum:
+    _HEADER_BYTES = 10
+    _HEARTBEAT = 0
+    _SYS_STATUS = 1
+    _SYSTEM_TIME = 2
+    _ATTITUDE = 30
+    _LOCAL_POSITION_NED = 32
+    _GPS_GLOBAL_ORIGIN = 49
+    _BATTERY_STATUS = 147
+    _HOME_POSITION = 242
+    _EXTENDED_SYS_STATE = 245
+    _NAMED_VALUE_FLOAT = 251
+    _NAMED_VALUE_INT = 252
+    _NO_CELL = 65535
+    _CELLS = 10
+    _MORE_CELLS = 4
+    _NO_CURRENT = -1
+    _PX4_NO_CURRENT = -100
+
+cdef int _AUTOPILOT_1, _ARMED, _ON_GROUND, _UNDEFINED, _PROPULSION
+cdef double _MOST_EFFORT, _HECTOJOULE
+
+cdef struct Readings:
+    double north  # m, in its own frame; NaN before the first
+    double east
+    double down
+    double v_north  # m/s
+    double v_east
+    double v_down
+    double position_s  # as of when, in session time; so are the others in s
+    double heading  # rad
+    double roll
+    double pitch
+    double landed  # 1 or 0
+    double landed_reported
+    double effort  # NaN before the first
+    double effort_s
+    double autopilot  # of its last HEARTBEAT; -1 before the first
+    double custom_mode
+    double base_mode
+    double system_status
+    double received_s  # of its last HEARTBEAT
+    double clock_s  # offset from its own time to the session's, NaN while that is not known
+    double power_w
+    double[2] counted_s  # its counters of energy received and given; -inf before the first
+    double external  # 1 or 0
+    double origin_lat  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
+    double origin_lon
+    double origin_alt
+    double several_batteries  # 1 once it has reported another than number 0, or none that it flies on
+    double message_s  # when anything but SYSTEM_TIME came from its autopilot
+
+cdef inline Readings* readings_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
+    return <Readings*>&rows[i, 0]
+
+cdef double _session_s(const Readings* row, int64_t boot_ms, double now_s) noexcept nogil
+cdef bint _read_place(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, Readings* row, double now_s, double* found) noexcept nogil
+cdef void _read_attitude(const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, Readings* row) noexcept nogil
+@cython.locals(same=cython.bint)
+cdef bint _read_mode(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, Readings* row, double now_s) noexcept nogil
+cdef bint _is_named(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, const char* name) noexcept nogil
+@cython.locals(same=cython.bint)
+cdef bint _is_repeated(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, int msgid, Readings* row, Account* one,
+    double now_s) noexcept nogil
+cdef void _read_effort(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, Readings* row, double now_s) noexcept nogil
+cdef int64_t _cells_mv(const unsigned char* data, Py_ssize_t at, Py_ssize_t stop) noexcept nogil
+cdef double _power_w(int64_t total_mv, int64_t current_ca) noexcept nogil
+@cython.locals(armed=cython.bint, other=cython.bint)
+cdef bint _count_report(
+    Account* one, double* found, Readings* row, double now_s, double consumed_j, double power_w, int64_t percent,
+    bint second) noexcept nogil
+
+cdef struct Stop:
+    Py_ssize_t at  # where the next frame begins
+    int why
+
+@cython.locals(counted=cython.bint, own=cython.bint, small=cython.bint, elsewhere=cython.bint, consumed_hj=int64_t,
+               total_mv=int64_t, percent=int64_t)
+cdef Stop _read_run(
+    const unsigned char* data, Py_ssize_t at, Py_ssize_t end, double now_s, Readings* row, Account* one,
+    const unsigned char[::1] kept, double* found) noexcept nogil
+cpdef read(
+    bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, Py_ssize_t run, int64_t[:, ::1] spans,
+    int64_t[:, ::1] runs, const int64_t[::1] lanes, double now_s, double[:, ::1] readings, accounts,
+    const unsigned char[::1] kept, double[::1] found)

@@ -1,0 +1,32 @@
+cimport cython
+from simvehicle.law.rows cimport Command, Parameters, RotorState
+from simvehicle.world.rows cimport AirframeRow, Gust, Weather
+
+cpdef enum:
+    NOISE_SIZE = 17
+
+cdef double _GRAVITY_M_S2, _LEAST_COSINE, _OBSERVER_1_S, _STRONGEST_M_S2
+
+cdef void _see(RotorState* s, const double* error) noexcept nogil
+cdef void _observe(RotorState* s, const Parameters* p, double u1, double dt) noexcept nogil
+cdef void _blow(
+    RotorState* s, const Weather* w, const Gust* gusts, Py_ssize_t count, const double* noise, double t,
+    double dt) noexcept nogil
+cdef double _draw(
+    RotorState* s, const Parameters* p, const AirframeRow* a, const Weather* w, double dt) noexcept nogil
+@cython.locals(running=cython.bint, stood=cython.bint)
+cdef double _step(
+    RotorState* s, const Command* c, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
+    Py_ssize_t count, const double* noise, const double* decays, double t, double dt) noexcept nogil
+cdef void fly_row(
+    RotorState* s, const Command* c, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
+    Py_ssize_t count, const double* noise, double t, double dt, Py_ssize_t steps, double* thrust) noexcept nogil
+cpdef void fly_rows(
+    double[:, ::1] states, double[:, ::1] commands, double[:, ::1] parameters, const double[:, ::1] frames,
+    const double[:, ::1] weathers, const double[:, ::1] gusts, const double[:, :, ::1] noise, const double[::1] times,
+    double dt, double[:, ::1] thrust) noexcept nogil
+@cython.locals(stood=cython.bint)
+cpdef void turn_row(
+    double[::1] state, double[::1] wanted, const double[::1] parameters, const double[::1] airframe,
+    const double[::1] weather, const double[:, ::1] gusts, const double[::1] noise, double t, double dt,
+    double[::1] force) noexcept nogil

@@ -1,0 +1,1 @@
+"""The part that the ground station and the vehicles share."""

@@ -1,6 +1,9 @@
 cimport cython
 
+from gcs.planner.search cimport Front
+
 cdef int _STRAIGHT, _SLANT, _CORNER
+cdef long long _CELL
 
 @cython.locals(a=Py_ssize_t[3], b=Py_ssize_t[3], at=double, axis=int, n=Py_ssize_t, e=Py_ssize_t, d=Py_ssize_t)
 cdef void _rasterise(
@@ -22,15 +25,20 @@ cdef void _push(long long* heap, Py_ssize_t size, long long key) noexcept nogil
 @cython.locals(at=Py_ssize_t, child=Py_ssize_t)
 cdef long long _pop(long long* heap, Py_ssize_t size) noexcept nogil
 @cython.locals(
-    settled=cython.longlong, limit=cython.longlong, own=cython.longlong, known=cython.longlong, new=cython.longlong,
-    here=cython.longlong, f=cython.longlong, heap=cython.longlong[::1], seen=cython.longlong[::1],
-    around=cython.longlong[27], moves=cython.longlong[27], free=cython.longlong[27], stride_n=Py_ssize_t,
-    stride_e=Py_ssize_t, start_n=Py_ssize_t, start_e=Py_ssize_t, start_d=Py_ssize_t, cell=Py_ssize_t,
-    other=Py_ssize_t, n=Py_ssize_t, e=Py_ssize_t, d=Py_ssize_t, size=Py_ssize_t, met=Py_ssize_t, i=Py_ssize_t, k=int,
-    dn=int, de=int, dd=int, found=cython.bint)
+    f=cython.longlong, heap=cython.longlong[::1], seen=cython.longlong[::1], stride_n=Py_ssize_t, stride_e=Py_ssize_t,
+    start_n=Py_ssize_t, start_e=Py_ssize_t, start_d=Py_ssize_t, cell=Py_ssize_t, n=Py_ssize_t, e=Py_ssize_t,
+    d=Py_ssize_t, i=Py_ssize_t, found=cython.bint)
 cdef _settle(
     const unsigned char[::1] weight, Py_ssize_t count_e, Py_ssize_t count_d, int[::1] cost,
     const long long[::1] open_cells, Py_ssize_t start, long long most)
+@cython.locals(
+    heap=cython.p_longlong, seen=cython.p_longlong, around=cython.p_longlong, moves=cython.p_longlong,
+    size=Py_ssize_t, met=Py_ssize_t, settled=cython.longlong, limit=cython.longlong, own=cython.longlong,
+    known=cython.longlong, new=cython.longlong, here=cython.longlong, free=cython.longlong[27], stride_n=Py_ssize_t,
+    stride_e=Py_ssize_t, count_e=Py_ssize_t, start=Py_ssize_t, start_n=Py_ssize_t, start_e=Py_ssize_t,
+    start_d=Py_ssize_t, cell=Py_ssize_t, other=Py_ssize_t, n=Py_ssize_t, e=Py_ssize_t, d=Py_ssize_t, k=int, dn=int,
+    de=int, dd=int, ended=cython.bint)
+cdef bint _advance(Front* front, const unsigned char* weight, int* cost, long long most) noexcept nogil
 @cython.locals(
     around=cython.longlong[27], moves=cython.longlong[27], free=cython.longlong[27], cell=Py_ssize_t,
     other=Py_ssize_t, following=Py_ssize_t, k=int)

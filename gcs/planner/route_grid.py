@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import cython
 import numpy as np
+from cython.cimports.gcs.planner.search import Front
 from cython.cimports.gcs.scenario.geometry import WALL, shape_at, shape_surface
 from cython.cimports.libc.math import INFINITY, ceil, floor
 from numpy.typing import NDArray
@@ -39,6 +40,7 @@ ALL_CELLS = 1 << 40
 """More than there are: a search without a pause."""
 DEAREST = 9
 """[choice] How many metres of free path a metre at the least clearance is worth."""
+_CELL = 0xFFFFFFFF  # of a key in the heap: its estimate lies above
 _STRAIGHT, _SLANT, _CORNER = 35, 50, 61
 """Half the cost of a move between neighbours by face, edge and corner, weight 1: 35 (1, 1.41, 1.73), 1 % off."""
 
@@ -316,25 +318,49 @@ def _settle(
 
     Returns the cells that stay open, those that were not seen before, how many were settled, and whether that was all.
     """
-    settled = size = met = 0
-    limit = 1 << 62
-    if cost[start] > 0:
-        limit = cost[start]
     stride_e = count_d
     stride_n = count_d * count_e
+    front = cython.declare(Front)
+    front.limit = cost[start] if cost[start] > 0 else 1 << 62
+    front.size = front.met = front.settled = 0
+    front.count_e, front.stride_n, front.stride_e, front.start = count_e, stride_n, stride_e, start
     start_n, start_e, start_d = start // stride_n, start // stride_e % count_e, start % stride_e
-    around, moves, free = [0] * 27, [0] * 27, [0] * 27
-    _moves(stride_n, stride_e, around, moves)
+    _moves(stride_n, stride_e, front.around, front.moves)
     seen = np.empty(1024, dtype=np.int64)
     heap = np.empty(1024 + len(open_cells), dtype=np.int64)
     for i in range(open_cells.shape[0]):
         cell = open_cells[i]
         n, e, d = cell // stride_n, cell // stride_e % count_e, cell % stride_e
         f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
-        _push(cython.address(heap[0]), size, f << 32 | cell)
-        size += 1
+        _push(cython.address(heap[0]), front.size, f << 32 | cell)
+        front.size += 1
+    while True:
+        front.heap, front.heap_room = cython.address(heap[0]), heap.shape[0]
+        front.seen, front.seen_room = cython.address(seen[0]), seen.shape[0]
+        if _advance(cython.address(front), cython.address(weight[0]), cython.address(cost[0]), most):
+            break
+        if front.size + 27 > front.heap_room:
+            heap = np.resize(heap, 2 * heap.shape[0])
+        if front.met + 27 > front.seen_room:
+            seen = np.resize(seen, 2 * seen.shape[0])
+    found = front.size == 0 or heap[0] >> 32 > front.limit
+    kept, costs = np.asarray(heap)[: front.size] & _CELL, np.asarray(cost)
+    return np.unique(kept[costs[kept] < 0]), np.asarray(seen)[: front.met].copy(), front.settled, found
+
+
+def _advance(front: Any, weight: Any, cost: Any, most: int) -> bool:
+    """Settle cells until the search ends, or `most` are settled; False once a list has no room for more."""
+    heap, seen, around, moves = front.heap, front.seen, front.around, front.moves
+    size, met, settled, limit = front.size, front.met, front.settled, front.limit
+    stride_n, stride_e, count_e, start = front.stride_n, front.stride_e, front.count_e, front.start
+    start_n, start_e, start_d = start // stride_n, start // stride_e % count_e, start % stride_e
+    free = [0] * 27
+    ended = True
     while size > 0 and heap[0] >> 32 <= limit and settled < most:
-        cell = _pop(cython.address(heap[0]), size) & 0xFFFFFFFF
+        if size + 27 > front.heap_room or met + 27 > front.seen_room:
+            ended = False
+            break
+        cell = _pop(heap, size) & _CELL
         size -= 1
         own = -cost[cell]
         if own < 0:
@@ -343,11 +369,7 @@ def _settle(
         settled += 1
         if cell == start:
             limit = own
-        if size + 27 > heap.shape[0]:
-            heap = np.resize(heap, 2 * heap.shape[0])
-        if met + 27 > seen.shape[0]:
-            seen = np.resize(seen, 2 * seen.shape[0])
-        _allowed(cython.address(weight[0]), cell, around, free)
+        _allowed(weight, cell, around, free)
         n, e, d = cell // stride_n - start_n, cell // stride_e % count_e - start_e, cell % stride_e - start_d
         here = free[13]
         k = -1
@@ -367,11 +389,10 @@ def _settle(
                         met += 1
                     if known == 0 or -known > new:
                         cost[other] = -new
-                        _push(cython.address(heap[0]), size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
+                        _push(heap, size, (new + _estimate(n + dn, e + de, d + dd)) << 32 | other)
                         size += 1
-    found = size == 0 or heap[0] >> 32 > limit
-    kept, costs = np.asarray(heap)[:size] & 0xFFFFFFFF, np.asarray(cost)
-    return np.unique(kept[costs[kept] < 0]), np.asarray(seen)[:met].copy(), settled, found
+    front.size, front.met, front.settled, front.limit = size, met, settled, limit
+    return ended
 
 
 def _descend(weight: Weights, count_e: int, count_d: int, cost: Costs, start: int, goal: int) -> IntArray:

@@ -66,7 +66,8 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -m venv $(VENV)
 	@echo "[2/3] installing what Skytender needs (half a minute)"
 	@$(INSTALL) setuptools cython
-	@echo "[3/3] compiling and installing Skytender (half a minute)"
+	@echo "[3/3] compiling and installing Skytender (a minute)"
+	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@$(INSTALL) --no-build-isolation -e .
 	@touch $@
 

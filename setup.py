@@ -50,9 +50,11 @@ class BuildExtensions(build_ext):
     """Keeps on record what it has compiled, by which a start knows old code."""
 
     def run(self) -> None:
+        if self.inplace or self.editable_mode:  # what was compiled is kept, and only what has changed is compiled anew
+            self.build_lib, self.build_temp = "build/lib", "build/temp"
         super().run()
         for package in PACKAGES:
-            beside = ROOT / package if self.inplace else Path(self.build_lib) / package
+            beside = ROOT / package if self.inplace or self.editable_mode else Path(self.build_lib) / package
             (beside / LIST).write_text(listing(ROOT, package))
 
 

@@ -8,12 +8,10 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from numba import njit
-
-REFERENCE_STEPS_S = 40.0e6
-"""What the calibration loop does per CPU second on the machine where these figures were first taken: two cores of an
-AMD EPYC under Firecracker, left to itself."""
-CALIBRATION_STEPS = 4_000_000
+REFERENCE_STEPS_S = 3.9e6
+"""Steps of the calibration loop per CPU second, by CPython 3.11, on the machine where these figures were first taken:
+two cores of an AMD EPYC under Firecracker, left to itself."""
+CALIBRATION_STEPS = 400_000
 ROUNDS = 7
 
 
@@ -57,7 +55,6 @@ class Scale:
     wall: float
 
 
-@njit
 def _pendulum(steps: int) -> float:
     """Damped pendulum, Euler, on scalar floats: what the flight law's arithmetic is made of."""
     angle, rate, dt = 1.0, 0.0, 1e-3

@@ -38,7 +38,7 @@ def figures(scale: Scale) -> list[Figure]:
 
 
 def _flight(rng: np.random.Generator) -> list[float]:
-    """CPU milliseconds of each tick after the first, which compile."""
+    """CPU milliseconds of each tick after the first."""
     table = _room(rng)
     starts, goals = _free(rng, table), _free(rng, table)
     starts = _apart(rng, table, starts)

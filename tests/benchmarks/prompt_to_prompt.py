@@ -14,14 +14,14 @@ from pathlib import Path
 from measure import Figure
 
 ROUNDS = 5
-IMPORTS = "import numpy, numba, pydantic, pymavlink"
+IMPORTS = "import numpy, pydantic, pymavlink"
 ALLOWED = 1.2
 """times the imports, and the flight"""
 
 
 def figures() -> list[Figure]:
     """Wall time on a machine that does nothing else, in rounds that alternate."""
-    fly()  # so that bytecode and kernels are there, as they are from the second session on
+    fly()  # so that bytecode is there, as it is from the second session on
     rounds = []
     for _ in range(ROUNDS):
         took_s, flight_s = fly()

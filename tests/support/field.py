@@ -1,4 +1,4 @@
-"""The planner's compiled kernels of the potential field, summed over what attracts and repels at one place; and the
+"""The planner's compiled potential field, summed over what attracts and repels at one place; and the
 potentials that docs/model.md#potential-field gives, whose gradients these forces are."""
 
 import math

@@ -143,7 +143,8 @@ def test_all_that_flies_may_be_stopped_for_a_while(reference: list[dict[str, Any
             since_s = time.monotonic()
             stopped.extend(psutil.Process().children(recursive=True))
             for process in stopped:
-                process.suspend()
+                with suppress(psutil.NoSuchProcess):  # one of a session that has just ended
+                    process.suspend()
         elif stopped and since_s and time.monotonic() - since_s >= 3.0:
             since_s = 0.0
             for process in reversed(stopped):

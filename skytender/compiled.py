@@ -47,7 +47,7 @@ def check(package: str, root: str = _HERE) -> None:
         try:
             with open(f"{root}/{name}", "rb") as source:
                 content = source.read()
-        except FileNotFoundError:  # a wheel holds no sources of what is compiled
+        except FileNotFoundError:  # an installation may leave the sources of what is compiled out
             continue
         if crc32(content) != int(checksum, 16):
             raise ImportError(f"{root}/{name} was changed after it was compiled: run `make build` in {root}")

@@ -22,7 +22,7 @@ _KINDS = {BOOT_FIELD: np.dtype("<u4"), USEC_FIELD: np.dtype("<u8")}
 _OLDER_HEADER_BYTES = 6
 """Before a payload of MAVLink 1."""
 MOST_CLOCKS = 8
-"""So many senders' clocks are asked, those that said the most."""
+"""Greatest number of senders whose clocks are read: the ones with the most times."""
 ASKED = 1 << 14
 """So many frames of a chunk are asked at first: some a second of each of 254 vehicles."""
 

@@ -15,6 +15,7 @@ from gcs.campaign.family_parts import rounded_m
 from gcs.campaign.model import Draw, RandomObstacles
 from gcs.scenario import geometry
 from gcs.scenario.model import Obstacle, Scenario
+from skytender import elementary
 
 TRIES = 2000
 """Places that are tried for each obstacle before it is left out."""
@@ -51,8 +52,8 @@ def scaled(draw: Draw, u: float) -> Any:
         x = draw.normal[0] + draw.normal[1] * NormalDist().inv_cdf(min(max(u, 1e-9), 1.0 - 1e-9))
         return x if draw.clip is None else min(max(x, draw.clip[0]), draw.clip[1])
     if draw.log_uniform is not None:
-        low_m, high_m = np.log(draw.log_uniform)
-        return float(np.exp(low_m + (high_m - low_m) * u))
+        ln_low, ln_high = map(elementary.log, draw.log_uniform)
+        return elementary.exp(ln_low + (ln_high - ln_low) * u)
     assert draw.uniform is not None
     return draw.uniform[0] + (draw.uniform[1] - draw.uniform[0]) * u
 

@@ -36,6 +36,7 @@ from gcs.campaign.family_parts import (
 from gcs.campaign.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.tight import tight
 from gcs.scenario import geometry as shapes
+from skytender import elementary, elementwise
 
 FIRST_SERVED_S, SERVICE_S = 20.0, 13.0
 """[choice] Until a tanker gives its first joule, and from one receiver to the next: charges last so long."""
@@ -94,12 +95,12 @@ def _circles(rng: np.random.Generator) -> Document:
     """4 to 24 vehicles on a circle, each to the place opposite; half of the circles regular, half not."""
     n, separation_m = int(rng.integers(4, 25)), separation_of(rng)
     apart_m = separation_m + MARGIN_M + float(rng.uniform(0.1, 0.5))
-    radius_m = max(float(rng.uniform(4.0, 8.0)), apart_m / (2.0 * math.sin(math.pi / n)))
+    radius_m = max(float(rng.uniform(4.0, 8.0)), apart_m / (2.0 * elementary.sin(math.pi / n)))
     angle = rng.uniform(0.0, 2 * math.pi) + 2 * math.pi * np.arange(n) / n
     if rng.random() < 0.5:
-        spare = max(0.0, math.pi / n - math.asin(min(1.0, (separation_m + MARGIN_M) / (2.0 * radius_m))))
+        spare = max(0.0, math.pi / n - elementary.asin(min(1.0, (separation_m + MARGIN_M) / (2.0 * radius_m))))
         angle = angle + rng.uniform(-0.9, 0.9, n) * spare
-    out = radius_m * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(n)])
+    out = radius_m * np.column_stack([elementwise.cosines(angle), elementwise.sines(angle), np.zeros(n)])
     middle = np.array([0.0, 0.0, -5.0])
     return _to_way_points(
         rng, middle + out, middle - out, way_m=2.0 * radius_m, separation_m=separation_m, airborne=True
@@ -124,7 +125,7 @@ def _crossings(rng: np.random.Generator) -> Document:
     apart_m = separation_m + MARGIN_M + float(rng.uniform(0.1, 1.0))
     starts, ends = [], []
     for heading in (0.0, float(rng.uniform(math.radians(40), math.radians(140)))):
-        ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
+        ahead = np.array([elementary.cos(heading), elementary.sin(heading), 0.0])
         # Behind the crossing by more than the other column is wide, so that the starts of both lie apart.
         for i in range(k):
             starts.append(-ahead * (way_m / 2 + i * apart_m) + [0.0, 0.0, -5.0])
@@ -178,7 +179,7 @@ def _gaps(rng: np.random.Generator) -> Document:
         box_of([near_m - out, -wide_m - out, -top_m - out], [end_m + out, wide_m + out, -top_m]),
     ]
     ends = starts + np.array([2.0 * wall_m + thick_m, 0.0, -TAKEOFF_M])
-    way_m = 2.0 * math.hypot(wall_m, wide_m) + 2.0 * len(starts)
+    way_m = 2.0 * elementary.hypot(wall_m, wide_m) + 2.0 * len(starts)
     return _to_way_points(rng, starts, ends, way_m=way_m, separation_m=separation_m, airborne=False, obstacles=boxes)
 
 
@@ -193,14 +194,14 @@ def _tracked(
     """3 to `most` pursuers on a ring about a target that flies legs with turns between `turn_rad`, either way."""
     n, separation_m, cruise = int(rng.integers(3, most + 1)), separation_of(rng), speed_of(rng)
     apart_m = separation_m + MARGIN_M + 0.2
-    ring_m = max(float(rng.uniform(1.5, 3.0)), apart_m / (2.0 * math.sin(math.pi / n)), apart_m)
+    ring_m = max(float(rng.uniform(1.5, 3.0)), apart_m / (2.0 * elementary.sin(math.pi / n)), apart_m)
     speed = round(cruise * float(rng.uniform(*share)), 2)
     duration_s = float(rng.integers(35, 51))
     heading, path = rng.uniform(0.0, 2 * math.pi), [np.array([0.0, 0.0, -3.0])]
     way_m, fly_m = 0.0, min(speed * duration_s, 90.0)
     while way_m < fly_m:
         leg_m = float(rng.uniform(4.0, 10.0))
-        ahead = np.array([leg_m * math.cos(heading), leg_m * math.sin(heading), 0.0])
+        ahead = np.array([leg_m * elementary.cos(heading), leg_m * elementary.sin(heading), 0.0])
         path.append(path[-1] + ahead)
         path[-1][2] = rng.uniform(-5.0, -2.5)
         heading += float(rng.choice([-1.0, 1.0])) * float(rng.uniform(*turn_rad))
@@ -260,9 +261,9 @@ def _tankers(rng: np.random.Generator) -> Document:
         if len(tankers) == int(document["goal"]["duration_s"]) % 3 + 1:
             break
         angle, out = rng.uniform(0.0, 2 * math.pi), ring_m + rng.uniform(2.0, 5.0)
-        home = np.array([out * math.cos(angle), out * math.sin(angle), -rng.uniform(6.5, 8.0)])
+        home = np.array([out * elementary.cos(angle), out * elementary.sin(angle), -rng.uniform(6.5, 8.0)])
         column = home * [1.0, 1.0, 0.0] + np.linspace(0.0, 1.0, 12)[:, None] * [0.0, 0.0, home[2]]
-        apart = [math.dist(home[:2], other["home_m"][:2]) for other in tankers]
+        apart = [elementary.distance(home[:2], other["home_m"][:2]) for other in tankers]
         if (
             shapes.clearance(table, column).min() < OBSTACLE_M + 0.5
             or min(apart, default=math.inf) < separation_m + 1.5
@@ -296,7 +297,7 @@ def _traffic(rng: np.random.Generator) -> Document:
     for i in range(int(rng.integers(1, 4))):
         through, heading = starts[int(rng.integers(n))], rng.uniform(0.0, 2 * math.pi)
         speed = speed_of(rng)
-        ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
+        ahead = np.array([elementary.cos(heading), elementary.sin(heading), 0.0])
         # It comes through 8 s after its start, when the one before it is gone, and turns round after the end.
         path = [rounded_m(through - ahead * 8.0 * speed), rounded_m(through + ahead * 40.0 * speed)]
         movers.append({"callsign": f"PASS{i + 1}", "path_m": path, "speed_m_s": speed, "start_s": 12.0 * i})

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.scenario import geometry as shapes
 from gcs.scenario.model import Obstacle
+from skytender import elementwise
 
 Document = dict[str, Any]
 FloatArray = NDArray[np.float64]
@@ -81,4 +82,4 @@ def random_shapes(
 
 def ring_places(rng: np.random.Generator, centre: FloatArray, n: int, ring_m: float) -> FloatArray:
     angle = rng.uniform(0.0, 2 * math.pi) + 2 * math.pi * np.arange(n) / n
-    return centre + ring_m * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(n)])
+    return centre + ring_m * np.column_stack([elementwise.cosines(angle), elementwise.sines(angle), np.zeros(n)])

@@ -8,13 +8,13 @@ Times in s from the session's start, energies in J above the charge at which a v
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import TypeVar
 
 from gcs.refuelling.giver import WORTH_J
 from gcs.refuelling.scheduler import TANKER_TIMES
 from gcs.scenario.model import Scenario
+from skytender import elementary
 
 MOST_NODES = 200_000
 EARLY_S = 0.5
@@ -72,7 +72,7 @@ class _Search:
             if wants[i] > now + 1e-9:
                 continue
             one = self.receivers[i]
-            begins = now + self.start_s + self.per_way * math.dist(places[j], one.place) / self.speed[j]
+            begins = now + self.start_s + self.per_way * elementary.distance(places[j], one.place) / self.speed[j]
             if begins > lands[i] - EARLY_S:
                 continue
             missing_j = one.full_j - (lands[i] - begins) * one.power_w

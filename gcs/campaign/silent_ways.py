@@ -26,7 +26,9 @@ def floats_over(table: FloatArray, document: Document, pursuer: Document) -> boo
     under_way_s = SILENT_FROM_S - (STARTS_WITHIN_S if target["airborne"] else TAKES_OFF_WITHIN_S)
     from_m, to_m = target["speed_m_s"] * under_way_s, target["speed_m_s"] * (SILENT_FROM_S + STOPS_WITHIN_S)
     flown = np.arange(from_m, to_m, 0.25)
-    places = np.column_stack([np.interp(flown, ways, axis) for axis in path.T]) + offset
+    leg = np.clip(np.searchsorted(ways, flown) - 1, 0, len(path) - 2)
+    share = np.clip((flown - ways[leg]) / (ways[leg + 1] - ways[leg]), 0.0, 1.0)
+    places = path[leg] + share[:, None] * (path[leg + 1] - path[leg]) + offset
     here = shapes.clearance(table, places)
     return any(
         clearance_over(table, place[:2], -place[2]) < min(OBSTACLE_M, at - 1e-3)

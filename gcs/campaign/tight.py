@@ -12,6 +12,7 @@ import math
 import numpy as np
 
 from gcs.campaign.family_parts import BATTERY, Document, rounded_m
+from skytender import elementary
 
 HOVER_W = 210.0
 RATE_W = 2000.0
@@ -44,7 +45,7 @@ def tight(rng: np.random.Generator) -> Document:
     listed = []
     for i in range(tankers):
         angle = 2.0 * math.pi * (i + float(rng.uniform(0.0, 0.6))) / tankers
-        home = rounded_m([10.0 * math.cos(angle), 10.0 * math.sin(angle), -11.0])
+        home = rounded_m([10.0 * elementary.cos(angle), 10.0 * elementary.sin(angle), -11.0])
         listed.append(
             {
                 "sysid": 201 + i,
@@ -70,6 +71,6 @@ def _places(rng: np.random.Generator, n: int) -> list[np.ndarray[tuple[int], np.
     found: list[np.ndarray[tuple[int], np.dtype[np.float64]]] = []
     while len(found) < n:
         place = np.array([*rng.uniform(-WIDE_M, WIDE_M, 2), rng.uniform(-6.0, -4.0)])
-        if all(math.dist(place[:2], other[:2]) >= APART_M for other in found):
+        if all(elementary.distance(place[:2], other[:2]) >= APART_M for other in found):
             found.append(place)
     return found

@@ -13,6 +13,7 @@ from gcs.link.link import Key
 from gcs.mavlink.datagram import AnswerRuns
 from gcs.mavlink.frame_runs import FIRST, LAST
 from gcs.mavlink.gaps import GapCounter
+from skytender import elementary
 
 WINDOW_S = 10.0
 SAMPLE_EVERY_S = 1.0
@@ -28,7 +29,7 @@ def copies(lost_share: float | None) -> int:
     """Number of copies of a frame that must arrive soon, over a link that loses this share of its frames; None: 1."""
     if lost_share is None or lost_share < LOSSY_SHARE:
         return 1
-    return min(math.ceil(math.log(LEFT_SHARE) / math.log(min(lost_share, 0.5))), MOST_COPIES)
+    return min(math.ceil(elementary.log(LEFT_SHARE) / elementary.log(min(lost_share, 0.5))), MOST_COPIES)
 
 
 @dataclass

@@ -23,6 +23,8 @@ import numpy as np
 import pymap3d
 from numpy.typing import NDArray
 
+from skytender import elementary
+
 Vec3 = tuple[float, float, float]
 T = TypeVar("T", float, NDArray[np.float64])
 
@@ -41,9 +43,11 @@ def frame_place(
     north, east, _ = pymap3d.geodetic2ned(lat_deg, lon_deg, common_alt_m, common_lat_deg, common_lon_deg, common_alt_m)
     phi, phi_0 = math.radians(lat_deg), math.radians(common_lat_deg)
     ahead = math.radians(lon_deg - common_lon_deg)
-    north_of_north = math.sin(phi_0) * math.sin(phi) * math.cos(ahead) + math.cos(phi_0) * math.cos(phi)
-    east_of_north, north_of_east = -math.sin(phi) * math.sin(ahead), math.sin(phi_0) * math.sin(ahead)
-    turn_rad = math.atan2(east_of_north - north_of_east, north_of_north + math.cos(ahead))
+    (sin_phi, cos_phi), (sin_phi_0, cos_phi_0) = elementary.sin_cos(phi), elementary.sin_cos(phi_0)
+    sin_ahead, cos_ahead = elementary.sin_cos(ahead)
+    north_of_north = sin_phi_0 * sin_phi * cos_ahead + cos_phi_0 * cos_phi
+    east_of_north, north_of_east = -sin_phi * sin_ahead, sin_phi_0 * sin_ahead
+    turn_rad = elementary.atan2(east_of_north - north_of_east, north_of_north + cos_ahead)
     offset = (float(north), float(east), common_alt_m - alt_m)
     return FramePlace(offset, turn_rad)
 
@@ -61,5 +65,5 @@ def turned(vector_ned: tuple[T, T, T], turn_rad: float) -> tuple[T, T, T]:
     if not turn_rad:
         return vector_ned
     north, east, down = vector_ned
-    cos, sin = math.cos(turn_rad), math.sin(turn_rad)
+    sin, cos = elementary.sin_cos(turn_rad)
     return cos * north - sin * east, sin * north + cos * east, down

@@ -7,6 +7,7 @@ import math
 import pymap3d
 
 from gcs.missions.items import FenceArea, GlobalPlace, LatLon, LocalPlace
+from skytender import elementary
 
 Origin = tuple[float, float, float]
 """Of the common frame: latitude and longitude in degrees, altitude above the sea in m."""
@@ -39,5 +40,5 @@ def outline_ne(area: FenceArea, origin: Origin) -> list[tuple[float, float]]:
     if area.radius_m is not None:
         (north_m, east_m), r = corners[0], area.radius_m
         turns = [2.0 * math.pi * k / CIRCLE for k in range(CIRCLE)]
-        corners = [(north_m + r * math.cos(turn), east_m + r * math.sin(turn)) for turn in turns]
+        corners = [(north_m + r * elementary.cos(turn), east_m + r * elementary.sin(turn)) for turn in turns]
     return [*corners, corners[0]]

@@ -17,6 +17,7 @@ from gcs.scenario.fence import CIRCLE, NO_FENCE, Area
 from gcs.scenario.geometry import FloatArray
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import Vec3
+from skytender import elementary
 
 Bools = NDArray[np.bool_]
 
@@ -74,9 +75,9 @@ class FenceBorder:
     def _nearest(self, here: FloatArray) -> tuple[FloatArray, int, float]:
         """Place of the border that is nearest to `here` (2,), on which stretch it lies, and how far away."""
         along = self._b - self._a
-        share = np.clip(((here - self._a) * along).sum(axis=1) / (along**2).sum(axis=1), 0.0, 1.0)
+        share = np.clip(((here - self._a) * along).sum(axis=1) / (along * along).sum(axis=1), 0.0, 1.0)
         feet = self._a + share[:, None] * along
-        apart_m = np.hypot(*(feet - here).T)
+        apart_m = _lengths(feet - here)
         k = int(np.argmin(apart_m))
         return feet[k], k, float(apart_m[k])
 
@@ -90,9 +91,9 @@ class FenceBorder:
         pieces = [_cut(a[k], b[k], a, b) for k in range(len(a))]
         a = np.concatenate([piece[:-1] for piece in pieces])
         b = np.concatenate([piece[1:] for piece in pieces])
-        length = np.hypot(*(b - a).T)
+        length = _lengths(b - a)
         a, b = a[length > 2.0 * _BESIDE_M], b[length > 2.0 * _BESIDE_M]
-        along = (b - a) / np.hypot(*(b - a).T)[:, None]
+        along = (b - a) / _lengths(b - a)[:, None]
         left = np.column_stack([-along[:, 1], along[:, 0]])
         middle = (a + b) / 2.0
         on_left, on_right = (self.allows(middle + sign * _BESIDE_M * left) for sign in (1.0, -1.0))
@@ -104,7 +105,7 @@ def _corners(area: Area, *, inscribed: bool) -> FloatArray:
     corners = np.array(area.border_ned)
     if area.circle_m is not None and not inscribed:
         centre = np.array(area.circle_m)
-        corners = centre + (corners - centre) / math.cos(math.pi / CIRCLE)
+        corners = centre + (corners - centre) / elementary.cos(math.pi / CIRCLE)
     return corners
 
 
@@ -120,10 +121,15 @@ def _covers(corners: FloatArray, p_ned: FloatArray) -> Bools:
     return odd
 
 
+def _lengths(v: FloatArray) -> FloatArray:
+    """(m,) of vectors (m, 2)."""
+    return np.asarray(np.sqrt(v[:, 0] * v[:, 0] + v[:, 1] * v[:, 1]))
+
+
 def _cut(a: FloatArray, b: FloatArray, from_ne: FloatArray, to_ne: FloatArray) -> FloatArray:
     """The edge a-b (2,) cut where any of the edges (m, 2) meets it: its places (k, 2) in order, from a to b."""
     along, other, between = b - a, to_ne - from_ne, from_ne - a
-    square = float(along[0] ** 2 + along[1] ** 2)
+    square = float(along[0] * along[0] + along[1] * along[1])
     if square == 0.0:
         return a[np.newaxis]
     across = along[0] * other[:, 1] - along[1] * other[:, 0]

@@ -15,6 +15,7 @@ import cython
 import numpy as np
 from cython.cimports.gcs.planner.fuzzy_escape import TERMS, WINDOW
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 
 from gcs.scenario.geometry import FloatArray
 from skytender import layout
@@ -154,7 +155,7 @@ def escape_force(
     cn = ge * od - gd * oe
     ce = gd * on - gn * od
     cd = gn * oe - ge * on
-    angle = math.atan2(math.sqrt(cn * cn + ce * ce + cd * cd), gn * on + ge * oe + gd * od)
+    angle = elementary.atan2(math.sqrt(cn * cn + ce * ce + cd * cd), gn * on + ge * oe + gd * od)
     delta_f = (size_g - size_o) / (size_g + size_o)
     f = _strength(memory.side * angle, delta_f)
 

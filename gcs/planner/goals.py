@@ -12,23 +12,25 @@ from numpy.typing import NDArray
 from gcs.assignment import least_cost
 from gcs.planner.neighbours import IntArray
 from gcs.scenario.geometry import FloatArray
+from skytender import elementary, elementwise
 
 Vec3 = tuple[float, float, float]
 _ROUNDING = 1.0 + 1e-9
-"""Of a sum of squares against `math.dist`."""
+"""Of a sum of squares against `distance`."""
 
 
 def ring_offsets(count: int, ring_m: float, height_m: float) -> NDArray[np.float64]:
     """Offsets (count, 3) from the target, NED m: evenly spaced on a level ring, the first one to the north."""
     angles = 2.0 * math.pi * np.arange(count) / max(count, 1)
-    return np.column_stack((ring_m * np.cos(angles), ring_m * np.sin(angles), np.full(count, -height_m)))
+    north, east = elementwise.cosines(angles), elementwise.sines(angles)
+    return np.column_stack((ring_m * north, ring_m * east, np.full(count, -height_m)))
 
 
 def assign(positions_ned: Mapping[int, Vec3], slots_ned: NDArray[np.float64]) -> dict[int, int]:
     """Slot of each vehicle, by system id, such that the squared distances add up to the least; so paths cross least."""
     sysids = sorted(positions_ned)
     here = np.array([positions_ned[sysid] for sysid in sysids]).reshape(-1, 1, 3)
-    cost = ((here - slots_ned[np.newaxis]) ** 2).sum(axis=2)
+    cost = np.square(here - slots_ned[np.newaxis]).sum(axis=2)
     rows, columns = least_cost(cost)
     return {sysids[row]: int(column) for row, column in zip(rows, columns, strict=True)}
 
@@ -71,7 +73,7 @@ class Courses:
         """(n,) of those who have left their last way point behind"""
         self._left = {row: list(course) for row, course in courses.items()}
         self._reached_m = reached_m
-        self.near2 = (_ROUNDING * reached_m) ** 2
+        self.near2 = (_ROUNDING * reached_m) * (_ROUNDING * reached_m)
         """m², beyond which nobody can have come to a way point"""
         self._least_left = 1 if keeps_last else 0
         for row, course in courses.items():
@@ -83,7 +85,7 @@ class Courses:
         passed = False
         for row, here in zip(rows.tolist(), q_ned[rows].tolist(), strict=True):
             left = self._left[row]
-            if len(left) > self._least_left and math.dist(here, left[0]) <= self._reached_m:
+            if len(left) > self._least_left and elementary.distance(here, left[0]) <= self._reached_m:
                 left.pop(0)
                 passed = True
                 if left:

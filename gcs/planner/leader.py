@@ -31,7 +31,6 @@ _FEW_MOVING = 8_000
 """Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
 _ROUNDING_M = 1e-6
 _SURE = 1.0 - 1e-9
-_ONE_THREAD = 8192  # numbers of which OpenBLAS takes a sum without its threads
 
 BoolArray = NDArray[np.bool_]
 _NO_ROWS = np.empty(0, np.int64)
@@ -253,10 +252,8 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
         array = array.reshape(0, *shape[1:])
     if array.shape[1:] != shape[1:] or array.ndim == 0 or shape[0] not in (-1, array.shape[0]):
         raise ValueError(f"{name} has shape {array.shape}; it must be {shape}, -1 standing for any number")
-    # A sum of squares is finite where all are, unless it overflows: that and a fault are then distinguished. Of many,
-    # BLAS would take the sum with threads that wait for each other for longer than it takes.
-    squares = np.vdot(array, array) if array.size <= _ONE_THREAD else np.nan
-    if not math.isfinite(squares) and not np.isfinite(array).all():
+    # A sum is finite where all are, unless it overflows: that and a fault are then distinguished.
+    if not math.isfinite(array.sum()) and not np.isfinite(array).all():
         row = int(np.argwhere(~np.isfinite(array))[0][0])
         raise ValueError(f"{name} holds a value that is not finite in row {row}; leave that row out or mend its data")
     return array

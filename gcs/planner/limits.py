@@ -1,7 +1,7 @@
 """Limits of leaders: the floor; the leash that lets them wait for their vehicles; the way that they need to stop.
 
 The last two seldom limit. Sums of squares tell of whom that is sure; for all others the very formula is computed,
-vehicle by vehicle, since `math.dist` and `math.hypot` round otherwise than the root of a sum.
+vehicle by vehicle, since `distance` and `norm` round otherwise than the root of a sum.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import numpy as np
 
 from gcs.planner.leader import LeaderLimits, LeaderRows
 from gcs.scenario.geometry import FloatArray
+from skytender import elementary
 
 FLOOR_M = 0.3
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""
@@ -59,7 +60,7 @@ class SpeedLimits:
             some, twice = limited[1, :stopping], 2.0 * brake_m_s2
             columns = (goal_v[some].tolist(), q[some].tolist(), goal[some].tolist(), speed[some].tolist())
             speed[some] = [
-                min(speed_m_s, math.hypot(*v) + math.sqrt(twice * math.dist(from_ned, to_ned)))
+                min(speed_m_s, elementary.norm(v) + math.sqrt(twice * elementary.distance(from_ned, to_ned)))
                 for v, from_ned, to_ned, speed_m_s in zip(*columns, strict=True)
             ]
         if asked:
@@ -72,10 +73,10 @@ class SpeedLimits:
     ) -> float:
         """Leashed; and where leaders brake, no faster than they can still stop."""
         slack_m = self._leash_m + self._lookahead_s * speed
-        leashed = speed * min(max(2.0 * (1.0 - math.dist(q, here) / slack_m), 0.0), 1.0)
+        leashed = speed * min(max(2.0 * (1.0 - elementary.distance(q, here) / slack_m), 0.0), 1.0)
         if self._brake_m_s2 is None:
             return leashed
-        way_m = math.dist(q, goal) if math.isnan(route_m) else route_m
+        way_m = elementary.distance(q, goal) if math.isnan(route_m) else route_m
         if math.isinf(way_m):
             return 0.0
-        return min(leashed, math.hypot(*goal_v) + math.sqrt(2.0 * self._brake_m_s2 * way_m))
+        return min(leashed, elementary.norm(goal_v) + math.sqrt(2.0 * self._brake_m_s2 * way_m))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.scenario.geometry import FloatArray
@@ -38,7 +39,7 @@ class LinkAge:
 
     def receive(self, age_s: FloatArray, period_s: float) -> None:
         """Take in the vehicles' ages (n,), once a period."""
-        _receive(age_s, period_s, math.exp(-period_s / DECAY_S), self._last_s, self._oldest_s, self.silent)
+        _receive(age_s, period_s, elementary.exp(-period_s / DECAY_S), self._last_s, self._oldest_s, self.silent)
 
 
 class SlowLinks:

@@ -9,6 +9,7 @@ import functools
 import numpy as np
 from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.scenario.geometry import NORTH, FloatArray
@@ -61,7 +62,7 @@ def _look(
         if shape.kind == BOX:
             extent = math.sqrt(shape.size_1 * shape.size_1 + shape.size_2 * shape.size_2 + shape.size_3 * shape.size_3)
         elif shape.kind == CYLINDER:
-            extent = math.hypot(shape.size_1, shape.size_2)
+            extent = elementary.hypot(shape.size_1, shape.size_2)
         spheres[k, 0], spheres[k, 1], spheres[k, 2] = shape.north, shape.east, shape.down
         spheres[k, 3] = extent + spheres[k, 3] + _ROUNDING_M
         widest_m = max(widest_m, spheres[k, 3])

@@ -44,6 +44,7 @@ from gcs.scenario.geometry import COLUMNS, DOWN, NORTH, FloatArray
 from gcs.scenario.model import Scenario, Target
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import FleetSnapshot, Vec3
+from skytender import elementary
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3
@@ -305,7 +306,7 @@ class Planner(TickPlanner):
         leaders, path = self._leaders, self._paths[target.sysid]
         p_ned, direction = path.at(self._way_m[target.sysid])
         leaders.goal_ned[row], leaders.speed_m_s[row] = p_ned, CATCH_UP_SPEED * target.speed_m_s
-        arrived = math.dist(leaders.q_ned[row].tolist(), p_ned) < self._rules.leash_m
+        arrived = elementary.distance(leaders.q_ned[row].tolist(), p_ned) < self._rules.leash_m
         if moves and arrived:
             self._way_m[target.sysid] += target.speed_m_s * period_s
             leaders.goal_v_ned[row] = [component * target.speed_m_s for component in direction]
@@ -359,7 +360,7 @@ class Planner(TickPlanner):
         v_ned = vec(columns.v_ned[row])
         flown = _ahead(vec(self._here[row]), v_ned)
         begin = vec(self._leaders.begin_ned[row])
-        if self._led[row] and math.dist(begin, flown) <= OFF_PLAN_M:
+        if self._led[row] and elementary.distance(begin, flown) <= OFF_PLAN_M:
             return begin, vec(self._leaders.v_ned[row])
         return flown, v_ned
 
@@ -419,14 +420,14 @@ class Planner(TickPlanner):
             for k in np.flatnonzero((self._slow.slow() & columns.fresh)[flying]).tolist():
                 at[k] = self._formed_on(int(flying[k]), columns)[0]
         table, ages_s = self._team.spheres, columns.age_s[flying]
-        speeds = list(map(math.hypot, *v_ned.T.tolist()))
+        speeds = list(map(elementary.norm, v_ned.tolist()))
         if snapshot.traffic:
             places = [_ahead(a.p_ned, a.v_ned, LOOKAHEAD_S + a.age_s) for a in snapshot.traffic]
             aircraft_m = self._rules.separation_m if self._rules.safety else 0.0
             table = np.concatenate((table, geometry.points(places, np.full(len(places), aircraft_m))))
             at = np.concatenate((at, places))
             period_s = self._scenario.clock.period_s
-            speeds += [math.hypot(*a.v_ned) for a in snapshot.traffic]
+            speeds += [elementary.norm(a.v_ned) for a in snapshot.traffic]
             ages_s = np.concatenate((ages_s, [a.age_s + period_s for a in snapshot.traffic]))
         table[:, NORTH : DOWN + 1] = at
         ranges_m = widened_range(self._field.repulsion_range_m, speeds, ages_s)

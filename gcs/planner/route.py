@@ -239,5 +239,5 @@ class Router:
 def _around_cell(wide: int) -> IntArray:
     """Offsets (k, 3) in cells, at most `wide` each way, from the nearest to the farthest."""
     offsets = np.array(list(itertools.product(range(-wide, wide + 1), repeat=3)))
-    ordered: IntArray = offsets[np.argsort((offsets**2).sum(axis=1), kind="stable")]
+    ordered: IntArray = offsets[np.argsort(np.square(offsets).sum(axis=1), kind="stable")]
     return ordered

@@ -23,6 +23,7 @@ import numpy as np
 from cython.cimports.gcs.planner.search import Front
 from cython.cimports.gcs.scenario.geometry import WALL, shape_at, shape_surface
 from cython.cimports.libc.math import INFINITY, ceil, floor
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.planner.line_of_sight import FloatArray, IntArray
@@ -82,7 +83,7 @@ def cells(
     first = low_ned - spare / 2 - cell_m
     first[2] = high_ned[2] - (counts[2] - 2) * cell_m  # the lowest layer lies on the floor
     # The longest move between cells that keep so much keeps the clearance.
-    wanted_m = math.hypot(clearance_m, cell_m * math.sqrt(3.0) / 2.0)
+    wanted_m = elementary.hypot(clearance_m, cell_m * math.sqrt(3.0) / 2.0)
     distance = np.full(counts, wanted_m, dtype=np.float32)
     _rasterise(table, low, high, distance, first, cell_m, wanted_m, max(WALL_SHARE * cell_m - least_m, 0.0))
     share = np.clip((wanted_m - distance) / max(wanted_m - least_m, 1e-9), 0.0, 1.0)

@@ -30,6 +30,7 @@ from gcs.scenario.geometry import FloatArray
 from gcs.scenario.model import Scenario, VehicleBase
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import Vec3, VehicleView
+from skytender import elementary
 
 MOST_MARGIN_M = 1.5
 SPARE_M = 0.05
@@ -74,7 +75,7 @@ class _Other:
     ) -> _Other:
         """Carried forward by `lead_s`, and the less certain the older the report of it is."""
         v = np.array(v_ned)
-        drift_m = min(0.5 * DRIFT_M_S2 * age_s**2, MOST_DRIFT_M)
+        drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
         growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
         return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
 
@@ -192,7 +193,7 @@ class SafePlanner(TickPlanner):
         self._led = kept
 
     def _within_speed(self, row: int, v_ned: FloatArray) -> FloatArray:
-        return v_ned * min(1.0, float(self._speed_m_s[row]) / max(math.hypot(*v_ned.tolist()), 1e-9))
+        return v_ned * min(1.0, float(self._speed_m_s[row]) / max(elementary.norm(v_ned.tolist()), 1e-9))
 
     def _filter(self, points: SetPoints, request: PlanRequest, columns: FleetColumns, others: list[_Other]) -> Filtered:
         rules, rows = self._scenario.planner, self._rows
@@ -317,7 +318,7 @@ def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
     if vehicle.foreign is not None:
         return min(most_m_s2, EXTERNAL_M_S2)
     acceleration_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
-    tilt_m_s2 = GRAVITY_M_S2 * math.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))
+    tilt_m_s2 = GRAVITY_M_S2 * elementary.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))
     return min(most_m_s2, ABLE_SHARE * acceleration_m_s2, ABLE_SHARE * tilt_m_s2)
 
 

@@ -22,6 +22,7 @@ from cython.cimports.gcs.planner.constraints import Constraint, Moves, Other, Su
 from cython.cimports.gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR
 from cython.cimports.gcs.scenario.geometry import shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 
 from gcs.planner.braking_clearance import FloatArray, IntArray
 
@@ -111,7 +112,8 @@ def write_line(c: Any, after: float, when: float, nn: float, ne: float, nd: floa
     if nn == 0.0 and ne == 0.0 and nd == 0.0:  # in the same place: a direction by id, the same one in every period
         other = ids[c.j] if c.kind == PAIR else c.j
         turn = 2.0 * math.M_PI * part_of_turn(ids[c.i] * GOLDEN + other * _PLASTIC)
-        nn, ne, nd = math.cos(turn), math.sin(turn), 0.0
+        ne, nn = elementary.sin_cos(turn)
+        nd = 0.0
     vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
     t, way = -1.0, when
     if c.kind <= OTHER:

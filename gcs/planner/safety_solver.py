@@ -36,6 +36,7 @@ from cython.cimports.gcs.planner.safety_constraints import (
 from cython.cimports.gcs.scenario.geometry import shape_at
 from cython.cimports.libc import math
 from cython.cimports.libc.stdlib import calloc, free
+from cython.cimports.skytender import elementary
 
 from gcs.planner.braking_clearance import FloatArray, IntArray
 
@@ -71,15 +72,16 @@ def _turned(wanted: Any, sysid: int, share: float, turn: float, climb: float, ou
     """A wanted velocity turned to the right by turn share and raised by up to climb share, differently for each id."""
     _copy(wanted, out)
     if share > 0.0:
-        cos, sin = math.cos(turn * share), math.sin(turn * share)
+        sin, cos = elementary.sin_cos(turn * share)
         part = part_of_turn(sysid * GOLDEN)
         # A wanted velocity straight up or down has no right side, so one is chosen by id.
-        right_n = math.fabs(wanted[2]) * math.cos(2.0 * math.M_PI * part) - wanted[1]
-        right_e = math.fabs(wanted[2]) * math.sin(2.0 * math.M_PI * part) + wanted[0]
+        side_sin, side_cos = elementary.sin_cos(2.0 * math.M_PI * part)
+        right_n = math.fabs(wanted[2]) * side_cos - wanted[1]
+        right_e = math.fabs(wanted[2]) * side_sin + wanted[0]
         out[0] = cos * wanted[0] + sin * right_n
         out[1] = cos * wanted[1] + sin * right_e
         speed = math.sqrt(wanted[0] ** 2 + wanted[1] ** 2)
-        out[2] = wanted[2] + (2.0 * part - 1.0) * math.tan(climb * share) * speed
+        out[2] = wanted[2] + (2.0 * part - 1.0) * elementary.tan(climb * share) * speed
 
 
 def _project(s: Any, active: Any, count: int, u: Any) -> None:

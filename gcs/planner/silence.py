@@ -17,6 +17,7 @@ import numpy as np
 from gcs.scenario.geometry import bounds, of_scenario
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.telemetry.state import Vec3
+from skytender import elementary
 
 STEP_M = 0.7
 """Between two presumed places: their spheres overlap."""
@@ -95,7 +96,7 @@ def flown_on(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: 
 
     Its last set point was lag_s ahead of it; it flies on from there until it holds, and brakes.
     """
-    stands_s = lag_s + failsafe.hold_s + math.hypot(*v_ned) / (2.0 * BRAKES_M_S2)
+    stands_s = lag_s + failsafe.hold_s + elementary.norm(v_ned) / (2.0 * BRAKES_M_S2)
     n, e, d = (p + v * min(silent_s + lag_s, stands_s) for p, v in zip(p_ned, v_ned, strict=True))
     return (n, e, d), v_ned if silent_s + lag_s < stands_s else (0.0, 0.0, 0.0)
 
@@ -105,18 +106,18 @@ def braked(p_ned: Vec3, v_ned: Vec3, silent_s: float) -> tuple[Vec3, Vec3]:
 
     Its last set points may have led it to stand: it is nowhere behind that place.
     """
-    speed_m_s = math.hypot(*v_ned)
+    speed_m_s = elementary.norm(v_ned)
     if speed_m_s == 0.0:
         return p_ned, v_ned
     t_s = min(silent_s, speed_m_s / BRAKES_M_S2)
-    gone_s, left = t_s - 0.5 * BRAKES_M_S2 * t_s**2 / speed_m_s, 1.0 - BRAKES_M_S2 * t_s / speed_m_s
+    gone_s, left = t_s - 0.5 * BRAKES_M_S2 * t_s * t_s / speed_m_s, 1.0 - BRAKES_M_S2 * t_s / speed_m_s
     n, e, d = (p + gone_s * v for p, v in zip(p_ned, v_ned, strict=True))
     return (n, e, d), (left * v_ned[0], left * v_ned[1], left * v_ned[2])
 
 
 def between(first: tuple[Vec3, Vec3], last: tuple[Vec3, Vec3]) -> list[tuple[Vec3, Vec3]]:
     """Places and velocities from the first on, so near to each other that their spheres overlap; without the last."""
-    count = math.ceil(math.dist(first[0], last[0]) / STEP_M)
+    count = math.ceil(elementary.distance(first[0], last[0]) / STEP_M)
     (p0, v0), (p1, v1) = first, last
     return [(_between(p0, p1, k / count), _between(v0, v1, k / count)) for k in range(count)]
 
@@ -137,7 +138,7 @@ def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Fail
     places: list[Vec3] = []
     start_s = 0.0
     for a, b, speed_m_s in legs:
-        length_m = math.dist(a, b)
+        length_m = elementary.distance(a, b)
         end_s = start_s + length_m / speed_m_s
         low_s, high_s = max(least_s, start_s), min(begun_s + AHEAD_S, end_s)
         if length_m > 0.0 and low_s < high_s:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 from cython.cimports.gcs.planner.tracking import KEPT
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 _MOVING_M_S = 0.5
@@ -49,7 +50,7 @@ class Tracking:
         fleet's lag before."""
         if len(rows):
             _measure(
-                rows, p_ned, time_s, math.exp(-period_s / DECAY_S), lag_s, self._time_s, self._way, self._count,
+                rows, p_ned, time_s, elementary.exp(-period_s / DECAY_S), lag_s, self._time_s, self._way, self._count,
                 self.now_m, self.error_m, self.lag_s,
             )  # fmt: skip
 

@@ -22,6 +22,7 @@ from gcs.refuelling.service import GiverReport, Phase, Service, TransferRole, to
 from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
 from gcs.scenario.model import Base, Origin
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from skytender import elementary
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
@@ -112,7 +113,7 @@ class BaseSteps(ServiceSteps):
             self.end(service, now_s, reason)
             return
         base = self._base(service)
-        off_m, speed_m_s = math.dist(receiver.p_now_ned(), base.above_m), math.hypot(*receiver.v_ned)
+        off_m, speed_m_s = elementary.distance(receiver.p_now_ned(), base.above_m), elementary.norm(receiver.v_ned)
         near = off_m <= 0.5 * base.radius_m and speed_m_s <= self.rules.relative_speed_m_s
         if service.has_held(near, now_s, self.rules.hold_s):
             service.go(Phase.LAND, now_s)
@@ -122,7 +123,7 @@ class BaseSteps(ServiceSteps):
     def _land(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         if receiver.landed and not receiver.armed and receiver.fresh:
             base = self._base(service)
-            off_m = math.dist(receiver.p_now_ned()[:2], base.position_m[:2])
+            off_m = elementary.distance(receiver.p_now_ned()[:2], base.position_m[:2])
             if off_m > base.radius_m:
                 self._leave(service, receiver, now_s, f"landed {off_m:.1f} m from the base")
                 return
@@ -242,7 +243,7 @@ class BaseSteps(ServiceSteps):
     def _take_off(self, service: Service, receiver: VehicleView, now_s: float) -> None:
         base = self._base(service)
         up = receiver.flying and receiver.mode in STEERABLE
-        if up and math.dist(receiver.p_now_ned(), base.position_m) > base.radius_m:
+        if up and elementary.distance(receiver.p_now_ned(), base.position_m) > base.radius_m:
             self.end(service, now_s, service.ended_by)
 
     def _base(self, service: Service) -> Base:

@@ -20,6 +20,7 @@ from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from skytender import elementary
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6
@@ -144,7 +145,7 @@ class NeedBidding(BiddingRule):
             if won is None:
                 return
             place = snapshot.vehicle(won[0]).p_now_ned()
-            base = min(bases, key=lambda one: math.dist(one.p_ned, place))
+            base = min(bases, key=lambda one: elementary.distance(one.p_ned, place))
             bases.remove(base)
             yield Award(base, *won)
 
@@ -215,7 +216,7 @@ def urgent_of(
     urgent = []
     for sysid in able:
         view = snapshot.vehicle(sysid)
-        way_m = min((math.dist(place, view.p_now_ned()) for place in places), default=math.inf)
+        way_m = min((elementary.distance(place, view.p_now_ned()) for place in places), default=math.inf)
         if view.endurance_s < way_m / speed_m_s + reserve_s:
             urgent.append((view.endurance_s, sysid))
     return min(urgent)[1] if urgent else None

@@ -19,6 +19,7 @@ from gcs.refuelling.service import Phase, Service
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import RefuellingRules
 from gcs.telemetry.state import Vec3, VehicleView
+from skytender import elementary
 
 WORTH_J = 500.0
 """A giver with less to spare takes nobody on."""
@@ -51,7 +52,7 @@ class Giver(NamedTuple):
     def way_s(self, view: VehicleView) -> float:
         """Time until the two are together from when it is free on; the vehicle flies straight on meanwhile."""
         offset = way(self.p_ned, view.p_now_ned())
-        straight_s = math.hypot(*offset) / self.speed_m_s
+        straight_s = elementary.norm(offset) / self.speed_m_s
         if not self.is_tanker:
             return straight_s
         met_s = meeting_s(offset, view.v_ned, self.speed_m_s)
@@ -134,7 +135,7 @@ def match(givers: Sequence[Giver], receivers: Sequence[VehicleView]) -> list[tup
 def nearest_s(givers: Sequence[Giver], view: VehicleView, times: ServiceTimes) -> float:
     """Time until energy can flow into a vehicle, from the giver that is with it first; inf where there is none."""
     place = view.p_now_ned()
-    ways = (g.free_in_s + times.begins_in_s(math.dist(g.p_ned, place) / g.speed_m_s) for g in givers)
+    ways = (g.free_in_s + times.begins_in_s(elementary.distance(g.p_ned, place) / g.speed_m_s) for g in givers)
     return min(ways, default=math.inf)
 
 
@@ -148,7 +149,7 @@ def ways_s(givers: Sequence[Giver], views: Sequence[VehicleView]) -> list[float]
     """Time that the way to each vehicle takes the nearest of those givers that are free first, s; 0 without any."""
     soonest_s = min((giver.free_in_s for giver in givers), default=0.0)
     first = [giver for giver in givers if giver.free_in_s == soonest_s]
-    return [min((math.dist(g.p_ned, v.p_now_ned()) / g.speed_m_s for g in first), default=0.0) for v in views]
+    return [min((elementary.distance(g.p_ned, v.p_now_ned()) / g.speed_m_s for g in first), default=0.0) for v in views]
 
 
 def served_if_passed_over_s(

@@ -9,12 +9,13 @@ logarithms: a loser's v soon is smaller than any float, its ratio to another los
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from skytender import elementary
 
 FloatArray = NDArray[np.float64]
 
@@ -51,7 +52,7 @@ def bounded(ln_v: ArrayLike, places: int, floor: float) -> FloatArray:
         return values.copy()
     order = np.argsort(-values, kind="stable")
     gaps = -np.diff(values[order])
-    deepest = -math.log(floor)
+    deepest = -elementary.log(floor)
     gaps[:places] = np.minimum(gaps[:places], deepest)
     below = np.concatenate([[0.0], np.cumsum(gaps)])
     last = below[min(places, len(below) - 1)]
@@ -76,4 +77,4 @@ def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -
 
 def share_of(ln_ratio: float, p: float) -> float:
     """Share of the first of two in the sum of their v^p, from the logarithm of their ratio."""
-    return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0
+    return 1.0 / (1.0 + elementary.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0

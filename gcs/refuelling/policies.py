@@ -24,6 +24,7 @@ from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
 from gcs.scenario.guard import Guard, Nonsense, PluginFault
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
+from skytender import elementary
 
 WINNER_TAKE_ALL = "winner_take_all"
 MOST_PLANNED = 24
@@ -162,7 +163,7 @@ class GreedyNearest(_Stateless):
     def choose(self, request: RefuellingRequest) -> int | None:
         """The nearest; of equals the lowest system id."""
         here = request.tanker.p_now_ned()
-        return min(request.candidates, key=lambda view: (math.dist(here, view.p_now_ned()), view.sysid)).sysid
+        return min(request.candidates, key=lambda view: (elementary.distance(here, view.p_now_ned()), view.sysid)).sysid
 
 
 class MostEmptyFirst(_Stateless):

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.refuelling.giver import Giver, ServiceTimes
+from skytender import elementwise
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -98,7 +99,7 @@ def plan(
         rows = np.flatnonzero(going)
         tanker, sets_off = tanker[rows], sets_off[rows]
         away = fleet.p_ned[None, :, :] - place[rows, tanker][:, None, :]
-        way_s = np.sqrt((away**2).sum(axis=2)) / speed_m_s[tanker][:, None]
+        way_s = np.sqrt(np.square(away).sum(axis=2)) / speed_m_s[tanker][:, None]
         begins = sets_off[:, None] + np.maximum(takes.start_s + takes.per_way * way_s, 0.0)
         spare = lands[rows] - begins
         # Rounding must not make a vehicle that wants energy at this very time want it no more.
@@ -115,7 +116,7 @@ def plan(
         by = tanker[parent]
         begin, flow = begins[parent, chosen], flows[parent, chosen]
         late = -(spare[parent, chosen] - EARLY_S) / SIGMA_S
-        new_cost = cost[of] + np.minimum(np.logaddexp(0.0, late), COST)
+        new_cost = cost[of] + np.minimum(_softplus(late), COST)
         each = np.arange(len(of))
         new_lands, new_free, new_left = lands[of], free[of], left_j[of]
         gained_s = flow * rate_w / fleet.power_w[chosen]
@@ -156,8 +157,13 @@ def _unserved(lands: FloatArray, horizon_s: float) -> FloatArray:
     return COST * np.asarray((lands < horizon_s).sum(axis=1), dtype=np.float64)
 
 
+def _softplus(x: FloatArray) -> FloatArray:
+    """ln(1 + e^x), of each."""
+    return np.maximum(x, 0.0) + elementwise.logarithms(1.0 + elementwise.exponentials(-np.abs(x)))
+
+
 def _foreseen(lands: FloatArray, free: FloatArray, horizon_s: float) -> FloatArray:
     """(b,) what the rest is likely to cost: 1 for who lands before a tanker is free, the less the more time is left."""
     left_s = lands - free.min(axis=1)[:, None]
-    risk = np.where(left_s < 0.0, COST, np.exp(-np.maximum(left_s, 0.0) / FORESEEN_S))
+    risk = np.where(left_s < 0.0, COST, elementwise.exponentials(-np.maximum(left_s, 0.0) / FORESEEN_S))
     return np.asarray((risk * (lands < horizon_s)).sum(axis=1))

@@ -26,6 +26,7 @@ from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from skytender import elementary
 
 RELAY_WITHIN_M = 15.0
 UP_WITHIN_S = 1.0
@@ -313,7 +314,7 @@ class Scheduler:
         service = self._decide(competition_state, view, tanker, award.by, now_s)
         if tanker is None:
             service.base, service.why_base = str(giver.name), self.unable[award.receiver]
-            service.meets_in_s = math.dist(giver.p_ned, view.p_now_ned()) / self._cruise_m_s
+            service.meets_in_s = elementary.distance(giver.p_ned, view.p_now_ned()) / self._cruise_m_s
             more = {"reason": f"cannot take a transfer: {service.why_base}"}
         else:
             offset = way(giver.p_ned, view.p_now_ned())
@@ -348,4 +349,4 @@ class Scheduler:
         )
 
     def _distance_m(self, tanker: int, service: Service, snapshot: FleetSnapshot) -> float:
-        return math.dist(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())
+        return elementary.distance(snapshot.vehicle(service.receiver).p_now_ned(), snapshot.vehicle(tanker).p_now_ned())

@@ -22,6 +22,7 @@ from gcs.refuelling.service import Phase, Service, TransferRole, token, unfit
 from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
 from gcs.scenario.model import Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from skytender import elementary
 
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5
@@ -47,7 +48,9 @@ class TankerSteps(ServiceSteps):
     def available_j(self, tanker: VehicleView, limit_j: float) -> float:
         """Energy that a tanker may give and still get home with its reserve."""
         rules = self.tankers[tanker.sysid]
-        way_home_j = math.dist(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
+        way_home_j = (
+            elementary.distance(tanker.p_now_ned(), rules.home_m or rules.start_m) / rules.speed_m_s * tanker.power_w
+        )
         return min(tanker.remaining_j - rules.reserve_j - way_home_j, limit_j)
 
     def begin(self, service: Service) -> None:
@@ -74,8 +77,8 @@ class TankerSteps(ServiceSteps):
         if reason is not None:
             self._finish(service, receiver, tanker, now_s, reason)
             return
-        distance_m = math.dist(receiver.p_now_ned(), tanker.p_now_ned())
-        relative_m_s = math.dist(receiver.v_ned, tanker.v_ned)
+        distance_m = elementary.distance(receiver.p_now_ned(), tanker.p_now_ned())
+        relative_m_s = elementary.distance(receiver.v_ned, tanker.v_ned)
         inside = distance_m <= self.rules.capture_m and relative_m_s <= self.rules.relative_speed_m_s
         held = service.has_held(inside, now_s, self.rules.hold_s)
         counter_known = tanker.given_reported_s >= service.phase_since_s + COUNTER_SETTLES_S

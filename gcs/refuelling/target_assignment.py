@@ -20,6 +20,7 @@ from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import PursuitRules
 from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
+from skytender import elementary
 
 LOW, HIGH = 0.01, 1.0
 
@@ -33,21 +34,21 @@ def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned:
     at which the distance would be flown at a tenth of the speed.
     """
     offset = way(p_ned, target_p_ned)
-    distance_m = math.hypot(*offset)
+    distance_m = elementary.norm(offset)
     time_s = meeting_s(offset, target_v_ned, speed_m_s)
     if time_s is None:
         time_s = 10.0 * distance_m / speed_m_s
     wanted = list(target_v_ned)
     if distance_m != 0.0 and time_s != 0.0:
         wanted = [o / time_s + v for o, v in zip(offset, target_v_ned, strict=True)]
-        share = min(1.0, speed_m_s / max(math.hypot(*wanted), 1e-12))
+        share = min(1.0, speed_m_s / max(elementary.norm(wanted), 1e-12))
         wanted = [share * v for v in wanted]
-    return GRAVITY_M_S2 * time_s + math.dist(wanted, v_ned)
+    return GRAVITY_M_S2 * time_s + elementary.distance(wanted, v_ned)
 
 
 def meeting_s(offset_ned: Vec3, v_ned: Vec3, speed_m_s: float) -> float | None:
     """The least t >= 0 with |offset + v t| = speed t; None where there is none."""
-    a = _dot(v_ned, v_ned) - speed_m_s**2
+    a = _dot(v_ned, v_ned) - speed_m_s * speed_m_s
     b, c = 2.0 * _dot(offset_ned, v_ned), _dot(offset_ned, offset_ned)
     if c == 0.0:
         return 0.0

@@ -21,6 +21,7 @@ from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
 from gcs.refuelling.winner_take_all import advance_ln
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from skytender import elementary
 
 HOPELESS_S = -3.0
 """[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as
@@ -111,7 +112,7 @@ class TimeBidding:
         competed as long, and where all are new, at the bottom."""
         known = [sysid for sysid in bids_s if sysid in self._ln_v]
         if not known:
-            return dict.fromkeys(bids_s, places * math.log(self._rules.floor))
+            return dict.fromkeys(bids_s, places * elementary.log(self._rules.floor))
         return {
             sysid: self._ln_v[
                 sysid if sysid in self._ln_v else min(known, key=lambda one: (abs(bids_s[one] - bid_s), one))
@@ -148,7 +149,7 @@ class TimeBidding:
 
     def _show(self, need: dict[int, float]) -> None:
         """Write the competition's state for others to show: states over the leader's, bids, first reading."""
-        v = {one.sysid: math.exp(max(one.ln_v, -700.0)) for one in self._competing}
+        v = {one.sysid: elementary.exp(max(one.ln_v, -700.0)) for one in self._competing}
         tau = {one.sysid: float(t) for one, t in zip(self._competing, self._tau, strict=True)}
         first = self._readings.get(1)
         leader, held = (first.winners[0], first.share) if first else (self._competing[0].sysid, 1.0)

@@ -17,6 +17,7 @@ from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import STALE_S, FleetSnapshot
+from skytender import elementary
 
 PEER, SERVICE = "Peer", "Service"
 COMPETES, CALLS, FREE = 1, 2, 5
@@ -112,14 +113,14 @@ class WatchedSchedule(Scheduler):
         rows = {s: row for s, row in fresh.items() if row[_STAGE] == COMPETES and row[_CAPACITY] > 0.0}
         if not rows:
             return CompetitionState()
-        v = {sysid: math.exp(min(max(row[_LN_V], -700.0), 0.0)) for sysid, row in rows.items()}
+        v = {sysid: elementary.exp(min(max(row[_LN_V], -700.0), 0.0)) for sysid, row in rows.items()}
         above = {sysid: 1.0 - min(max(row[_BID] / rules.horizon_s, 0.0), 1.0) for sysid, row in rows.items()}
         tau = {sysid: rules.floor * (1.0 - a) + rules.high * a for sysid, a in above.items()}
         need = {sysid: 1.0 - row[_REMAINING] / row[_CAPACITY] for sysid, row in rows.items()}
         order = sorted(v, key=lambda sysid: (-v[sysid], sysid))
         held = 1.0
         if len(order) > 1:
-            held = share_of(math.log(v[order[0]]) - math.log(v[order[1]]), rules.p)
+            held = share_of(elementary.log(v[order[0]]) - elementary.log(v[order[1]]), rules.p)
         return CompetitionState(v, tau, need, order[0], held)
 
     def _idle(self, fresh: dict[int, tuple[float, ...]]) -> int:

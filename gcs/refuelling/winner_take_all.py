@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.refuelling.winner_take_all_steps import step_block
+from skytender import elementary, elementwise
+from skytender.normal import standard_normal
 
 FloatArray = NDArray[np.float64]
 TauOfTime = Callable[[float], ArrayLike]
@@ -42,7 +44,7 @@ def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float)
     if dt_s == 0 or not v_now.any():
         return v_now.copy()
     with np.errstate(divide="ignore", under="ignore"):
-        return np.asarray(np.exp(_advanced(np.log(v_now), drive, dt_s, p, rate)))
+        return elementwise.exponentials(_advanced(elementwise.logarithms(v_now), drive, dt_s, p, rate))
 
 
 def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
@@ -64,10 +66,10 @@ def _advanced(ln_v: FloatArray, drive: FloatArray, dt_s: float, p: float, rate: 
     x = at * drive
     k = int((ln_w + x).argmax())
     z = (ln_w - ln_w[k]) + at * (drive - drive[k])
-    shares = z + np.log(-np.expm1(-x)) - np.log(drive)
+    shares = z + elementwise.logarithms([-elementary.expm1(-one) for one in x]) - elementwise.logarithms(drive)
     start = -(ln_w[k] + x[k])
     top = max(start, shares.max())
-    ln_sum = top + math.log(math.exp(start - top) + np.exp(shares - top).sum())
+    ln_sum = top + elementary.log(elementary.exp(start - top) + elementwise.exponentials(shares - top).sum())
     return np.asarray((z - ln_sum) / p)
 
 
@@ -144,7 +146,7 @@ def simulate(
         if first == 0:
             _require_slow(v, drive, p, rate, step_s)
         sample = steps // steps_of_hold + 1
-        pool = np.concatenate([held, deviation * generator.standard_normal((int(sample[-1]) - drawn, start.size))])
+        pool = np.concatenate([held, deviation * standard_normal(generator, int(sample[-1]) - drawn, start.size)])
         draws = pool[sample - drawn]
         held, drawn = pool[-1:], int(sample[-1])
         following = step_block(
@@ -209,7 +211,7 @@ def share(v: ArrayLike, p: float, floor: float) -> float:
     """
     _positive("floor", floor)
     _exponent(p)
-    above = revive(v, floor) ** p - float(floor) ** p
+    above = elementwise.powers(revive(v, floor), p) - elementary.pow(floor, p)
     total = float(above.sum())
     return float(above.max()) / total if total > 0 else 0.0
 
@@ -270,7 +272,7 @@ def _grid(delays: FloatArray, hold_s: float | None) -> tuple[float, int]:
 
 def _require_slow(v: FloatArray, drive: FloatArray, p: float, rate: float, step_s: float) -> None:
     with np.errstate(over="ignore"):
-        fastest = rate * max(float(drive.max(initial=0.0)), p * float((np.abs(v) ** p).sum()))
+        fastest = rate * max(float(drive.max(initial=0.0)), p * float(elementwise.powers(np.abs(v), p).sum()))
     if not fastest * step_s <= _FASTEST:
         raise ValueError(
             f"competition: rate * max(tau, p * sum(v**p)) is {fastest:.3g} 1/s; noise, delay and a tau of time are "

@@ -14,6 +14,7 @@ import cython
 import numpy as np
 from cython.cimports.gcs.refuelling.winner_take_all_steps import DRIFT, NOISE, STATE
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
@@ -27,7 +28,7 @@ def _drift(
     end."""
     total = 0.0
     for i in range(v.shape[0]):
-        total += math.pow(math.fabs(v[i]), p)
+        total += elementary.pow(math.fabs(v[i]), p)
     at_start = (1.0 - part) * (1.0 - 2.0 * part)
     at_middle = 4.0 * part * (1.0 - part)
     at_end = part * (2.0 * part - 1.0)

@@ -135,8 +135,7 @@ def again(found: Findings) -> str:
         pace = " --lockstep" if found.scenario.clock.mode == "lockstep" else ""
         command = f"gcs run {folder.name}/scenario.yaml{pace} --seed {found.scenario.seed} --out again"
         parts.append(
-            "<p>With the same versions, on a machine of the same type, from beside the session's folder:</p>"
-            f"<pre><code>{escape(command)}</code></pre>"
+            f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )
     orders = [d for d in found.recorded.decisions if d["kind"] == "operator"]
     if orders:

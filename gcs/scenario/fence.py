@@ -8,6 +8,7 @@ from pydantic import Field
 
 from gcs.scenario.document import Conflict
 from gcs.scenario.types import Metres, Part, Plane
+from skytender import elementary
 
 CIRCLE = 72
 MOST_ITEMS = 200
@@ -40,12 +41,12 @@ class Area(Part):
         n, e = self.circle_m or (0.0, 0.0)
         turns = [2.0 * math.pi * k / CIRCLE for k in range(CIRCLE)]
         radius_m = self.radius_m or 0.0
-        return [(n + radius_m * math.cos(turn), e + radius_m * math.sin(turn)) for turn in turns]
+        return [(n + radius_m * elementary.cos(turn), e + radius_m * elementary.sin(turn)) for turn in turns]
 
     def covers(self, north_m: float, east_m: float) -> bool:
         """Whether a place lies in it: a line from there to the east crosses the border an odd number of times."""
         if self.circle_m is not None and self.radius_m is not None:
-            return math.dist((north_m, east_m), self.circle_m) <= self.radius_m
+            return elementary.distance((north_m, east_m), self.circle_m) <= self.radius_m
         inside, border = False, self.border_ned
         for (n0, e0), (n1, e1) in zip(border, [*border[1:], border[0]], strict=True):
             if (n0 > north_m) != (n1 > north_m) and east_m < e0 + (e1 - e0) * (north_m - n0) / (n1 - n0):

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, POINT, SPHERE, WALL, row_of, shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def wall(
     """
     a = _vector("from_ne, high_d", (*from_ne, high_d))
     b = _vector("to_ne, low_d", (*to_ne, low_d))
-    _size("wall: from from_ne to to_ne", math.hypot(b[0] - a[0], b[1] - a[1]))
+    _size("wall: from from_ne to to_ne", elementary.hypot(b[0] - a[0], b[1] - a[1]))
     return _row(WALL, (a + b) / 2, *((b - a) / 2))
 
 
@@ -109,7 +110,7 @@ def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:
     """Table of points at `positions_ned` (m, 3) m, spheres where `radii_m` (m,) > 0. ValueError unless finite."""
     positions = np.asarray(positions_ned, dtype=np.float64).reshape((-1, 3))
-    if not (np.isfinite(np.vdot(positions, positions)) or np.isfinite(positions).all()):
+    if not (np.isfinite(positions.sum()) or np.isfinite(positions).all()):
         raise ValueError("positions_ned holds a value that is not finite; give every obstacle three finite numbers")
     rows = np.zeros((len(positions), COLUMNS))
     rows[:, NORTH : DOWN + 1] = positions

@@ -4,7 +4,6 @@
 `ned` or `paper` (north, west, up; docs/protocol.md#frames), and `load` converts once: every object here is NED.
 """
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Annotated, Any, Literal, Self
 
@@ -31,6 +30,7 @@ from gcs.scenario.rules import (
 from gcs.scenario.station import Forward, Station, station_conflicts
 from gcs.scenario.types import Count, Exact, Flag, Part, Plane
 from gcs.scenario.weather import CALM, Wind
+from skytender import elementary
 
 __all__ = [
     "Attractor",
@@ -416,7 +416,7 @@ def _start_conflicts(
     for other_path, other in before:
         if other.external is not None:
             continue
-        distance_m = math.dist(vehicle.start_m, other.start_m)
+        distance_m = elementary.distance(vehicle.start_m, other.start_m)
         together = s.planner.vehicles_repel and vehicle.join_s == other.join_s
         if together and distance_m < s.planner.separation_m:
             sentence = f"{vehicle.label} starts {distance_m:.2f} m from {other.label}, below planner.separation_m"

@@ -47,6 +47,7 @@ from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import State, health_issues, severity, state
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
+from skytender import elementary
 
 if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
@@ -84,7 +85,7 @@ def vehicle_row(
         autopilot=view.profile.name if received else None,
         p_ned=view.p_ned,
         v_ned=view.v_ned,
-        speed_m_s=math.hypot(*view.v_ned),
+        speed_m_s=elementary.norm(view.v_ned),
         height_m=-view.p_ned[2] if view.p_ned is not None else None,
         heading_rad=view.heading_rad,
         roll_rad=view.roll_rad,
@@ -150,7 +151,7 @@ def end_message(outcome: str, status: int, text: str = "") -> dict[str, Any]:
 
 def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
     """Between two places; None where one is not known."""
-    return None if a is None or b is None else math.dist(a, b)
+    return None if a is None or b is None else elementary.distance(a, b)
 
 
 def snapshot_message(
@@ -374,5 +375,5 @@ def _outline(shape: Obstacle) -> list[tuple[float, float]]:
         return [(n0, e0), (n0, e1), (n1, e1), (n1, e0), (n0, e0)]
     angles = [2.0 * math.pi * i / ROUND_CORNERS for i in range(ROUND_CORNERS)]
     r = shape.radius_m
-    corners = [(n0 + r * math.cos(angle), e0 + r * math.sin(angle)) for angle in angles]
+    corners = [(n0 + r * elementary.cos(angle), e0 + r * elementary.sin(angle)) for angle in angles]
     return [*corners, corners[0]]

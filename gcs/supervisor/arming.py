@@ -179,7 +179,7 @@ class ArmingSequence:
         charged = view.remaining_j - self._refused_j >= CHARGED_SHARE * view.capacity_j
         if self._arming_tries == 0 or charged:
             return RETRY_S
-        return min(RETRY_S * 2.0 ** min(self._arming_tries - 1, 16), self._seldom_s)
+        return min(RETRY_S * float(2 ** min(self._arming_tries - 1, 16)), self._seldom_s)
 
     @property
     def asks_again(self) -> str:

@@ -27,6 +27,7 @@ from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.external import External
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
+from skytender import elementary
 
 FAR_M = 100e3
 """No origin is farther from the scenario's: the common frame is a plane (gcs/mavlink/common_frame.py)."""
@@ -182,7 +183,7 @@ class ExternalArmingSequence(ArmingSequence):
     def _hopeless(self, view: VehicleView) -> bool:
         """Whether it is to be left out, and why."""
         offset, waited_s = view.origin_offset_ned, self._rules.arm_within_s
-        if offset is not None and math.hypot(*offset[:2]) > FAR_M:
+        if offset is not None and elementary.norm(offset[:2]) > FAR_M:
             self.left_out = (
                 f"Its origin is over {FAR_M / 1e3:.0f} km from the scenario's: is one of them wrong? Left out"
             )

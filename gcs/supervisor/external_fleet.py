@@ -5,7 +5,6 @@ Streams are asked for and checked, clocks compared, silence judged, and repetiti
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -20,6 +19,7 @@ from gcs.supervisor.estimators import Estimators
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from skytender import elementary
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it reports again."""
@@ -141,9 +141,9 @@ class ExternalFleet:
                 self._origin_noted.discard(sysid)
                 self._note(sysid, "info", "Its frame is known now")
             offset = view.origin_offset_ned
-            if offset is not None and math.hypot(*offset[:2]) > DISTANT_M and sysid not in self._distance_noted:
+            if offset is not None and elementary.norm(offset[:2]) > DISTANT_M and sysid not in self._distance_noted:
                 self._distance_noted.add(sysid)
-                away_km = math.hypot(*offset[:2]) / 1e3
+                away_km = elementary.norm(offset[:2]) / 1e3
                 self._note(sysid, "warning", f"Its origin lies {away_km:.1f} km from the scenario's: is that meant?")
             if known and view.ground_down_m is not None and sysid not in self._ground_noted:
                 self._ground_noted.add(sysid)

@@ -20,6 +20,7 @@ from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.faults import COMMANDED, Injection
 from gcs.scenario.goal import Loss
 from gcs.scenario.model import Scenario
+from skytender import elementary
 
 OUT_OF_ORDER = "out of order"
 INJECTED = "(injected)"
@@ -167,7 +168,7 @@ class FaultInjector:
             "tanker_out": f"{who} can give no energy",
             "motor": f"the motors of {who} stop",
             "gps_off": f"{who} has no GPS",
-            "gps_jump": f"the place of {who} is off by {math.hypot(*(fault.jump_m or (0.0, 0.0))):.1f} m",
+            "gps_jump": f"the place of {who} is off by {elementary.norm(fault.jump_m or (0.0, 0.0)):.1f} m",
         }[fault.fault]
 
     def _record(self, one: Injection, state: str, now_s: float) -> dict[str, Any]:

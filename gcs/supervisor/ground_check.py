@@ -6,7 +6,6 @@ would. Time is an argument: s since `begin` of the link.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -24,6 +23,7 @@ from gcs.supervisor.factory import make_fleet
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.preflight import CheckItem, Preflight
 from gcs.telemetry.state import VehicleView
+from skytender import elementary
 
 HEARTBEAT_EVERY_S = 1.0
 STREAMS_S = CHECK_S + 1.0
@@ -148,6 +148,6 @@ class GroundCheck:
 def _origin(view: VehicleView) -> CheckItem:
     if view.origin_offset_ned is None:
         return CheckItem("origin", False, "does not tell where its frame lies (GPS_GLOBAL_ORIGIN, HOME_POSITION)")
-    away_m = math.hypot(*view.origin_offset_ned[:2])
+    away_m = elementary.norm(view.origin_offset_ned[:2])
     text = f"origin {away_m:.0f} m from the scenario's" if away_m < DISTANT_M else f"origin {away_m / 1e3:.1f} km away"
     return CheckItem("origin", away_m <= FAR_M, text)

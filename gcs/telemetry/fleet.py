@@ -62,6 +62,7 @@ from gcs.telemetry.readings import (
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
 from gcs.telemetry.traffic import KnownTraffic
+from skytender import elementary
 
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
@@ -211,7 +212,7 @@ class Fleet:
         row = track.readings
         # What has become certain, or is so no more, has not moved there.
         known = track.offset is not None and uncertain == track.uncertain
-        moved_m = math.dist(at_ned, row[[NORTH, EAST, DOWN]].tolist()) if known else math.nan
+        moved_m = elementary.distance(at_ned, row[[NORTH, EAST, DOWN]].tolist()) if known else math.nan
         fault = plausibility.place_fault(0.0, 0.0, at_ned[2], *v_ned, moved_m, time_s - float(row[POSITION_S]))
         if fault == plausibility.POSSIBLE:
             row[[NORTH, EAST, DOWN]], row[[V_NORTH, V_EAST, V_DOWN]] = at_ned, v_ned
@@ -302,7 +303,7 @@ class Fleet:
         place = _origin_place(told, track.member.external, self.origin)
         offset = place.offset_ned
         known = track.offset if track.origin_reported and track.armed else None
-        if known is not None and math.dist(offset, known) > ORIGIN_JUMP_M:
+        if known is not None and elementary.distance(offset, known) > ORIGIN_JUMP_M:
             track.doubts("its origin moves while it is armed", time_s)
             track.origin_refused = True
             track.readings[[ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = math.nan

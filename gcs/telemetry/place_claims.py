@@ -31,6 +31,7 @@ from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turn
 from gcs.telemetry import plausibility
 from gcs.telemetry.fleet import GlobalOrigin
 from gcs.telemetry.state import Vec3
+from skytender import elementary
 
 TOGETHER_S = 1.0
 """A local and a global position that came within this time are held against each other."""
@@ -251,7 +252,7 @@ class PlaceClaims:
         there = self._global_place(globe, common)
         axes = 2 if there.uncertain else 3
         there_now = _added(there.at_ned, tuple(ahead_s * axis for axis in there.v_ned))
-        return math.dist(by_local.at_ned[:axes], there_now[:axes]) <= AGREE_M
+        return elementary.distance(by_local.at_ned[:axes], there_now[:axes]) <= AGREE_M
 
     def _global_place(self, globe: _Global, common: GlobalOrigin) -> ClaimedPlace:
         frame = frame_place(*astuple(globe.where), *astuple(common))
@@ -281,7 +282,7 @@ def _flown(before: _Local, after: _Local) -> bool:
     elapsed_s = after.t_s - before.t_s
     mean_v = [(a + b) / 2.0 for a, b in zip(before.v, after.v, strict=True)]
     there = _added(before.at, tuple(elapsed_s * axis for axis in mean_v))
-    return math.dist(there, after.at) <= AGREE_M + TURNS_M_S2 * elapsed_s**2 / 2.0
+    return elementary.distance(there, after.at) <= AGREE_M + TURNS_M_S2 * elapsed_s * elapsed_s / 2.0
 
 
 def _ahead_s(local: _Local, globe: _Global) -> float:

@@ -204,5 +204,5 @@ class WayPoints:
         """Count the way since the last tick, straight; p_ned: (n, 3) of each vehicle, NaN where it is unknown or does
         not fly."""
         if self._left:
-            within2 = self._within_m**2
+            within2 = self._within_m * self._within_m
             self._left = approach.pass_points(p_ned, self._last, self._points, self._next, self._end, within2) > 0

@@ -34,6 +34,7 @@ from gcs.telemetry.readings import (
     new_readings,
 )
 from gcs.telemetry.state import Vec3, VehicleView
+from skytender import elementary
 
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
 _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
@@ -146,7 +147,7 @@ class VehicleTrack:
         self.facts[:] = (
             self.alive, self.armed, self.mode in STEERABLE,
             *(_UNKNOWN if offset is None else offset),
-            self.turn_rad, math.cos(self.turn_rad), math.sin(self.turn_rad),
+            self.turn_rad, elementary.cos(self.turn_rad), elementary.sin(self.turn_rad),
             math.nan if ground_down_m is None else ground_down_m,
             math.inf if self.origin_refused else self.doubted_s,
         )  # fmt: skip

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from gcs.telemetry.state import TrafficView, Vec3
+from skytender import elementary
 
 TRAFFIC_FORGOTTEN_S = 10.0
 """An aircraft that has been silent for so long could be anywhere: its range would fill the sky."""
@@ -31,7 +32,8 @@ class KnownTraffic:
                 return
         heading_rad = math.radians(0.01 * content.heading)
         speed_m_s = 0.01 * content.hor_velocity
-        v_ned = (speed_m_s * math.cos(heading_rad), speed_m_s * math.sin(heading_rad), -0.01 * content.ver_velocity)
+        sin, cos = elementary.sin_cos(heading_rad)
+        v_ned = (speed_m_s * cos, speed_m_s * sin, -0.01 * content.ver_velocity)
         self._known[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
 
     def move(self, down_m: float) -> None:

@@ -24,6 +24,7 @@ from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, 
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.snapshot import Vec3, VehicleState
 from simvehicle.law.plants import Plant
+from skytender import elementary
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """Values of GF_ACTION beside nothing and a warning."""
@@ -178,7 +179,7 @@ class Vehicle(Body):
             v_ned,
             self.time_s,
             kept=self.parameters["FLW_TGT_RS"],
-            towards_rad=math.atan2(p_ned[1] - east, p_ned[0] - north),
+            towards_rad=elementary.atan2(p_ned[1] - east, p_ned[0] - north),
         )
 
     def restart(self) -> None:
@@ -293,8 +294,8 @@ class Vehicle(Body):
             self.trigger(Trigger.GUIDED_HOLD if self.identity.guided else Trigger.TAKEOFF_DONE)
             north, east, _ = self._anchor.p_ned
             self._anchor = replace(self._anchor, p_ned=(north, east, self._takeoff_down_m))
-        elif self.mode is Mode.RETURN and math.dist(p_ned[:2], self._return_ned[:2]) < REACHED_M:
-            if math.hypot(*self.v_ned) < REACHED_M:
+        elif self.mode is Mode.RETURN and elementary.distance(p_ned[:2], self._return_ned[:2]) < REACHED_M:
+            if elementary.norm(self.v_ned) < REACHED_M:
                 self.trigger(Trigger.HOME_REACHED)
         elif self.mode is Mode.LAND and self.landed:
             self.trigger(Trigger.TOUCHDOWN)
@@ -385,7 +386,9 @@ class Vehicle(Body):
         elif mode is Mode.MISSION and self.mission is not None:
             self.mission.enter()
         elif mode is Mode.RETURN:
-            self._return_ned = min((self.home_ned, *self.rally_ned), key=lambda p: math.dist(p[:2], p_ned[:2]))
+            self._return_ned = min(
+                (self.home_ned, *self.rally_ned), key=lambda p: elementary.distance(p[:2], p_ned[:2])
+            )
             down_m = min(p_ned[2], self.home_ned[2] - self.parameters["RTL_RETURN_ALT"])
         self._anchor = Anchor(place, self.time_s, down_m)
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.fleet.peers import PeerReport, PeerStage
 from simvehicle.fleet.rules import FleetRules
+from skytender import elementary
 
 HOPELESS_S = -3.0
 """[choice] Who would have landed so long before energy could reach it is served after all others."""
@@ -63,7 +64,7 @@ def flows_s(missing_j: float, power_w: float, rate_w: float) -> float:
 
 def meeting_s(offset_ned: Sequence[float], v_ned: Sequence[float], speed_m_s: float) -> float:
     """Time to meet something that flies straight on, or to where it is if it cannot be met."""
-    a = sum(v * v for v in v_ned) - speed_m_s**2
+    a = sum(v * v for v in v_ned) - speed_m_s * speed_m_s
     b = 2.0 * sum(o * v for o, v in zip(offset_ned, v_ned, strict=True))
     c = sum(o * o for o in offset_ned)
     straight_s = math.sqrt(c) / speed_m_s
@@ -89,7 +90,7 @@ def offers(now_s: float, peers: Mapping[int, PeerReport], rules: FleetRules) -> 
                 free_in_s += flows_s(missing_j, receiver.power_w, rules.rate_w)
                 available_j -= max(missing_j, 0.0)
                 if tanker.stage is PeerStage.MEETS:
-                    way_s = math.dist(place, receiver.p_at(now_s)) / speed_m_s
+                    way_s = elementary.distance(place, receiver.p_at(now_s)) / speed_m_s
                     free_in_s += max(begins_s(way_s) - (now_s - tanker.since_s), 0.5)
                 place = receiver.p_at(now_s)
         if available_j >= WORTH_J:
@@ -105,12 +106,12 @@ def own_bid(
     bid = (time until it must land) - (time until energy reaches it if another is served first) + (way to it)
     """
     left_s, here = lasts_s(own, now_s, rules.lands_at), own.p_at(now_s)
-    reach_s = [giver.free_in_s + begins_s(math.dist(giver.p_ned, here) / giver.speed_m_s) for giver in givers]
+    reach_s = [giver.free_in_s + begins_s(elementary.distance(giver.p_ned, here) / giver.speed_m_s) for giver in givers]
     slack_s = left_s - min(reach_s) if givers else left_s
     competes = own.need >= rules.need_from or (left_s < rules.horizon_s and slack_s < rules.reserve_s)
     soonest_s = min((giver.free_in_s for giver in givers), default=0.0)
     first = [giver for giver in givers if giver.free_in_s == soonest_s]
-    way_s = min((math.dist(giver.p_ned, here) / giver.speed_m_s for giver in first), default=0.0)
+    way_s = min((elementary.distance(giver.p_ned, here) / giver.speed_m_s for giver in first), default=0.0)
     spare_s = left_s + way_s - _passed_over_s(now_s, here, others, givers, reach_s, rules)
     bid_s = rules.horizon_s if slack_s < HOPELESS_S else min(max(spare_s + LATEST_S, 0.0), rules.horizon_s)
     return OwnBid(bid_s, slack_s, way_s, competes)
@@ -139,9 +140,9 @@ def _passed_over_s(
         total_s = 0.0
         for other in others.values():
             there = other.p_at(now_s)
-            first_s = giver.free_in_s + begins_s(math.dist(giver.p_ned, there) / giver.speed_m_s)
+            first_s = giver.free_in_s + begins_s(elementary.distance(giver.p_ned, there) / giver.speed_m_s)
             missing_j = rules.until * other.capacity_j - other.remaining_at_j(now_s) + other.power_w * first_s
             ends_s = first_s + flows_s(missing_j, other.power_w, rules.rate_w) + END_S
-            total_s += ends_s + begins_s(math.dist(there, here) / giver.speed_m_s)
+            total_s += ends_s + begins_s(elementary.distance(there, here) / giver.speed_m_s)
         best_s = min(best_s, total_s / len(others))
     return best_s

@@ -17,6 +17,7 @@ from simvehicle.fleet.peers import DecidedBy, PeerReport
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.law.assignment import least_cost_columns
 from simvehicle.law.winner_take_all import Bidder, Standing, advance_ln, bounded, standing
+from skytender import elementary
 
 _ROUNDING_S = 1e-6
 
@@ -93,7 +94,7 @@ class FleetCompetition:
         """States of the last tick; who is new begins beside the one whose bid is nearest to its own."""
         known = [sysid for sysid in self._reports if sysid in self._ln_v]
         if not known:
-            return dict.fromkeys(self._reports, places * math.log(self._rules.floor))
+            return dict.fromkeys(self._reports, places * elementary.log(self._rules.floor))
         begins = {}
         for sysid, report in self._reports.items():
             nearest = min(known, key=lambda one: (abs(self._reports[one].bid_s - report.bid_s), one))

@@ -7,7 +7,6 @@ Time is the vehicle's own; what it wants to send waits in `reports`, `services` 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from simvehicle.autopilot.modes import STEERED
@@ -21,6 +20,7 @@ from simvehicle.fleet.routes import Surroundings, meeting_place, route
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.fleet.silent_flight import SilentFlight
 from simvehicle.fleet.tanker import TankerDuty
+from skytender import elementary
 
 PERIOD_MS = 100
 UP_WITHIN_S = 1.0
@@ -255,7 +255,7 @@ class FleetMember:
         if self.tanker is None:
             return [there]
         others = [sysid for sysid in peers if sysid in self._rules.tankers and sysid != self._sysid]
-        high = any(peers[sysid].stage is PeerStage.MEETS for sysid in others) and math.dist(here, there) > 1.0
+        high = any(peers[sysid].stage is PeerStage.MEETS for sysid in others) and elementary.distance(here, there) > 1.0
         return route(here, there, self._around(peers, self.tanker.receiver), self._transit_down_m, high=high)
 
     def _around(self, peers: Mapping[int, PeerReport], partner: int) -> Surroundings:
@@ -263,6 +263,6 @@ class FleetMember:
         for sysid, peer in peers.items():
             if sysid not in (self._sysid, partner):
                 places.append(peer.p_ned)
-                if math.dist(peer.meet_ned, peer.p_ned) > SAME_M:
+                if elementary.distance(peer.meet_ned, peer.p_ned) > SAME_M:
                     places.append(peer.meet_ned)
         return Surroundings(self._rules.obstacles, self._rules.clearance_m, places, self._rules.separation_m)

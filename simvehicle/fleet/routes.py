@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.fleet.rules import Solid
+from skytender import elementary
 
 SAMPLE_M = 0.1
 LEVELS_M = 0.5
@@ -34,14 +35,14 @@ class Surroundings(NamedTuple):
 def room_m(p_ned: Vec3, around: Surroundings) -> float:
     """How far a place lies beyond the distances that are kept; negative: too near."""
     obstacle_m = min((solid.clearance_m(p_ned) for solid in around.obstacles), default=math.inf)
-    peer_m = min((math.dist(p_ned, peer) for peer in around.peers_ned), default=math.inf)
+    peer_m = min((elementary.distance(p_ned, peer) for peer in around.peers_ned), default=math.inf)
     return min(obstacle_m - around.clearance_m - CLEARANCE_SPARE_M, peer_m - around.separation_m - SEPARATION_SPARE_M)
 
 
 def is_clear(a_ned: Vec3, b_ned: Vec3, around: Surroundings) -> bool:
     """Whether the straight way keeps its distances. Who starts too near may leave, but not come nearer."""
     least_m = min(room_m(a_ned, around), 0.0) - 0.02
-    count = max(math.ceil(math.dist(a_ned, b_ned) / SAMPLE_M), 1)
+    count = max(math.ceil(elementary.distance(a_ned, b_ned) / SAMPLE_M), 1)
     return all(room_m(_between(a_ned, b_ned, i / count), around) >= least_m for i in range(1, count + 1))
 
 
@@ -86,8 +87,10 @@ def _places(here_ned: Vec3) -> Iterator[Vec3]:
     for radius_m in RINGS_M:
         for i in range(BEARINGS):
             bearing = 2.0 * math.pi * i / BEARINGS
-            offsets += [(radius_m * math.cos(bearing), radius_m * math.sin(bearing), -up) for up in HEIGHTS_M]
-    for dn, de, dd in sorted(offsets, key=lambda offset: round(math.hypot(*offset), 6)):
+            offsets += [
+                (radius_m * elementary.cos(bearing), radius_m * elementary.sin(bearing), -up) for up in HEIGHTS_M
+            ]
+    for dn, de, dd in sorted(offsets, key=lambda offset: round(elementary.norm(offset), 6)):
         yield north + dn, east + de, min(down + dd, LOWEST_DOWN_M) if dd else down
 
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from simvehicle.autopilot.snapshot import Vec3
+from skytender import elementary
 
 
 class FleetRulesError(ValueError):
@@ -27,8 +27,8 @@ class Solid(NamedTuple):
         """Distance from a place to the surface; of a point, to it; negative inside."""
         beyond = [max(low - x, x - high) for low, x, high in zip(self.low_ned, p_ned, self.high_ned, strict=True)]
         if self.kind == "cylinder":
-            beyond = [math.hypot(beyond[0], beyond[1]) - self.radius_m, beyond[2]]
-        outside = math.hypot(*(max(distance, 0.0) for distance in beyond))
+            beyond = [elementary.hypot(beyond[0], beyond[1]) - self.radius_m, beyond[2]]
+        outside = elementary.norm([max(distance, 0.0) for distance in beyond])
         return (outside or max(beyond)) - (self.radius_m if self.kind == "sphere" else 0.0)
 
 

@@ -13,6 +13,7 @@ from simvehicle.autopilot.maneuvers import AT_REST, OffboardSetPoint, resting_pl
 from simvehicle.autopilot.modes import STEERED
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
+from skytender import elementary
 
 PERIOD_S = 0.1
 """Set points are given ten times a second."""
@@ -59,7 +60,9 @@ class SilentFlight:
         if goal_ned is None:
             if self._goal_ned is not None:
                 self._stop()
-        elif now_s >= self._retry_s and (self._goal_ned is None or math.dist(goal_ned, self._goal_ned) > MOVED_M):
+        elif now_s >= self._retry_s and (
+            self._goal_ned is None or elementary.distance(goal_ned, self._goal_ned) > MOVED_M
+        ):
             corners = find_route(self._vehicle.p_ned, goal_ned)
             if corners is None:
                 self._stop()
@@ -68,7 +71,7 @@ class SilentFlight:
                 self._goal_ned, self._corners = goal_ned, corners
         while self._corners:
             self.hold_ned = self._corners[0]
-            if math.dist(self._vehicle.p_ned, self.hold_ned) > CORNER_M:
+            if elementary.distance(self._vehicle.p_ned, self.hold_ned) > CORNER_M:
                 break
             self._corners.pop(0)
         self._vehicle.set_point(OffboardSetPoint(self.hold_ned, AT_REST, _EVERYWHERE, None, now_s))

@@ -6,7 +6,6 @@ The tanker is the one place where two claims meet: whoever it names in its repor
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 from simvehicle.autopilot.modes import Severity
@@ -14,6 +13,7 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.bids import HOPELESS_S, WORTH_J
 from simvehicle.fleet.peers import PeerReport, PeerStage, ServiceReport
 from simvehicle.fleet.rules import FleetRules
+from skytender import elementary
 
 CALLED_WITHIN_S = 1.0
 """A call is repeated ten times a second: an older one may have been given up."""
@@ -47,7 +47,7 @@ class TankerDuty:
     @property
     def available_j(self) -> float:
         """Energy that it can spare and still get home with its reserve."""
-        way_s = math.dist(self._vehicle.p_ned, self._own.home_ned) / self._own.speed_m_s
+        way_s = elementary.distance(self._vehicle.p_ned, self._own.home_ned) / self._own.speed_m_s
         return self._vehicle.remaining_j - self._own.reserve_j - way_s * self._vehicle.power_w
 
     def step(self, now_s: float, peers: Mapping[int, PeerReport], up: bool) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.law.arithmetic import bounded
+from cython.cimports.skytender import elementary
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
 _LEAST_LIFT_LITERAL = 1e-6  # m/s²: keeps the literal form's quotients finite
@@ -43,9 +44,9 @@ def outer(
         wx *= reach / level
         wy *= reach / level
     u1 = min(math.sqrt(wx * wx + wy * wy + wz * wz), thrust_max)
-    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
-    pitch = math.atan2(wx * cos_yaw + wy * sin_yaw, wz)
-    roll = math.asin(bounded((wx * sin_yaw - wy * cos_yaw) / u1, 1.0))
+    sin_yaw, cos_yaw = elementary.sin_cos(yaw)
+    pitch = elementary.atan2(wx * cos_yaw + wy * sin_yaw, wz)
+    roll = elementary.asin(bounded((wx * sin_yaw - wy * cos_yaw) / u1, 1.0))
     return roll, pitch, u1
 
 
@@ -74,13 +75,13 @@ def outer_literal(
     wx = bounded(adx + drag * vx - gain * (vx - vdx), _FARTHEST)
     wy = bounded(ady + drag * vy - gain * (vy - vdy), _FARTHEST)
     wz = bounded(adz + drag * vz - gain * (vz - vdz), _FARTHEST) + gravity
-    sin_yaw, cos_yaw = math.sin(yaw), math.cos(yaw)
+    sin_yaw, cos_yaw = elementary.sin_cos(yaw)
     ahead, aside = wx * cos_yaw + wy * sin_yaw, wx * sin_yaw - wy * cos_yaw
     if abs(wz) < _LEAST_LIFT_LITERAL:
         wz = _LEAST_LIFT_LITERAL if wz >= 0.0 else -_LEAST_LIFT_LITERAL
-    pitch = math.atan(ahead / wz)
-    roll = math.atan(math.cos(pitch) * aside / wz)
-    return roll, pitch, wz / (math.cos(roll) * math.cos(pitch))
+    pitch = elementary.atan(ahead / wz)
+    roll = elementary.atan(elementary.cos(pitch) * aside / wz)
+    return roll, pitch, wz / (elementary.cos(roll) * elementary.cos(pitch))
 
 
 def inner(

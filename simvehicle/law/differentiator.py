@@ -19,12 +19,13 @@ from __future__ import annotations
 import cython
 import numpy as np
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import SOLVE_TOLERANCE
 
 ORDER = 3
-_K_ANGLE = 4.0 * 2.0**0.6
+_K_ANGLE = 4.0 * elementary.pow(2.0, 0.6)
 _K_ACCELERATION = 4.0
 _TINY = 1e-200
 _MOST_EVALUATIONS = 200
@@ -52,11 +53,11 @@ def _improve(
     k_acceleration = _K_ACCELERATION * stiffness
     x2_next = x2 + dt * s
     speed = epsilon * x2_next
-    power = max(math.fabs(speed), _TINY) ** (2.0 / 7.0)
+    power = elementary.pow(max(math.fabs(speed), _TINY), 2.0 / 7.0)
     a = x1 + dt * x2_next - signal + speed * power
     a_slope = dt * dt + 9.0 / 7.0 * epsilon * dt * power
     size = max(math.fabs(s) * epsilon * epsilon, _TINY)
-    root = size**0.6
+    root = elementary.pow(size, 0.6)
     b = (s - x3 + k_acceleration * math.copysign(root, s)) / k_angle
     b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
     g = a + b * b * b

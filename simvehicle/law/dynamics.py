@@ -12,9 +12,11 @@ from typing import Any
 import cython
 import numpy as np
 from cython.cimports.libc import math
+from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import Airframe
+from skytender.elementwise import cosines, sines
 
 Row = NDArray[np.float64]
 
@@ -24,19 +26,20 @@ INPUT_SIZE = 4
 
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
     """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
-    return _thrust_towards(roll, pitch, math.sin(yaw), math.cos(yaw))
+    sine, cosine = elementary.sin_cos(yaw)
+    return _thrust_towards(roll, pitch, sine, cosine)
 
 
 def _sine_and_cosine(angle: float, known: float, sine: float, cosine: float) -> tuple[float, float]:
     """Of an angle; those of a known one are not computed again, and most vehicles seldom turn."""
     if angle == known:
         return sine, cosine
-    return math.sin(angle), math.cos(angle)
+    return elementary.sin_cos(angle)
 
 
 def _thrust_towards(roll: float, pitch: float, sin_yaw: float, cos_yaw: float) -> tuple[float, float, float]:
-    sin_roll, cos_roll = math.sin(roll), math.cos(roll)
-    sin_pitch, cos_pitch = math.sin(pitch), math.cos(pitch)
+    sin_roll, cos_roll = elementary.sin_cos(roll)
+    sin_pitch, cos_pitch = elementary.sin_cos(pitch)
     return (
         cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw,
         cos_roll * sin_pitch * sin_yaw - sin_roll * cos_yaw,
@@ -72,7 +75,7 @@ def fly_plant(
     roll2, roll3, roll4, roll, s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
     pitch2, pitch3, pitch4, pitch, s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
     yaw2, yaw3, yaw4, yaw, s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
-    sine, cosine = math.sin(s[8]), math.cos(s[8])
+    sine, cosine = elementary.sin_cos(s[8])
     sine2, cosine2 = _sine_and_cosine(yaw2, s[8], sine, cosine)
     sine3, cosine3 = _sine_and_cosine(yaw3, s[8], sine, cosine)
     sine4, cosine4 = _sine_and_cosine(yaw4, s[8], sine, cosine)
@@ -119,13 +122,15 @@ def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> ND
         ValueError: a shape other than (n, 12) and (n, 4).
     """
     s, u = _plant_arrays(state, inputs)
-    roll, pitch, yaw = s[:, 6], s[:, 7], s[:, 8]
+    angles = s[:, 6:9].T
     u1 = u[:, 0]
     rate = np.empty_like(s)
     rate[:, 0:3] = s[:, 3:6]
-    rate[:, 3] = u1 * (np.cos(roll) * np.sin(pitch) * np.cos(yaw) + np.sin(roll) * np.sin(yaw))
-    rate[:, 4] = u1 * (np.cos(roll) * np.sin(pitch) * np.sin(yaw) - np.sin(roll) * np.cos(yaw))
-    rate[:, 5] = u1 * np.cos(roll) * np.cos(pitch) - airframe.gravity_m_s2
+    sin_roll, sin_pitch, sin_yaw = sines(angles)
+    cos_roll, cos_pitch, cos_yaw = cosines(angles)
+    rate[:, 3] = u1 * (cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw)
+    rate[:, 4] = u1 * (cos_roll * sin_pitch * sin_yaw - sin_roll * cos_yaw)
+    rate[:, 5] = u1 * cos_roll * cos_pitch - airframe.gravity_m_s2
     rate[:, 3:6] -= airframe.drag_1_s * s[:, 3:6]
     rate[:, 6:9] = s[:, 9:12]
     rate[:, 9:12] = u[:, 1:4] - airframe.rotational_drag_1_s * s[:, 9:12]
@@ -140,9 +145,10 @@ def body_rates(
 
     On plain floats: telemetry asks for them in every grant. On the wire they are `ned_from_nwu` of this.
     """
-    sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
+    sin_roll, cos_roll = elementary.sin_cos(roll)
+    sin_pitch, cos_pitch = elementary.sin_cos(pitch)
     return (
-        roll_rate - yaw_rate * math.sin(pitch),
+        roll_rate - yaw_rate * sin_pitch,
         pitch_rate * cos_roll + yaw_rate * sin_roll * cos_pitch,
         -pitch_rate * sin_roll + yaw_rate * cos_roll * cos_pitch,
     )

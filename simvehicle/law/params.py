@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simvehicle.law.rows import PARAMETERS, PARAMS_SIZE
+from skytender import elementary
 
 STEP_S = 0.004  # the law's period: 250 Hz
 SOLVE_TOLERANCE = 1e-6  # rad/s², last correction of the differentiator's solve (differentiator.py)
@@ -125,7 +126,7 @@ class Limits:
     @property
     def tilt_slope(self) -> float:
         """tan of the tilt limit: the most horizontal acceleration per vertical one."""
-        return math.tan(self.tilt_rad) if math.isfinite(self.tilt_rad) else math.inf
+        return elementary.tan(self.tilt_rad) if math.isfinite(self.tilt_rad) else math.inf
 
 
 @dataclass(frozen=True, kw_only=True)

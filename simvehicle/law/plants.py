@@ -17,6 +17,7 @@ from simvehicle.world import airframes
 from simvehicle.world.description import STILL_AIR, Air, WorldVehicle
 from simvehicle.world.power import usual_resistance_ohm
 from simvehicle.world.rows import DISCRETE_SIZE, ERROR_SIZE, GUST_NOISE
+from skytender.normal import standard_normal
 
 Floats = list[float]
 
@@ -205,9 +206,9 @@ class RotorPlant(Plant):
         if (missing := steps - self._drawn.shape[1]) > 0:
             more = np.zeros((1, missing, rotor_flight.NOISE_SIZE))
             if self._air.turbulence_m_s > 0.0:
-                more[0, :, :GUST_NOISE] = self._random[0].standard_normal((missing, GUST_NOISE))
+                more[0, :, :GUST_NOISE] = standard_normal(self._random[0], missing, GUST_NOISE)
             if self.own.errors is not None:
-                more[0, :, GUST_NOISE:] = self._random[1].standard_normal((missing, ERROR_SIZE))
+                more[0, :, GUST_NOISE:] = standard_normal(self._random[1], missing, ERROR_SIZE)
             self._drawn = np.concatenate([self._drawn, more], axis=1)
         return self._drawn[:, :steps]
 

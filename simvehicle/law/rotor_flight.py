@@ -23,6 +23,7 @@ from cython.cimports.simvehicle.world import rotors
 from cython.cimports.simvehicle.world.error_step import step_errors
 from cython.cimports.simvehicle.world.rows import ERROR_SIZE, GUST_NOISE
 from cython.cimports.simvehicle.world.wind import blow, discrete_of, gusts_at
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.law.params import Airframe, VehicleParams
@@ -65,12 +66,13 @@ def _see(s: Any, error: Any) -> None:
     body, known = cython.address(s.body), cython.address(s.known)
     roll, pitch, yaw = rotors.euler_of(body.quaternion)
     p, q, r = body.rates[0], body.rates[1], body.rates[2]
-    sin_roll, cos_roll = math.sin(roll), math.cos(roll)
-    yaw_rate = (q * sin_roll + r * cos_roll) / max(math.cos(pitch), _LEAST_COSINE)
+    sin_roll, cos_roll = elementary.sin_cos(roll)
+    sin_pitch, cos_pitch = elementary.sin_cos(pitch)
+    yaw_rate = (q * sin_roll + r * cos_roll) / max(cos_pitch, _LEAST_COSINE)
     for i in range(3):
         known.position[i], known.velocity[i] = body.position[i], body.velocity[i]
     known.attitude[0], known.attitude[1], known.attitude[2] = roll, pitch, yaw
-    known.rates[0] = p + yaw_rate * math.sin(pitch)
+    known.rates[0] = p + yaw_rate * sin_pitch
     known.rates[1] = q * cos_roll - r * sin_roll
     known.rates[2] = yaw_rate
     motion = cython.cast(cython.p_double, known)
@@ -172,7 +174,7 @@ def fly_row(
     written."""
     decays = cython.declare(cython.double[4])
     for i in range(4):
-        decays[i] = math.exp(-dt / w.time_s[i])
+        decays[i] = elementary.exp(-dt / w.time_s[i])
     known = cython.address(s.known)
     step.take_command(known, c, t)
     for k in range(steps):
@@ -274,7 +276,7 @@ def on_rotors(flight: VehicleParams, airframe: RotorAirframe, density_kg_m3: flo
     body = Airframe(
         mass_kg=airframe.mass_kg,
         gravity_m_s2=_GRAVITY_M_S2,
-        drag_kg_s=airframe.hover_drag_1_s * airframe.mass_kg * share**0.5,
+        drag_kg_s=airframe.hover_drag_1_s * airframe.mass_kg * math.sqrt(share),
         rotational_drag=0.0,
     )
     limits = replace(flight.limits, thrust_m_s2=min(flight.limits.thrust_m_s2, spare))
@@ -315,7 +317,7 @@ def weather_row(
 def set_mean_wind(weather: NDArray[np.float64], mean_nwu: Sequence[float]) -> None:
     """Give a weather (WEATHER_SIZE,), in place, another mean wind, m/s."""
     north, west, _ = weather[WEATHER["mean"]] = mean_nwu
-    speed = float(np.hypot(north, west))
+    speed = math.sqrt(north * north + west * west)
     weather[WEATHER["along"]] = (north / speed, west / speed) if speed > 0.0 else (1.0, 0.0)
 
 

@@ -8,12 +8,13 @@ together to the last bit, and to the closed form. States are kept as logarithms.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from skytender import elementary, elementwise
 
 FloatArray = NDArray[np.float64]
 
@@ -52,10 +53,10 @@ def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: 
         x = at * drive
         k = int((ln_w + x).argmax())
         z = (ln_w - ln_w[k]) + at * (drive - drive[k])
-        shares = z + np.log(-np.expm1(-x)) - np.log(drive)
+        shares = z + elementwise.logarithms([-elementary.expm1(-one) for one in x]) - elementwise.logarithms(drive)
         start = -(ln_w[k] + x[k])
         top = max(start, shares.max())
-        ln_sum = top + math.log(math.exp(start - top) + np.exp(shares - top).sum())
+        ln_sum = top + elementary.log(elementary.exp(start - top) + elementwise.exponentials(shares - top).sum())
         return np.asarray((z - ln_sum) / p)
 
 
@@ -67,7 +68,7 @@ def bounded(ln_v: ArrayLike, places: int, floor: float) -> FloatArray:
         return values.copy()
     order = np.argsort(-values, kind="stable")
     gaps = -np.diff(values[order])
-    deepest = -math.log(floor)
+    deepest = -elementary.log(floor)
     gaps[:places] = np.minimum(gaps[:places], deepest)
     below = np.concatenate([[0.0], np.cumsum(gaps)])
     last = below[min(places, len(below) - 1)]
@@ -92,4 +93,4 @@ def standing(bidders: Sequence[Bidder], k: int, *, p: float, tie_s: float) -> St
 
 def share_of(ln_ratio: float, p: float) -> float:
     """Share that the first of two holds of the sum of their v^p, for the logarithm of their ratio."""
-    return 1.0 / (1.0 + math.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0
+    return 1.0 / (1.0 + elementary.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0

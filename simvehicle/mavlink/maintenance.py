@@ -15,6 +15,7 @@ from simvehicle.mavlink import commands
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARILY_REJECTED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import CommandHandler, ServiceContext
+from skytender import elementary
 
 REBOOT_S = 1.0
 REBOOT = 1
@@ -70,7 +71,7 @@ def _go_wrong(vehicle: Vehicle, failure: Failure, joules: float, north_m: float,
         vehicle.announce(Severity.CRITICAL, f"Injected: {joules:.0f} J of the battery are gone")
     else:
         vehicle.position_error_ned = (north_m, east_m, 0.0)
-        vehicle.announce(Severity.CRITICAL, f"Injected: {failure} is off by {math.hypot(north_m, east_m):.1f} m")
+        vehicle.announce(Severity.CRITICAL, f"Injected: {failure} is off by {elementary.hypot(north_m, east_m):.1f} m")
 
 
 class Reboot:

@@ -28,6 +28,7 @@ from cython.cimports.simvehicle.mavlink.motion_frames import (
     MAGIC,
     TURN_DEG,
 )
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 """Bits of the messages that are wanted."""
@@ -130,12 +131,13 @@ def motion_of(
     roll_rate, pitch_rate, yaw_rate = s.rates[0], s.rates[1], s.rates[2]
     at = 0
     if wanted & ATTITUDE:
-        sin_roll, cos_roll, cos_pitch = math.sin(roll), math.cos(roll), math.cos(pitch)
+        sin_roll, cos_roll = elementary.sin_cos(roll)
+        sin_pitch, cos_pitch = elementary.sin_cos(pitch)
         words[0] = time_ms
         floats[1] = remainder(roll, _TURN_RAD)
         floats[2] = remainder(-pitch, _TURN_RAD)
         floats[3] = remainder(-yaw, _TURN_RAD)
-        floats[4] = roll_rate - yaw_rate * math.sin(pitch)
+        floats[4] = roll_rate - yaw_rate * sin_pitch
         floats[5] = -(pitch_rate * cos_roll + yaw_rate * sin_roll * cos_pitch)
         floats[6] = -(-pitch_rate * sin_roll + yaw_rate * cos_roll * cos_pitch)
         at = write_frame(out, at, payload, _PAYLOAD_BYTES, _ATTITUDE_ID, _ATTITUDE_SEED, seq, sysid, compid)

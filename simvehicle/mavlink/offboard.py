@@ -13,6 +13,7 @@ from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.mavlink.commands import RELATIVE_FRAMES
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
+from skytender import elementary
 
 _NEVER_FLOWN = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
@@ -98,7 +99,7 @@ def _uses(mask: int) -> _Uses:
 
 def _turned(v: Vec3, yaw_rad: float) -> Vec3:
     """A vector given as forward, right, down, in NED: turned about down by the yaw."""
-    cos, sin = math.cos(yaw_rad), math.sin(yaw_rad)
+    sin, cos = elementary.sin_cos(yaw_rad)
     return cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2]
 
 

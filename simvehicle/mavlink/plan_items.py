@@ -17,6 +17,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Circle, Fence, Point, Polygon
 from simvehicle.autopilot.mission import Kind, Leg, Place
 from simvehicle.mavlink.commands import RELATIVE_FRAMES
+from skytender import elementary
 
 Vec3 = tuple[float, float, float]
 MOST_ITEMS = 1000
@@ -154,7 +155,7 @@ def _point(number: int, item: Item, frame: LocalFrame) -> Point:
     if not abs(lon_deg) <= 180.0:
         raise PlanError(f"item {number}: longitude {lon_deg:g}", mav.MAV_MISSION_INVALID_PARAM6_Y)
     north, east, _ = frame.to_local(lat_deg, lon_deg, 0.0)
-    if math.hypot(north, east) > FARTHEST_M:
+    if elementary.hypot(north, east) > FARTHEST_M:
         raise PlanError(f"item {number}: farther away than {FARTHEST_M / 1e3:g} km", mav.MAV_MISSION_INVALID_PARAM5_X)
     return north, east
 

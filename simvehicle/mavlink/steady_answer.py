@@ -49,6 +49,7 @@ from cython.cimports.simvehicle.mavlink.steady_answer import (
     TRUTH_NUMBERS,
     a_row,
 )
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.autopilot import snapshot
@@ -127,7 +128,7 @@ def _write_values(one: Any, s: Any, stream: int, payload: Any) -> None:
         _put(payload, 12, rounded(1e7 * remainder(one.origin[1] + east * one.origin[4], TURN_DEG)), 4)
         _put(payload, 16, altitude, 4)
         _put(payload, 24, bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16), 2)
-        _put(payload, 26, heading_cdeg(math.atan2(v_east, v_north)), 2)
+        _put(payload, 26, heading_cdeg(elementary.atan2(v_east, v_north)), 2)
         _put(payload, 30, altitude, 4)
     elif stream == _HOME:
         _put(payload, 52, unix_us, 8)

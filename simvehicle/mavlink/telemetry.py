@@ -16,6 +16,7 @@ from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
 from simvehicle.mavlink import motion_frames
 from simvehicle.mavlink.codec import message
+from skytender import elementary
 
 __all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
 
@@ -122,7 +123,7 @@ def global_position_int(s: VehicleState) -> Any:
 
 def gps_raw_int(s: VehicleState) -> Any:
     lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
-    course_deg = math.degrees(math.atan2(s.v_ned[1], s.v_ned[0]))
+    course_deg = math.degrees(elementary.atan2(s.v_ned[1], s.v_ned[0]))
     return message("GPS_RAW_INT")(
         time_usec=s.unix_us,
         fix_type=mav.GPS_FIX_TYPE_NO_FIX if Failure.GPS in s.failed else mav.GPS_FIX_TYPE_3D_FIX,
@@ -225,8 +226,7 @@ def xfer_in(s: VehicleState) -> Any:
 
 
 def attitude_quaternion(s: VehicleState) -> Any:
-    half_roll, half_pitch, half_yaw = (0.5 * angle for angle in s.attitude_ned)
-    (sr, sp, sy), (cr, cp, cy) = (tuple(map(f, (half_roll, half_pitch, half_yaw))) for f in (math.sin, math.cos))
+    (sr, cr), (sp, cp), (sy, cy) = (elementary.sin_cos(0.5 * angle) for angle in s.attitude_ned)
     return message("ATTITUDE_QUATERNION")(
         s.time_ms,
         cr * cp * cy + sr * sp * sy,
@@ -238,9 +238,9 @@ def attitude_quaternion(s: VehicleState) -> Any:
 
 
 def vfr_hud(s: VehicleState) -> Any:
-    speed_m_s = math.hypot(s.v_ned[0], s.v_ned[1])
+    speed_m_s = elementary.hypot(s.v_ned[0], s.v_ned[1])
     return message("VFR_HUD")(
-        airspeed=math.hypot(*s.v_ned),
+        airspeed=elementary.norm(s.v_ned),
         groundspeed=speed_m_s,
         heading=round(math.degrees(s.attitude_ned[2])) % 360,
         alt=s.frame.alt_m - s.p_ned[2],

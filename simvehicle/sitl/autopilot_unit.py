@@ -34,6 +34,7 @@ from simvehicle.sitl.autopilot_process import AutopilotError, AutopilotLink, Aut
 from simvehicle.sitl.truth import head_line
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
+from skytender import elementary
 
 Quaternion = tuple[float, float, float, float]
 BOOTS_WITHIN_S = 120.0
@@ -285,5 +286,5 @@ def _turned(quaternion: Quaternion, angles: Sequence[float]) -> Quaternion:
         w * b - x * c + y + z * a,
         w * c + x * b - y * a + z,
     )
-    norm = math.hypot(*turned)
+    norm = elementary.norm(turned)
     return (turned[0] / norm, turned[1] / norm, turned[2] / norm, turned[3] / norm)

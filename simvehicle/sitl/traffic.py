@@ -20,6 +20,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.mavlink.codec import ReceivedFrame, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.telemetry import Vec3
+from skytender import elementary
 
 SYSID, COMPID = 255, 156
 REPORT_EVERY_MS = 100
@@ -46,7 +47,7 @@ class Aircraft:
     def at(self, time_s: float) -> tuple[Vec3, Vec3]:
         """Position and velocity at a time."""
         corners = [*self.path_ned, self.path_ned[0]] if self.closed else [*self.path_ned, *self.path_ned[-2::-1]]
-        legs = [(a, b, math.dist(a, b)) for a, b in pairwise(corners)]
+        legs = [(a, b, elementary.distance(a, b)) for a, b in pairwise(corners)]
         around_m = sum(length for _, _, length in legs)
         if time_s <= self.start_s or around_m == 0.0:
             return self.path_ned[0], (0.0, 0.0, 0.0)
@@ -109,8 +110,8 @@ class Traffic:
             lon=round(1e7 * lon_deg),
             altitude_type=mav.ADSB_ALTITUDE_TYPE_GEOMETRIC,
             altitude=round(1e3 * alt_m),
-            heading=round(1e2 * math.degrees(math.atan2(v_ned[1], v_ned[0]))) % 36000,
-            hor_velocity=round(1e2 * math.hypot(v_ned[0], v_ned[1])),
+            heading=round(1e2 * math.degrees(elementary.atan2(v_ned[1], v_ned[0]))) % 36000,
+            hor_velocity=round(1e2 * elementary.hypot(v_ned[0], v_ned[1])),
             ver_velocity=round(-1e2 * v_ned[2]),
             callsign=mover.callsign,
             emitter_type=mav.ADSB_EMITTER_TYPE_UAV,

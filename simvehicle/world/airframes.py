@@ -25,6 +25,8 @@ INDUCED_FACTOR, FIGURE_OF_MERIT = 1.15, 0.7
 """κ and FM of docs/model.md#rotor-power [choice]."""
 HEADROOM = 0.85
 """Share of the greatest thrust that the law may ask for: the rest is left for turning [choice]."""
+_SINGULAR = 1e-12
+"""Pivot of rotors' effects, each scaled to 1, below which they depend on each other."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +67,7 @@ class RotorAirframe:
         for key, value in positive.items():
             if not 0.0 < value < math.inf:
                 raise ValueError(f"{self.name}.{key} is {value!r}, but it must be greater than 0 and finite")
-        if len(self.arms_m) != ROTORS or np.linalg.matrix_rank(self.effectiveness) < ROTORS:
+        if len(self.arms_m) != ROTORS or self.allocation is None:
             raise ValueError(f"{self.name}.arms_m must place four rotors that can lift and turn it about each axis")
         if self.greatest_thrust_m_s2 * HEADROOM <= GRAVITY_M_S2:
             raise ValueError(f"{self.name}'s rotors cannot lift it: their greatest thrust is too near its weight")
@@ -78,9 +80,30 @@ class RotorAirframe:
         return np.array([np.ones(ROTORS), y, -x, -ratio * np.array(SPIN)])
 
     @property
+    def allocation(self) -> NDArray[np.float64] | None:
+        """(4, 4), inverse of `effectiveness` after Gauss and Jordan; None where it has none."""
+        left = self.effectiveness
+        scale = np.abs(left).max(axis=1, keepdims=True)
+        if not scale.all():
+            return None
+        left, made = left / scale, np.eye(ROTORS) / scale
+        for k in range(ROTORS):
+            pivot = k + int(np.abs(left[k:, k]).argmax())
+            if not abs(left[pivot, k]) > _SINGULAR:
+                return None
+            left[[k, pivot]], made[[k, pivot]] = left[[pivot, k]], made[[pivot, k]]
+            made[k] /= left[k, k]
+            left[k] /= left[k, k]
+            for row in range(ROTORS):
+                if row != k:
+                    made[row] -= left[row, k] * made[k]
+                    left[row] -= left[row, k] * left[k]
+        return made
+
+    @property
     def greatest_thrust_m_s2(self) -> float:
         """Thrust per mass with all rotors at their fastest, at sea level."""
-        return ROTORS * self.thrust_n_s2 * self.fastest_rad_s**2 / self.mass_kg
+        return ROTORS * self.thrust_n_s2 * self.fastest_rad_s * self.fastest_rad_s / self.mass_kg
 
     @property
     def hover_rad_s(self) -> float:
@@ -91,7 +114,7 @@ class RotorAirframe:
     def hover_shaft_w(self) -> float:
         """Power at the rotors' shafts in hover at sea level, W: T √(T/(2 ρ A))/FM (docs/model.md#rotor-power)."""
         weight_n = self.mass_kg * GRAVITY_M_S2
-        disc_m2 = ROTORS * math.pi * self.rotor_radius_m**2
+        disc_m2 = ROTORS * math.pi * self.rotor_radius_m * self.rotor_radius_m
         return weight_n * math.sqrt(weight_n / (2.0 * SEA_LEVEL_KG_M3 * disc_m2)) / FIGURE_OF_MERIT
 
     @property
@@ -157,6 +180,8 @@ def pack(airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> NDA
     share = density_kg_m3 / SEA_LEVEL_KG_M3
     x, y = np.array(airframe.arms_m).T
     ix, iy, iz = airframe.inertia_kg_m2
+    allocation, hover_rad_s = airframe.allocation, airframe.hover_rad_s
+    assert allocation is not None  # or there would be no such airframe
     profile_w = (1.0 - INDUCED_FACTOR * FIGURE_OF_MERIT) * airframe.hover_shaft_w
     values = {
         "mass": airframe.mass_kg,
@@ -171,14 +196,14 @@ def pack(airframe: RotorAirframe, density_kg_m3: float = SEA_LEVEL_KG_M3) -> NDA
         "body_drag": share * np.array(airframe.body_drag_kg_m),
         "fastest": airframe.fastest_rad_s,
         "lag": airframe.motor_lag_s,
-        "area": ROTORS * math.pi * airframe.rotor_radius_m**2,
+        "area": ROTORS * math.pi * airframe.rotor_radius_m * airframe.rotor_radius_m,
         "density": density_kg_m3,
         "x": x,
         "y": y,
         "spin": SPIN,
-        "allocation": np.linalg.inv(airframe.effectiveness).ravel(),
+        "allocation": allocation.ravel(),
         "radius": airframe.rotor_radius_m,
-        "profile": share * profile_w / (ROTORS * airframe.hover_rad_s**3),
+        "profile": share * profile_w / (ROTORS * hover_rad_s * hover_rad_s * hover_rad_s),
         "hover_w": airframe.hover_shaft_w,
     }
     packed = np.empty(AIRFRAME_SIZE)

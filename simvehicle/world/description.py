@@ -10,6 +10,7 @@ from typing import Any
 from simvehicle.world.airframes import AIRFRAMES, SEA_LEVEL_KG_M3, RotorAirframe
 from simvehicle.world.estimate import EstimateErrors
 from simvehicle.world.wind_field import WindField
+from skytender import elementary
 
 
 class WorldError(ValueError):
@@ -99,7 +100,7 @@ def _field(content: Any) -> WindField:
 def _blowing(content: Mapping[Any, Any]) -> tuple[float, float, float]:
     """Velocity of the air, nwu, from its speed and the direction that it comes from, degrees clockwise from north."""
     speed, angle = _number(content, "speed_m_s", 0.0), math.radians(_number(content, "from_deg", 0.0))
-    return -speed * math.cos(angle), speed * math.sin(angle), 0.0
+    return -speed * elementary.cos(angle), speed * elementary.sin(angle), 0.0
 
 
 def _vehicle(content: Any, where: str) -> WorldVehicle:

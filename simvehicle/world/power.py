@@ -9,6 +9,7 @@ import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.power import CELLS
 from cython.cimports.simvehicle.world.rotors import airframe_at
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.world import airframes
@@ -63,7 +64,7 @@ def cell_v(charge: float) -> float:
     """Open-circuit voltage of a lithium-polymer cell by its charge, 0 to 1 (M. Chen, G. A. Rincón-Mora, *Accurate
     electrical battery model capable of predicting runtime and I-V performance*, IEEE TEC 2006)."""
     s = min(max(charge, 0.0), 1.0)
-    return -1.031 * math.exp(-35.0 * s) + 3.685 + 0.2156 * s - 0.1178 * s * s + 0.3201 * s * s * s
+    return -1.031 * elementary.exp(-35.0 * s) + 3.685 + 0.2156 * s - 0.1178 * s * s + 0.3201 * s * s * s
 
 
 def discharge(power_w: float, charge: float, resistance_ohm: float) -> tuple[float, float, float]:

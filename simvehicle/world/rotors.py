@@ -14,6 +14,7 @@ import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.rotors import Sums, airframe_at, body_at
 from cython.cimports.simvehicle.world.rows import MOVING, Body
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 Row = NDArray[np.float64]
@@ -95,8 +96,8 @@ def step_body(body: Any, wanted: Any, wind: Any, a: Any, dt: float) -> None:
     k2 = cython.declare(cython.double[MOVING])
     k3 = cython.declare(cython.double[MOVING])
     k4 = cython.declare(cython.double[MOVING])
-    half = 1.0 - math.exp(-0.5 * dt / a.lag)
-    whole = 1.0 - math.exp(-dt / a.lag)
+    half = 1.0 - elementary.exp(-0.5 * dt / a.lag)
+    whole = 1.0 - elementary.exp(-dt / a.lag)
     rotor_sums(body, wanted, 0.0, a, cython.address(begin))
     rotor_sums(body, wanted, half, a, cython.address(middle))
     rotor_sums(body, wanted, whole, a, cython.address(end))
@@ -143,15 +144,15 @@ def euler_of(q: Any) -> tuple[float, float, float]:
     """Roll, pitch and yaw (z, y, x in turn), rad."""
     w, x, y, z = q[0], q[1], q[2], q[3]
     sine = min(max(2.0 * (w * y - z * x), -1.0), 1.0)
-    roll = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
-    return roll, math.asin(sine), math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    roll = elementary.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
+    return roll, elementary.asin(sine), elementary.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
 
 def quaternion_of(roll: float, pitch: float, yaw: float, out: Any) -> None:
     """The quaternion of roll, pitch and yaw, rad, into out (4,)."""
-    sr, cr = math.sin(0.5 * roll), math.cos(0.5 * roll)
-    sp, cp = math.sin(0.5 * pitch), math.cos(0.5 * pitch)
-    sy, cy = math.sin(0.5 * yaw), math.cos(0.5 * yaw)
+    sr, cr = elementary.sin_cos(0.5 * roll)
+    sp, cp = elementary.sin_cos(0.5 * pitch)
+    sy, cy = elementary.sin_cos(0.5 * yaw)
     out[0] = cr * cp * cy + sr * sp * sy
     out[1] = sr * cp * cy - cr * sp * sy
     out[2] = cr * sp * cy + sr * cp * sy
@@ -212,7 +213,8 @@ def moments_of(
 ) -> tuple[float, float, float]:
     """Moments (N m) about the body's axes that give Euler angles (rad) with rates (rad/s) accelerations (rad/s²):
     the time derivative of p = φ' - ψ' sinθ and its like, in Euler's equations."""
-    sr, cr, sp, cp = math.sin(angles[0]), math.cos(angles[0]), math.sin(angles[1]), math.cos(angles[1])
+    sr, cr = elementary.sin_cos(angles[0])
+    sp, cp = elementary.sin_cos(angles[1])
     roll_rate, pitch_rate, yaw_rate = rates[0], rates[1], rates[2]
     p = roll_rate - yaw_rate * sp
     q = pitch_rate * cr + yaw_rate * sr * cp

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simvehicle.world.estimate import EstimateErrors
+from skytender import elementwise
+from skytender.normal import standard_normal
 
 Floats = list[float]
 
@@ -22,17 +24,17 @@ class SensorErrors:
         self._none = errors is None
         own = EstimateErrors() if errors is None else errors
         deviations = np.repeat([*own.deviations, own.accel_m_s2], 3)
-        decays = np.exp(-dt_s / np.repeat([*own.times_s, own.accel_s], 3))
+        decays = elementwise.exponentials(-dt_s / np.repeat([*own.times_s, own.accel_s], 3))
         self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, 2)))
-        self._decays, self._pushes = decays, deviations * np.sqrt(1.0 - decays**2)
-        self._now: NDArray[np.float64] = deviations * self._random.standard_normal(deviations.size)
+        self._decays, self._pushes = decays, deviations * np.sqrt(1.0 - decays * decays)
+        self._now: NDArray[np.float64] = deviations * standard_normal(self._random, 1, deviations.size)[0]
 
     def step(self) -> tuple[Floats, Floats, Floats, Floats, Floats] | None:
         """One step of them: position m, velocity m/s, angles rad, rates rad/s, specific force m/s², each (3,);
         None where there are none."""
         if self._none:
             return None
-        self._now = self._decays * self._now + self._pushes * self._random.standard_normal(self._now.size)
+        self._now = self._decays * self._now + self._pushes * standard_normal(self._random, 1, self._now.size)[0]
         e = self._now.tolist()
         return e[0:3], e[3:6], e[6:9], e[9:12], e[12:15]
 
@@ -65,7 +67,7 @@ class SensorNoise:
     def step(self) -> Noise:
         """Noise of one reading."""
         if not self._drawn:
-            normal = self._random.standard_normal((_BLOCK, self._deviations.size))
+            normal = standard_normal(self._random, _BLOCK, self._deviations.size)
             self._drawn = (normal * self._deviations).tolist()
         e = self._drawn.pop()
         return Noise(e[0:3], e[3:6], e[6:9], e[9])

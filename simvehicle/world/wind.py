@@ -13,6 +13,7 @@ import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.rows import GUST_SIZE
 from cython.cimports.simvehicle.world.wind import gusts_at
+from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 Row = NDArray[np.float64]
@@ -29,18 +30,18 @@ def dryden_scales(height_m: float, w20_m_s: float) -> tuple[float, float, float,
     h = min(max(height_m / _FOOT_M, _LOWEST_FT), _HIGHEST_FT)
     d = 0.177 + 0.000823 * h
     sigma_w = 0.1 * w20_m_s
-    return sigma_w / d**0.4, sigma_w, h / d**1.2 * _FOOT_M, h * _FOOT_M
+    return sigma_w / elementary.pow(d, 0.4), sigma_w, h / elementary.pow(d, 1.2) * _FOOT_M, h * _FOOT_M
 
 
 def _first_order(z: float, h: float, noise: float) -> float:
     """x of unit variance, correlated over a time of which a step is the share h."""
-    a = math.exp(-h)
+    a = elementary.exp(-h)
     return a * z + math.sqrt(max(1.0 - a * a, 0.0)) * noise
 
 
 def _second_order(g: Any, i: int, h: float, n1: float, n2: float) -> float:
     """(1 + √3 T s)/(1 + T s)² of white noise, of unit variance: √3 y1 + (1 - √3) y2 of two lags in a row, exactly."""
-    a = math.exp(-h)
+    a = elementary.exp(-h)
     if h < _SMALL:
         q11, q12, q22 = h, 0.5 * h * h, h * h * h / 3.0
     else:
@@ -101,7 +102,7 @@ def discrete_of(gusts: Any, count: int, t: float) -> tuple[float, float, float]:
         if since <= 0.0 or since >= 2.0 * rise + g.hold:
             continue
         within = min(since, 2.0 * rise + g.hold - since)
-        share = 1.0 if within >= rise else 0.5 * (1.0 - math.cos(math.M_PI * within / rise))
+        share = 1.0 if within >= rise else 0.5 * (1.0 - elementary.cos(math.M_PI * within / rise))
         x += share * g.x
         y += share * g.y
         z += share * g.z

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcs.scenario.document import Document, Problem, ScenarioError
 from gcs.scenario.types import MOST_M
+from skytender import elementary
 
 if TYPE_CHECKING:
     from gcs.missions.items import MissionPlan
@@ -34,7 +35,7 @@ def fill(document: Document) -> None:
     plan = _read(document, value)
     mirror = -1.0 if document.data.get("axes") == "paper" else 1.0
     areas, rally = _ned(plan, origin, mirror)
-    if any(math.hypot(*place) > MOST_M for place in _places(areas, rally)):
+    if any(elementary.norm(place) > MOST_M for place in _places(areas, rally)):
         message = f"{value} lies more than {MOST_M / 1e3:.0f} km from the scenario's origin"
         raise ScenarioError([Problem(*_place(document), message)])
     for key, found in (("fence", areas), ("rally_m", rally)):

@@ -1,12 +1,12 @@
 """Obstacles, traffic and attractors."""
 
-import math
 from collections.abc import Callable
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from gcs.scenario.types import Exact, Flag, Height, Label, Metres, Part, Plane, Route, Seconds, Speed, Vec3
+from skytender import elementary
 
 Kind = Literal["point", "sphere", "box", "cylinder"]
 _KEYS: dict[Kind, set[str]] = {
@@ -66,8 +66,8 @@ class Obstacle(Part):
         """The distance in m from p_ned to the surface (a point's is its centre); negative inside."""
         beyond = [max(low - x, x - high) for low, x, high in zip(self.low_m, p_ned, self.high_m, strict=True)]
         if self.kind == "cylinder":
-            beyond = [math.hypot(beyond[0], beyond[1]) - self.radius_m, beyond[2]]
-        outside = math.hypot(*(max(distance, 0.0) for distance in beyond))
+            beyond = [elementary.hypot(beyond[0], beyond[1]) - self.radius_m, beyond[2]]
+        outside = elementary.norm([max(distance, 0.0) for distance in beyond])
         return (outside or max(beyond)) - (self.radius_m if self.kind == "sphere" else 0.0)
 
     def fault(self) -> str:

@@ -13,6 +13,7 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.types import Vec3
 from gcs.scenario.warnings.slips import sent_to
 from gcs.scenario.warnings.warning import ScenarioWarning
+from skytender import elementary, elementwise
 
 LAG_S = 0.37
 """Distance that a vehicle flies behind its planned point (docs/model.md#guidance)."""
@@ -37,7 +38,7 @@ def latency_s(scenario: Scenario) -> float:
 
 def stopping_m(scenario: Scenario, speed_m_s: float) -> float:
     """The way that a vehicle flies before it stands: through the latency, then braking, v²/(2a)."""
-    return speed_m_s * latency_s(scenario) + speed_m_s**2 / (2.0 * LAUNCHED_M_S2)
+    return speed_m_s * latency_s(scenario) + speed_m_s * speed_m_s / (2.0 * LAUNCHED_M_S2)
 
 
 def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
@@ -113,7 +114,7 @@ def _of_places(scenario: Scenario) -> Iterator[ScenarioWarning]:
     for pursuer in vehicles.pursuers:
         if (target := vehicles.target_of(pursuer)) is not None:
             followers.setdefault(target, []).append(pursuer.label)
-    offset_m = math.hypot(ring_m or 0.0, scenario.formation.height_m)
+    offset_m = elementary.hypot(ring_m or 0.0, scenario.formation.height_m)
     for target, labels in followers.items():
         chosen = labels if scenario.pursuit.by == "all" else labels[:1]
         if offset_m < separation_m:
@@ -123,8 +124,8 @@ def _of_places(scenario: Scenario) -> Iterator[ScenarioWarning]:
                 "separation",
                 f"the place of {who} {where} ({target}), and the goal wants {separation_m:g} m: give formation.ring_m",
             )
-        elif ring_m and len(chosen) > 1 and 2.0 * ring_m * math.sin(math.pi / len(chosen)) < separation_m:
-            gap_m = 2.0 * ring_m * math.sin(math.pi / len(chosen))
+        elif ring_m and len(chosen) > 1 and 2.0 * ring_m * elementary.sin(math.pi / len(chosen)) < separation_m:
+            gap_m = 2.0 * ring_m * elementary.sin(math.pi / len(chosen))
             yield ScenarioWarning(
                 "separation",
                 f"on a ring of {ring_m:g} m {len(chosen)} pursuers of {target} are {gap_m:.2f} m apart, and the goal "
@@ -140,7 +141,7 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
     shapes = geometry.of_scenario(scenario.obstacles)
     angles = 2.0 * math.pi * np.arange(RING_LOOKS) / RING_LOOKS
     down_m = np.full(RING_LOOKS, -scenario.formation.height_m)
-    ring = np.column_stack((ring_m * np.cos(angles), ring_m * np.sin(angles), down_m))
+    ring = np.column_stack((ring_m * elementwise.cosines(angles), ring_m * elementwise.sines(angles), down_m))
     followed = {scenario.vehicles.target_of(pursuer) for pursuer in scenario.vehicles.pursuers}
     for target in scenario.vehicles.targets:
         if target.sysid not in followed:
@@ -167,7 +168,10 @@ def _of_the_ring(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 def _of_the_pursuit(scenario: Scenario) -> Iterator[ScenarioWarning]:
     """A goal that wants pursuers nearer to their targets than their places are."""
-    wanted, place_m = scenario.goal.pursue, math.hypot(scenario.formation.ring_m or 0.0, scenario.formation.height_m)
+    wanted, place_m = (
+        scenario.goal.pursue,
+        elementary.hypot(scenario.formation.ring_m or 0.0, scenario.formation.height_m),
+    )
     followers = [one for one in scenario.vehicles.pursuers if scenario.vehicles.target_of(one) is not None]
     if wanted is None or not followers or scenario.planner.method != "potential_field":
         return
@@ -239,6 +243,6 @@ def _along(path: tuple[Vec3, ...], *, closed: bool) -> geometry.FloatArray:
     corners = [*path, path[0]] if closed else list(path)
     legs = [np.array([corners[0]], dtype=np.float64)]
     for a, b in pairwise(corners):
-        count = max(2, min(math.ceil(math.dist(a, b) / PATH_STEP_M) + 1, 100_000))
+        count = max(2, min(math.ceil(elementary.distance(a, b) / PATH_STEP_M) + 1, 100_000))
         legs.append(np.linspace(a, b, count)[1:])
     return np.concatenate(legs)

@@ -11,6 +11,7 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.parts.vehicles import Tanker, Target, VehicleBase
 from gcs.scenario.types import Vec3
 from gcs.scenario.warnings.warning import ScenarioWarning
+from skytender import elementary
 
 LAUNCHED_M_S = 5.0
 """Greatest speed of a launched vehicle's guidance where its MPC_XY_VEL_MAX is not set."""
@@ -37,7 +38,7 @@ def _of_units(scenario: Scenario) -> Iterator[ScenarioWarning]:
                 f"write {100.0 * percent:g} if that share is meant",
             )
     lat_deg, lon_deg = scenario.origin.lat_deg, scenario.origin.lon_deg
-    if math.hypot(lat_deg, lon_deg) < 5.0 * NEAR_DEG:
+    if elementary.hypot(lat_deg, lon_deg) < 5.0 * NEAR_DEG:
         return
     for name, (north_m, east_m, _) in _places(scenario):
         if abs(north_m - lat_deg) < NEAR_DEG and abs(east_m - lon_deg) < NEAR_DEG:
@@ -113,7 +114,7 @@ def _most_m_s(vehicle: VehicleBase) -> float:
 
 
 def _length_m(corners: tuple[Vec3, ...]) -> float:
-    return sum(math.dist(a, b) for a, b in pairwise(corners))
+    return sum(elementary.distance(a, b) for a, b in pairwise(corners))
 
 
 def _places(scenario: Scenario) -> Iterator[tuple[str, Vec3]]:

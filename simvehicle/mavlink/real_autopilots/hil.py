@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import ReceivedFrame, message
+from skytender import elementary
 
 ACCEL, GYRO, MAG, BARO = 0b111, 0b111 << 3, 0b111 << 6, 0b1101 << 9
 """Bits of HIL_SENSOR's fields_updated: three axes each; pressure, its height and the temperature."""
@@ -89,11 +90,11 @@ def gnss(
         alt=round(1e3 * alt_m),
         eph=round(1e2 * eph_m),
         epv=round(1e2 * epv_m),
-        vel=min(round(1e2 * math.hypot(north, east, down)), 65534),
+        vel=min(round(1e2 * elementary.norm((north, east, down))), 65534),
         vn=_short(1e2 * north),
         ve=_short(1e2 * east),
         vd=_short(1e2 * down),
-        cog=round(1e2 * (math.degrees(math.atan2(east, north)) % 360.0)) % 36000,
+        cog=round(1e2 * (math.degrees(elementary.atan2(east, north)) % 360.0)) % 36000,
         fix_type=GNSS_FIX_3D if fix else GNSS_NO_FIX,
         satellites_visible=satellites,
     )
@@ -112,7 +113,7 @@ def truth(
 ) -> Any:
     """HIL_STATE_QUATERNION, which the autopilot only writes to its log: true attitude (w first, body to NED), rates
     rad/s, place in degrees and m, velocity m/s NED, specific force m/s²."""
-    speed_cm_s = min(round(1e2 * math.hypot(*v_ned)), 65535)
+    speed_cm_s = min(round(1e2 * elementary.norm(v_ned)), 65535)
     return message("HIL_STATE_QUATERNION")(
         time_usec=time_us,
         attitude_quaternion=tuple(quaternion),

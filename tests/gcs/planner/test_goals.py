@@ -79,13 +79,13 @@ def test_a_path_of_one_point_stands_there() -> None:
 def just(above: bool, reached_m: float, direction: np.ndarray) -> np.ndarray:
     """A place as near as can be to a sphere about 0 of this radius, on the one side of it or the other."""
     place = direction / np.linalg.norm(direction) * reached_m
-    while (math.dist(place, (0.0, 0.0, 0.0)) > reached_m) != above:
+    while (math.sqrt(sum(x * x for x in place.tolist())) > reached_m) != above:
         place[0] = np.nextafter(place[0], math.inf if (place[0] > 0) == above else -math.inf)
     return place
 
 
 @pytest.mark.parametrize("above", [True, False])
-def test_a_way_point_is_left_behind_by_who_is_as_near_as_math_dist_says(above: bool) -> None:
+def test_a_way_point_is_left_behind_by_who_is_as_near_as_the_root_of_the_sum_of_squares_says(above: bool) -> None:
     rng = np.random.default_rng(4)
     for _ in range(200):
         q = np.full((3, 3), 50.0)

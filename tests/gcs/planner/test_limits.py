@@ -33,17 +33,25 @@ def directions(rng: np.random.Generator) -> np.ndarray:
     return np.asarray(way / np.linalg.norm(way, axis=1)[:, None])
 
 
+def length(v: list[float]) -> float:
+    return math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+
+
+def distance(a: list[float], b: list[float]) -> float:
+    return length([p - q for p, q in zip(a, b, strict=True)])
+
+
 def expected(some: LeaderRows, row: int, here: np.ndarray, route_m: float, brake_m_s2: float | None) -> float:
     """docs/model.md: the leader waits for who is behind by more than the leash, and can stop at its goal."""
     speed, q = float(some.speed_m_s[row]), some.q_ned[row].tolist()
-    behind_m = math.dist(q, here[row].tolist())
+    behind_m = distance(q, here[row].tolist())
     speed *= min(max(2.0 * (1.0 - behind_m / (LEASH_M + LOOKAHEAD_S * speed)), 0.0), 1.0)
     if brake_m_s2 is None:
         return speed
-    way_m = math.dist(q, some.goal_ned[row].tolist()) if math.isnan(route_m) else route_m
+    way_m = distance(q, some.goal_ned[row].tolist()) if math.isnan(route_m) else route_m
     if math.isinf(way_m):
         return 0.0
-    return min(speed, math.hypot(*some.goal_v_ned[row].tolist()) + math.sqrt(2.0 * brake_m_s2 * way_m))
+    return min(speed, length(some.goal_v_ned[row].tolist()) + math.sqrt(2.0 * brake_m_s2 * way_m))
 
 
 @pytest.mark.parametrize("brake_m_s2", [None, BRAKE_M_S2])

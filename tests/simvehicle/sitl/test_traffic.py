@@ -57,7 +57,7 @@ def test_path_without_length_stands_still(path: Any, closed: bool) -> None:
     assert Aircraft("A", path, 4.0, closed, 0.0).at(9.0) == ((1.0, 2.0, 3.0), (0.0, 0.0, 0.0))
 
 
-points = st.tuples(*[st.floats(-100.0, 100.0)] * 3)
+points = st.tuples(*[st.floats(-100.0, 100.0).map(lambda x: round(x, 6))] * 3)
 
 
 @settings(max_examples=200)

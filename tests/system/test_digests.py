@@ -1,0 +1,39 @@
+"""One digest on every processor: sessions flown as if the machine's had fewer instructions."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sessions import GCS
+
+DIGESTS = {
+    "paper/example1": "1c04dd1c",
+    "paper/example2": "5e9963ac",
+    "paper/example3": "c7d0a668",
+    "paper/example4": "e3d5d00d",
+    "demo": "c1c18ed8",
+}
+"""First digits of the digests of shipped scenarios; the changelog names each change."""
+SIMPLER = {
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F",
+    "NPY_DISABLE_CPU_FEATURES": " ".join(np.show_config(mode="dicts")["SIMD Extensions"].get("found", ())),
+}
+"""Environment in which the C library and NumPy take what every processor of this architecture can do."""
+
+
+def flown(scenario: str, out: Path, environment: dict[str, str]) -> str:
+    command = [*GCS, "run", scenario, "--lockstep", "--quiet", "--no-report", "--out", str(out)]
+    subprocess.run(command, env={**os.environ, **environment}, check=True, capture_output=True)
+    digest: str = json.loads((out / "summary.json").read_text())["digest"]
+    return digest.removeprefix("sha256:")[:8]
+
+
+@pytest.mark.parametrize("scenario", DIGESTS)
+def test_a_session_has_one_digest_on_every_processor(scenario: str, tmp_path: Path) -> None:
+    digests = {flown(scenario, tmp_path / "whole", {}), flown(scenario, tmp_path / "simpler", SIMPLER)}
+    assert digests == {DIGESTS[scenario]}

@@ -15,8 +15,6 @@ from gcs.scenario.geometry import FloatArray
 from skytender import elementary, elementwise
 
 Vec3 = tuple[float, float, float]
-_ROUNDING = 1.0 + 1e-9
-"""Of a sum of squares against `distance`."""
 
 
 def ring_offsets(count: int, ring_m: float, height_m: float) -> NDArray[np.float64]:
@@ -72,9 +70,7 @@ class Courses:
         self.ended = np.zeros(n, dtype=np.bool_)
         """(n,) of those who have left their last way point behind"""
         self._left = {row: list(course) for row, course in courses.items()}
-        self._reached_m = reached_m
-        self.near2 = (_ROUNDING * reached_m) * (_ROUNDING * reached_m)
-        """m², beyond which nobody can have come to a way point"""
+        self.reached_m = reached_m
         self._least_left = 1 if keeps_last else 0
         for row, course in courses.items():
             self.goal_ned[row] = course[0]
@@ -85,7 +81,7 @@ class Courses:
         passed = False
         for row, here in zip(rows.tolist(), q_ned[rows].tolist(), strict=True):
             left = self._left[row]
-            if len(left) > self._least_left and elementary.distance(here, left[0]) <= self._reached_m:
+            if len(left) > self._least_left and elementary.distance(here, left[0]) <= self.reached_m:
                 left.pop(0)
                 passed = True
                 if left:

@@ -11,7 +11,7 @@ cpdef enum:  # of a leader
     GOES_ON  # it may come to one to be left behind
     ARRIVED  # it has left its last one behind
 
-cdef double _UNFREE_SHARE, _ROUNDING_M, _SURE
+cdef double _UNFREE_SHARE, _ROUNDING_M
 
 cdef struct Leader:  # as LeaderRows describes
     double[3] q
@@ -34,13 +34,13 @@ cdef void _lead(
     const int64_t[:, ::1] obstacle_spans, const double[:, ::1] moving, const double[::1] ranges,
     const unsigned char[:, ::1] exempt, const int64_t[::1] moving_rows, const int64_t[:, ::1] moving_spans,
     const double[::1] constants, double period, bint escape, int64_t[::1] near) noexcept nogil
-@cython.locals(free=bint, stops=bint, straight=bint, many=Py_ssize_t, near=Py_ssize_t)
-cpdef (Py_ssize_t, Py_ssize_t) find_limited(
-    const int64_t[::1] rows, double[:, ::1] table, const double[:, ::1] here, int64_t[:, ::1] limited,
-    double leash, double lookahead, double brake) noexcept nogil
+@cython.locals(one="Leader*", stops=double, way=double)
+cpdef void limit_speeds(
+    const int64_t[::1] rows, double[:, ::1] table, const double[:, ::1] here, double leash, double lookahead,
+    double brake) noexcept nogil
 @cython.locals(near=bint)
 cpdef bint aim(
     double[:, ::1] table, const int64_t[::1] course, const double[:, ::1] course_ned, double cruise,
-    double square) noexcept nogil
+    double reached) noexcept nogil
 cdef (double, double, double) _field_step(double fn, double fe, double fd, double full_step, double k0) noexcept nogil
 cdef double _fed_forward(double on, double oe, double od, double distance, double cap, double k0) noexcept nogil

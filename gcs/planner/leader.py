@@ -30,7 +30,6 @@ _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any
 _FEW_MOVING = 8_000
 """Up to so many pairs of a leader and what moves, looking at each costs less than choosing."""
 _ROUNDING_M = 1e-6
-_SURE = 1.0 - 1e-9
 
 BoolArray = NDArray[np.bool_]
 _NO_ROWS = np.empty(0, np.int64)
@@ -167,21 +166,19 @@ class LeaderRows:
         self.obstacle_range_m[:], self.lowest_d[:], self.route_m[:] = obstacle_range_m, np.inf, np.nan
 
 
-class LeaderLimits(NamedTuple):
-    """Limits of speeds, as far as sums of squares tell of whom it is sure that they have none."""
+class SpeedLimits(NamedTuple):
+    """Limits that lower leaders' speeds: by the leash, leaders wait for vehicles that have fallen behind; by the brake,
+    they can stop at their goals."""
 
-    limited: IntArray
-    """(2, n) filled with the rows of all others: in the second row those who are surely not leashed, but near their
-    goals on a straight way"""
-    leash_m: float
-    """inf: none"""
-    lookahead_s: float
+    leash_m: float = np.inf
+    """inf: they do not wait"""
+    lookahead_s: float = 0.0
     """by how much a vehicle is behind its leader anyhow"""
-    brake_m_s2: float
-    """inf: they need not"""
+    brake_m_s2: float = np.inf
+    """inf: they need not be able to stop"""
 
 
-UNLIMITED = LeaderLimits(np.zeros((2, 0), np.int64), np.inf, 0.0, np.inf)
+UNLIMITED = SpeedLimits()
 
 
 class Moving(NamedTuple):
@@ -204,12 +201,11 @@ class Attracting(NamedTuple):
     """(k, m) whom each draws"""
 
 
-@cython.locals(many=cython.Py_ssize_t, stopping=cython.Py_ssize_t, table="double[:, ::1]", some="const int64_t[::1]")
 def lead(
     leaders: LeaderRows,
     rows: IntArray,
     here_ned: FloatArray,
-    limits: LeaderLimits,
+    limits: SpeedLimits,
     obstacles: FloatArray,
     moving: Moving,
     attracting: Attracting,
@@ -217,10 +213,11 @@ def lead(
     period_s: float,
     *,
     escape: bool,
-) -> tuple[int, int]:
-    """Move the leaders `rows` (k,), whose vehicles are at here_ned (n, 3), by one period, in place; all is as `advance`
-    says, and nothing is checked. How many there are in each row of `limits.limited`: unless none, nobody has moved."""
-    count, speed, table, some = len(rows), leaders.speed_m_s, leaders.table, rows
+) -> None:
+    """Move the leaders `rows` (k,), whose vehicles are at here_ned (n, 3), by one period, in place, after their speeds
+    are lowered to the limits; all else is as `advance` says, and nothing is checked."""
+    limit_speeds(rows, leaders.table, here_ned, limits.leash_m, limits.lookahead_s, limits.brake_m_s2)
+    count, speed = len(rows), leaders.speed_m_s
     if count * len(obstacles) <= FEW:
         near_obstacles, obstacle_spans = everyone(count, len(obstacles))
     else:
@@ -231,19 +228,12 @@ def lead(
     else:
         reach_m = speed[rows] * period_s
         near_moving, moving_spans = within_range(leaders.q_ned[rows], reach_m, moving.table, moving.ranges_m)
-    many, stopping = 0, 0
-    if limits is not UNLIMITED:
-        many, stopping = find_limited(
-            some, table, here_ned, limits.limited, limits.leash_m, limits.lookahead_s, limits.brake_m_s2
-        )
-    if many == 0 and stopping == 0:
-        _lead(
-            some, table, leaders.memory, attracting.places, attracting.drawn, obstacles, near_obstacles,
-            obstacle_spans, moving.table, moving.ranges_m, moving.exempt, near_moving, moving_spans,
-            field.constants(), period_s, escape,
-            np.empty(len(moving.table), np.int64) if len(moving.table) else _NO_ROWS,
-        )  # fmt: skip
-    return many, stopping
+    _lead(
+        rows, leaders.table, leaders.memory, attracting.places, attracting.drawn, obstacles, near_obstacles,
+        obstacle_spans, moving.table, moving.ranges_m, moving.exempt, near_moving, moving_spans,
+        field.constants(), period_s, escape,
+        np.empty(len(moving.table), np.int64) if len(moving.table) else _NO_ROWS,
+    )  # fmt: skip
 
 
 def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
@@ -340,39 +330,35 @@ def _lead(
         one.v[0], one.v[1], one.v[2] = (q[0] - begin_n) / period, (q[1] - begin_e) / period, (q[2] - begin_d) / period
 
 
-def find_limited(
-    rows: IntArray, table: FloatArray, here: FloatArray, limited: IntArray, leash: float, lookahead: float,
-    brake: float,
-) -> tuple[int, int]:  # fmt: skip
-    """Fill `limited` as `LeaderLimits` says; how many in each of its rows."""
-    many, near = 0, 0
+def limit_speeds(
+    rows: IntArray, table: FloatArray, here: FloatArray, leash: float, lookahead: float, brake: float
+) -> None:
+    """Lower the speeds v of leaders, as `SpeedLimits` says, of vehicles at here (n, 3) [choice].
+
+    With b the distance between leader and vehicle, and w the way that is left to the goal or on the route:
+    v⁺ = min(v min(max(2 (1 - b/(leash + lookahead v)), 0), 1), |goal's velocity| + √(2 brake w)), 0 with w infinite.
+    """
     if leash == math.INFINITY and brake == math.INFINITY:
-        return many, near
+        return
     for i in range(rows.shape[0]):
-        row = rows[i]
-        one = _leader_at(table, row)
-        n, e, d = one.q[0] - here[row, 0], one.q[1] - here[row, 1], one.q[2] - here[row, 2]
-        half = 0.5 * (leash + lookahead * one.speed)
-        free, stops = n * n + e * e + d * d <= _SURE * half * half, False
-        if free and brake < math.INFINITY:
-            way, straight = one.route, math.isnan(one.route)
-            if straight:
-                n, e, d = one.q[0] - one.goal[0], one.q[1] - one.goal[1], one.q[2] - one.goal[2]
-                way = math.sqrt(n * n + e * e + d * d)
-            free = way < math.INFINITY and one.speed * one.speed <= _SURE * 2.0 * brake * way
-            stops = straight and not free
-        if stops:
-            limited[1, near] = row
-            near += 1
-        elif not free:
-            limited[0, many] = row
-            many += 1
-    return many, near
+        one = _leader_at(table, rows[i])
+        n, e, d = one.q[0] - here[rows[i], 0], one.q[1] - here[rows[i], 1], one.q[2] - here[rows[i], 2]
+        behind = math.sqrt(n * n + e * e + d * d) / (leash + lookahead * one.speed)
+        one.speed *= min(max(2.0 * (1.0 - behind), 0.0), 1.0)
+        if brake == math.INFINITY:
+            continue
+        way = one.route
+        if math.isnan(way):
+            n, e, d = one.q[0] - one.goal[0], one.q[1] - one.goal[1], one.q[2] - one.goal[2]
+            way = math.sqrt(n * n + e * e + d * d)
+        n, e, d = one.goal_v[0], one.goal_v[1], one.goal_v[2]
+        stops = math.sqrt(n * n + e * e + d * d) + math.sqrt(2.0 * brake * way)
+        one.speed = 0.0 if way == math.INFINITY else min(one.speed, stops)
 
 
-def aim(table: FloatArray, course: IntArray, course_ned: FloatArray, cruise: float, square: float) -> bool:
+def aim(table: FloatArray, course: IntArray, course_ned: FloatArray, cruise: float, reached: float) -> bool:
     """Set goals of all leaders, which do not move: where each is, or the next of its way points. Whether one that goes
-    on is as near to that as this distance's square.
+    on is as near to that as `reached`, m.
 
     table: of `LeaderRows`. course (n,): HOLDS, STAYS, GOES_ON or ARRIVED. course_ned (n, 3): the next way point of
     those that have any left. cruise: speed of all but those that have arrived.
@@ -387,7 +373,7 @@ def aim(table: FloatArray, course: IntArray, course_ned: FloatArray, cruise: flo
         else:
             one.goal[0], one.goal[1], one.goal[2] = course_ned[row, 0], course_ned[row, 1], course_ned[row, 2]
             n, e, d = one.q[0] - one.goal[0], one.q[1] - one.goal[1], one.q[2] - one.goal[2]
-            if course[row] == GOES_ON and n * n + e * e + d * d <= square:
+            if course[row] == GOES_ON and math.sqrt(n * n + e * e + d * d) <= reached:
                 near = True
     return near
 

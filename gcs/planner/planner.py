@@ -19,21 +19,20 @@ from numpy.typing import NDArray
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner import fuzzy_escape, goals
 from gcs.planner.fence import FenceBorder
+from gcs.planner.floors import FLOOR_M, Floors
 from gcs.planner.guide import STRAIGHT, RouteFollower
 from gcs.planner.leader import (
     ARRIVED,
     GOES_ON,
     HOLDS,
     STAYS,
-    UNLIMITED,
     Attracting,
     LeaderRows,
     Moving,
+    SpeedLimits,
     aim,
-    find_limited,
     lead,
 )
-from gcs.planner.limits import FLOOR_M, Floors, SpeedLimits
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
 from gcs.planner.potential_field import FieldConstants, widened_range
@@ -163,9 +162,8 @@ class Planner(TickPlanner):
         radii_m = {role: self._radius_m(role) for role in ROLES}
         self._radii_m = np.array([radii_m[role[sysid]] for sysid in self._sysids], np.float64)
         self._floors = Floors(self._row[v.sysid] for v in vehicles.all if not v.airborne)
-        self._limits = SpeedLimits(
-            n, rules.leash_m, LOOKAHEAD_S, BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else None
-        )
+        brake_m_s2 = BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else math.inf
+        self._limits = SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
         self._guides: dict[str, RouteFollower] | None = None
         clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
         self._fence = FenceBorder(scenario, clearance_m)
@@ -211,14 +209,7 @@ class Planner(TickPlanner):
                 movers = movers or self._movers(request.snapshot)
                 moving = Moving(*movers, exempt)
             around = (self.obstacles, moving, self._attractors(request.snapshot, part), self._field, period_s)
-            limits = self._limits.sure
-            if self._rules.safety:  # who brakes is then often limited: found apart, leaders are moved by one call
-                self._limits.lower(leaders, here, *find_limited(part.rows, leaders.table, here, *limits))
-                limits = UNLIMITED
-            asked, stopping = lead(leaders, part.rows, here, limits, *around, escape=self._rules.escape)
-            if asked or stopping:
-                self._limits.lower(leaders, here, asked, stopping)
-                lead(leaders, part.rows, here, UNLIMITED, *around, escape=self._rules.escape)
+            lead(leaders, part.rows, here, self._limits, *around, escape=self._rules.escape)
         values = leaders.begin_and_v
         return SetPoints(team.sysids, values.copy() if len(team.rows) == len(values) else values[team.rows])
 
@@ -315,11 +306,10 @@ class Planner(TickPlanner):
         """The next of a vehicle's own way points, and at the last one it stays; the others hold, and may still give
         way."""
         leaders, courses, cruise_m_s = self._leaders, self._courses, self._rules.cruise_m_s
-        if aim(leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.near2) and courses.go_on(
-            self._going, leaders.q_ned
-        ):
+        arguments = leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.reached_m
+        if aim(*arguments) and courses.go_on(self._going, leaders.q_ned):
             self._choose_courses()
-            aim(leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.near2)
+            aim(*arguments)
 
     def _keep_formation(self, columns: FleetColumns, pursuing: Mapping[int, int] | None) -> None:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.

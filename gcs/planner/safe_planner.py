@@ -19,7 +19,7 @@ import numpy as np
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.fence import FenceBorder
-from gcs.planner.limits import FLOOR_M, Floors
+from gcs.planner.floors import FLOOR_M, Floors
 from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import CATCH_UP_SPEED, LEAST_MARGIN_M, LOOKAHEAD_S, STILL
 from gcs.planner.request import PlanRequest, TickPlanner

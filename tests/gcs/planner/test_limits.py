@@ -8,16 +8,11 @@ import numpy as np
 import pytest
 
 from gcs.planner import fuzzy_escape
-from gcs.planner.leader import Attracting, LeaderRows, Moving, lead
-from gcs.planner.limits import FLOOR_M, Floors, SpeedLimits
-from gcs.planner.potential_field import FieldConstants
-from gcs.scenario.geometry import COLUMNS
+from gcs.planner.floors import FLOOR_M, Floors
+from gcs.planner.leader import LeaderRows, limit_speeds
 
 LEASH_M, LOOKAHEAD_S, BRAKE_M_S2 = 2.0, 0.37, 1.2
 N = 400
-NO_SHAPES = np.zeros((0, COLUMNS))
-STILL = Moving(NO_SHAPES, np.zeros(0), np.zeros((N, 0), np.bool_))
-UNDRAWN = Attracting(np.zeros((0, 4)), np.zeros((N, 0), np.bool_))
 
 
 def leaders(rng: np.random.Generator) -> LeaderRows:
@@ -67,12 +62,7 @@ def test_limits_are_those_of_the_formula_to_the_last_bit(seed: int, brake_m_s2: 
     some.goal_ned[:] = some.q_ned + directions(rng) * (rng.choice(near, N) * stop_m)[:, None]
     some.route_m[:] = np.where(rng.random(N) < 0.7, math.nan, rng.choice([0.0, 0.3, 50.0, math.inf], N))
     wanted = [expected(some, row, here, float(some.route_m[row]), brake_m_s2) for row in rows.tolist()]
-    limits, q = SpeedLimits(N, LEASH_M, LOOKAHEAD_S, brake_m_s2), some.q_ned.copy()
-    asked, stopping = lead(some, rows, here, limits.sure, NO_SHAPES, STILL, UNDRAWN, FieldConstants(), 0.1, escape=True)
-    assert asked > 0
-    assert (stopping > 0) is (brake_m_s2 is not None)
-    assert (some.q_ned == q).all()  # nobody moves before the limits are known
-    limits.lower(some, here, asked, stopping)
+    limit_speeds(rows, some.table, here, LEASH_M, LOOKAHEAD_S, math.inf if brake_m_s2 is None else brake_m_s2)
     assert some.speed_m_s[rows].tolist() == wanted
     left = np.setdiff1d(np.arange(N), rows)
     assert (some.speed_m_s[left] == speed[left]).all()

@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from gcs.campaign import draws
 from gcs.campaign.file import dump, load
 from gcs.campaign.model import ARGUMENTS, CampaignRules
+from gcs.processes import plugin_process
 from gcs.scenario import keys, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
 from gcs.scenario.file import GROUPS, find, resolve
@@ -124,9 +125,7 @@ class Plan:
             raise RowError(f"the session lasts {scenario.goal.duration_s:g} s, above limits.session_s, {limit_s:g} s")
         if scenario.vehicles.external:
             raise RowError("a campaign flies simulated vehicles alone, and the scenario has external ones")
-        if any(plugins.named(scenario)):
-            plugins.look_in(self.modules)
-            plugins.check(scenario, None)
+        plugins.check_sources(scenario, None, [Path(folder) for folder in self.modules])
         return scenario.flown(lockstep=True), values
 
     def _allowed(self, part: CampaignRules | Scenario) -> None:
@@ -155,17 +154,23 @@ class Plan:
         return _written_out(parse(emit(data), self.campaign.generate))
 
     def check(self) -> None:
-        """See that the first session of every combination can be flown. Raises ScenarioError, or NotAllowed with all
-        that they name."""
+        """See that the first session of every combination can be flown, with the planners and policies that they name,
+        which are imported in a process of their own. Raises ScenarioError, or NotAllowed with all that they name,
+        OSError."""
         problems: list[Problem] = []
+        imported: set[tuple[tuple[str, str, str], ...]] = set()
         named: dict[Reached, None] = {}
         for combination in range(min(self.campaign.combinations, 64)):
             row = self.row(combination)
             try:
-                self.resolved(row)
+                scenario, _ = self.resolved(row)
+                plugged = tuple(plugins.named(scenario))
+                if plugged not in imported:
+                    imported.add(plugged)
+                    plugin_process.check(scenario, None, [Path(folder) for folder in self.modules])
             except NotAllowed as asks:
                 named |= dict.fromkeys(asks.named)
-            except RowError as error:
+            except (RowError, ScenarioError) as error:
                 listed = ", ".join(f"{key}={row.values[key]}" for key in self.campaign.vary)
                 problems.append(
                     Problem(self.campaign.name, None, None, f"{f'with {listed}: ' if listed else ''}{error}")

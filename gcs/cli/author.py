@@ -104,8 +104,9 @@ def load_scenario(
         if plans and trust is None:
             plugins.check_sources(loaded, file, folders)
         elif plans and any(plugins.named(loaded)):
-            plugins.look_in(folders)
-            plugins.check(loaded, file)
+            from gcs.processes import plugin_process
+
+            plugin_process.check(loaded, file, folders)
         if named and not quiet:
             click.echo(f"gcs: {scenario} names {text(named)}", err=True)
         return loaded

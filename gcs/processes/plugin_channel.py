@@ -5,8 +5,9 @@ they are rows of a fixed size, and text.
 
 | frame | content |
 |---|---|
-| first question | the scenario and the folders of its modules |
-| first answer | JSON: `made`, by key whether it has a method `assign`; or `error`, one sentence |
+| first question | the scenario, the folders of its modules, whether to make what it names or only to look for it |
+| first answer, made | JSON: `made`, by key whether it has a method `assign`; or `error`, one sentence |
+| first answer, looked for | JSON: `missing`, key and sentence of each that cannot be used |
 | question | key, and what is asked |
 | answer | whether it is the last one to this question, number of rows, rows, faults as JSON |
 """

@@ -1,5 +1,5 @@
 """The process of a user's planner and policy: `python -m gcs.processes.plugin_host SOCKET TRACE PARENT`, started by the
-supervisor (gcs/processes/plugin_process.py).
+supervisor, and before that by the command that reads the scenario (gcs/processes/plugin_process.py).
 
 It answers questions on descriptor SOCKET (gcs/processes/plugin_channel.py) until that closes, and ends with process
 PARENT, whatever it is at. Its stdout is for what the user's code prints. Descriptor TRACE takes where that code is when
@@ -82,7 +82,8 @@ class PluginHost:
 
 
 def serve(channel: PluginChannel) -> None:
-    """Make what the first question names, and answer all others, until there are no more. Raises OSError."""
+    """Make what the first question names, or only look for it, and answer all others, until there are no more. Raises
+    OSError."""
     host: PluginHost | None = None
     while True:
         while (frame := channel.pop()) is None:
@@ -91,8 +92,11 @@ def serve(channel: PluginChannel) -> None:
         if host is not None:
             host.reply(*pickle.loads(frame))
             continue
-        scenario, modules = pickle.loads(frame)
+        scenario, modules, makes = pickle.loads(frame)
         plugins.look_in(modules)
+        if not makes:
+            channel.send(json.dumps({"missing": plugins.missing(scenario)}).encode())
+            return
         try:
             host = PluginHost(scenario, channel)
         except ScenarioError as error:

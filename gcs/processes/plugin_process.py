@@ -38,6 +38,8 @@ from gcs.scenario.plugins import PluginClient
 HOST = "gcs.processes.plugin_host"
 PATIENCE_S = 3.0
 """[choice] Of a call that is to be cut off after 1 s, nothing came for so long: it cannot be."""
+IMPORTED_WITHIN_S = 60.0
+"""[choice] For modules of a planner and policy: a large library takes 10 s from a slow disk."""
 ENDS_WITHIN_S = 2.0
 OUTPUT = "policies.log"
 STOPPED = "was ended with the session"
@@ -67,11 +69,29 @@ def started(
             process.close()
 
 
+def check(scenario: Scenario, file: Path | None, folders: Sequence[Path]) -> None:
+    """See that every implementation that a scenario, read from `file`, names can be imported, in a process that ends
+    with that; `folders` are looked into after the places where Python looks.
+
+    Old names of ours that it imports are warned of. Raises ScenarioError, at the lines that name them, OSError.
+    """
+    if not any(plugins.named(scenario)):
+        return
+    process = PluginProcess(scenario, [str(folder) for folder in folders], 2, makes=False)
+    try:
+        plugins.refuse(scenario, file, process.missing(IMPORTED_WITHIN_S))
+    finally:
+        process.close()
+
+
 class PluginProcess(PluginClient):
     """The process, from its start to its end. Docstrings are those of `PluginClient`."""
 
-    def __init__(self, scenario: Scenario, modules: Sequence[str], output: Any, parent: int | None) -> None:
-        """Begin to make what the scenario names; `made` waits for it. Raises OSError."""
+    def __init__(
+        self, scenario: Scenario, modules: Sequence[str], output: Any, parent: int | None = None, *, makes: bool = True
+    ) -> None:
+        """Begin to make what the scenario names, and `made` waits for it; or only look for it, and `missing` does.
+        Raises OSError."""
         self._scenario = scenario
         self._policies = {key: plugins.policy_of(key, name) for key, name, _ in plugins.named(scenario)}
         self._trace = os.memfd_create("trace")
@@ -92,7 +112,7 @@ class PluginProcess(PluginClient):
         self._reply: dict[str, Any] | None = None
         self._faults: list[PluginFault] = []
         self._ended = False
-        self._send(pickle.dumps((scenario, list(modules)), pickle.HIGHEST_PROTOCOL))
+        self._send(pickle.dumps((scenario, list(modules), makes), pickle.HIGHEST_PROTOCOL))
 
     @property
     def pid(self) -> int:
@@ -102,6 +122,15 @@ class PluginProcess(PluginClient):
     @property
     def ended(self) -> bool:
         return self._ended
+
+    def missing(self, within_s: float) -> list[tuple[str, str]]:
+        """(key, sentence) of each implementation that cannot be used: all of them where they are not imported in this
+        time, or their process dies."""
+        frame = self._receive(within_s)
+        if frame is None:
+            problem = self._faults[0].problem
+            return [(key, f"{policy} {problem}") for key, policy in self._policies.items()]
+        return [(str(key), str(sentence)) for key, sentence in json.loads(frame)["missing"]]
 
     def made(self, key: str) -> bool:
         if self._reply is None:
@@ -149,7 +178,7 @@ class PluginProcess(PluginClient):
         try:
             self._channel.send(content)
         except TimeoutError:
-            self._end_late()
+            self._end_late(PATIENCE_S)
         except OSError:
             self._end_dead()
 
@@ -176,17 +205,17 @@ class PluginProcess(PluginClient):
             elif ready:
                 self._end(STOPPED)
             elif patience_s is not None and time.monotonic() - asked_s < 2.0 * patience_s:  # else we were suspended
-                self._end_late()
+                self._end_late(patience_s)
             if self._ended:
                 return None
         return frame
 
-    def _end_late(self) -> None:
+    def _end_late(self, patience_s: float) -> None:
         """It has been waited for long enough: let it say where it is, and end it."""
         with contextlib.suppress(ProcessLookupError):
             os.kill(self._process.pid, DUMPS)
         select.select([self._death], [], [], ENDS_WITHIN_S)
-        self._end(f"{LATE} {PATIENCE_S:g} s{self._place()} and was ended")
+        self._end(f"{LATE} {patience_s:g} s{self._place()} and was ended")
 
     def _end_dead(self) -> None:
         """It has died, or has closed its end and is about to."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 import importlib
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Literal, Protocol
@@ -69,34 +69,43 @@ def look_in(folders: Iterable[str | Path]) -> None:
             sys.path.append(folder)
 
 
-def check(scenario: Scenario, file: Path | None) -> None:
-    """See that every implementation that a scenario, read from `file`, names is there, without making it.
-
-    Old names of ours that it imports are warned of. Raises ScenarioError, at the lines that name them.
-    """
+def missing(scenario: Scenario) -> list[tuple[str, str]]:
+    """(key, sentence) of each implementation that a scenario names and that cannot be used; they are imported, and
+    not made. Old names of ours that they import are warned of."""
+    problems = []
     with _old_names("default"):
-        _check(scenario, file, find)
+        for key, name, method in named(scenario):
+            try:
+                find(name, method)
+            except ValueError as error:
+                problems.append((key, str(error)))
+    return problems
 
 
-def check_sources(scenario: Scenario, file: Path, folders: Sequence[Path]) -> None:
-    """See by their source files, of which nothing runs, that the implementations that a scenario names are there.
+def check_sources(scenario: Scenario, file: Path | None, folders: Sequence[Path]) -> None:
+    """See by their source files, of which nothing runs, that the implementations that a scenario, read from `file`,
+    names are there.
 
     `folders` are looked into after the places where Python looks. Raises ScenarioError, at the lines that name them.
     """
-    _check(scenario, file, lambda name, _: plugin_source.check(name, folders))
-
-
-def _check(scenario: Scenario, file: Path | None, look: Callable[[str, str], Any]) -> None:
     problems = []
-    for key, name, method in named(scenario):
+    for key, name, _ in named(scenario):
         try:
-            look(name, method)
+            plugin_source.check(name, folders)
         except ValueError as error:
-            text, path = f"{key}: {error}", tuple(key.split("."))
-            nowhere = Problem(scenario.name, None, None, text)
-            problems.append(nowhere if file is None else read(file).problem(path, text))
-    if problems:
-        raise ScenarioError(problems)
+            problems.append((key, str(error)))
+    refuse(scenario, file, problems)
+
+
+def refuse(scenario: Scenario, file: Path | None, problems: Iterable[tuple[str, str]]) -> None:
+    """Raise ScenarioError with these (key, sentence), at the lines of `file` that name the keys, if there are any."""
+    found = []
+    for key, sentence in problems:
+        text = f"{key}: {sentence}"
+        nowhere = Problem(scenario.name, None, None, text)
+        found.append(nowhere if file is None else read(file).problem(tuple(key.split(".")), text))
+    if found:
+        raise ScenarioError(found)
 
 
 @contextmanager
@@ -137,7 +146,7 @@ def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
     """The implementation itself, given the scenario. Raises ScenarioError where it cannot be made."""
     try:
         try:
-            with _old_names("ignore"):  # `check` has shown them
+            with _old_names("ignore"):  # `missing` has shown them
                 made = find(name, method)(scenario)
         except ValueError:
             raise

@@ -21,8 +21,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
 
+from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
-from gcs.scenario import plugins
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import reached
@@ -72,9 +72,7 @@ class Session:
             loaded, key = load(file), digest_of(file)
             folders.insert(0, file.parent)
         require(loaded.name if file is None else str(scenario), reached(loaded), key, trust=trust)
-        if any(plugins.named(loaded)):
-            plugins.look_in(folders)
-            plugins.check(loaded, file)
+        plugin_process.check(loaded, file, folders)
         self.scenario = loaded.flown(lockstep=lockstep, speed=speed, seed=seed)
         period_ms = round(1e3 * self.scenario.clock.period_s)
         self._every_ms = period_ms if every_s is None else round(1e3 * every_s)

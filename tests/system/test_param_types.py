@@ -83,6 +83,10 @@ def test_every_type_at_its_limits_is_set_read_saved_compared_and_loaded(
         assert mine == struct.pack(form, carried) or (carried == 0 and not any(mine)), name
         assert struct.pack(form, float(now) if isinstance(now, str) else now) == mine, name
         assert type(now) is (str if not math.isfinite(carried) else float if form[1] in "fd" else int), name
+    got = json.loads(fleet("get", *wanted, "--json", sysid=sysid).stdout)["vehicles"][str(sysid)]
+    assert {(name, repr(got[name])) for name in wanted.keys() - lost} == {
+        (name, repr(results[name]["now"])) for name in wanted.keys() - lost
+    }
 
     file = tmp_path / "saved.params"
     saved = fleet("save", str(file), sysid=sysid)

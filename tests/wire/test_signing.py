@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from simvehicle.mavlink import codec as vehicle_codec
 from simvehicle.mavlink import signing as vehicle_signing
 from simvehicle.mavlink.signing import VehicleSigning
 
+THREAT_MODEL = Path(__file__).resolve().parents[2] / "docs" / "threat-model.md"
 KEY, OTHER = bytes(range(32)), bytes(range(1, 33))
 NOW = signing.ticks(time.time())
 FIELDS = {"type": 6, "autopilot": 8, "base_mode": 0, "custom_mode": 0, "system_status": 4}
@@ -117,6 +119,27 @@ def test_a_new_stream_may_be_a_minute_behind_and_no_more(program: str) -> None:
     # where the clock was set back, by what was used before
     behind = Ours(program, latest=NOW)
     assert behind.judge(beat(peer(stamp=NOW - minute - 10)), 0) == SignatureVerdict.STALE
+
+
+def test_a_stamp_from_years_ahead_keeps_new_streams_out_as_by_pymavlink_and_the_threat_model_says_so(
+    program: str,
+) -> None:
+    """Streams that are known go on; a program that starts anew knows none of it."""
+    ours, theirs = Ours(program), peer(sysid=9)
+    known, new = peer(sysid=2), peer(sysid=3)
+    ahead = peer(sysid=1, stamp=NOW + 3 * 31_557_600 * signing.TICKS_PER_S)
+    said = [(beat(each), verdict) for each, verdict in ((known, "good"), (ahead, "good"), (known, "good"))]
+    for raw, verdict in (*said, (beat(new), SignatureVerdict.STALE)):
+        assert ours.judge(raw) == verdict
+        try:
+            (heard,) = theirs.parse_buffer(raw)
+        except common.MAVError:
+            heard = None
+        assert (heard is not None) == (verdict == "good")
+    assert Ours(program).judge(beat(new)) == "good"
+    text = THREAT_MODEL.read_text(encoding="utf-8")
+    assert "one message signed with the key and dated years ahead" in text
+    assert "ArduPilot and PX4 do the same" in text
 
 
 def test_an_earlier_runs_frames_are_stale_and_its_stamps_are_not_used_again(program: str) -> None:

@@ -16,7 +16,7 @@ from typing import Any
 
 import psutil
 import pytest
-from sessions import all_gone, small
+from sessions import GCS, all_gone, small
 
 from gcs.planner.request import Situation
 from gcs.processes import plugin_process
@@ -28,6 +28,12 @@ from gcs.scenario.plugins import PLANNER, POLICY
 from gcs.supervisor.factory import make_fleet
 
 SOON_S = PATIENCE_S + plugin_process.ENDS_WITHIN_S + 3.0
+ENDLESS = """
+open(__file__.replace(".py", ".begun"), "w").close()
+sum(range(10**13))
+class Mine:
+    def plan(self, vehicle, situation): return None
+"""
 PLANNER_OF = """
 import ctypes, os, signal, subprocess, sys, time
 
@@ -139,6 +145,53 @@ def test_a_planner_that_cannot_be_made_is_one_sentence(made: str, said: str, tmp
     ):
         process.made(PLANNER)
     assert re.fullmatch(said, error.value.problems[0].message), error.value.problems
+
+
+IMPORTS = [
+    ("class Mine:\n    def plan(self): pass", ""),
+    ("import time", r"there_is_\w+ \(.*there_is_\w+.py\) has no 'Mine'"),
+    ("1 / 0", r"\w+ cannot be imported: ZeroDivisionError at \w+.py:1: division by zero"),
+    ("sum(range(10**13))", r"planner \w+:Mine did not answer within 6 s at \w+.py:1 in <module> and was ended"),
+    ("import ctypes; ctypes.string_at(0)", r"planner \w+:Mine was killed by signal 11 at \w+.py:1 in <module>"),
+    ("import os; os._exit(3)", r"planner \w+:Mine ended with status 3"),
+]
+
+
+@pytest.mark.parametrize(("source", "said"), IMPORTS, ids=[source for source, _ in IMPORTS])
+def test_modules_are_looked_for_in_a_process_that_hangs_or_crashes_alone(
+    source: str, said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(plugin_process, "IMPORTED_WITHIN_S", 6.0 if "sum" in source else 60.0)
+    name = f"there_is_{IMPORTS.index((source, said))}"
+    (tmp_path / f"{name}.py").write_text(source + "\n")
+    scenario = Scenario.model_validate(small(planner=f"{name}:Mine"))
+    if not said:
+        plugin_process.check(scenario, None, [tmp_path])
+    else:
+        with pytest.raises(ScenarioError) as error:
+            plugin_process.check(scenario, None, [tmp_path])
+        (problem,) = error.value.problems
+        assert re.fullmatch(rf"planner.method: {said}", problem.message), problem
+    assert name not in sys.modules
+    assert not [p for p in psutil.Process().children() if p.name() == "gcs plug-ins"]
+
+
+@pytest.mark.parametrize("command", ["run", "campaign run"])
+def test_a_command_does_not_hang_with_a_module_that_never_comes_to_its_end(command: str, tmp_path: Path) -> None:
+    """Ctrl-C while it is imported ends the command, and the import."""
+    (tmp_path / "endless.py").write_text(ENDLESS)
+    (tmp_path / "own.yaml").write_text(dump(Scenario.model_validate(small(planner="endless:Mine"))))
+    (tmp_path / "many.yaml").write_text("{schema: 1, name: many, scenario: own.yaml, sessions: 1, keep: none}")
+    words = [*command.split(), "own.yaml" if command == "run" else "many.yaml", "--trust", "--plain", "--out", "out"]
+    with subprocess.Popen([*GCS, *words], cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
+        while not (tmp_path / "endless.begun").exists():
+            assert process.poll() is None
+            all_gone([psutil.Process(process.pid)], within_s=0.1)
+        family = [psutil.Process(process.pid), *psutil.Process(process.pid).children(recursive=True)]
+        process.send_signal(signal.SIGINT)
+        assert not all_gone(family)
+    assert process.returncode == 130
+    assert not (tmp_path / "out").exists()
 
 
 def test_making_takes_as_long_as_it_takes_but_no_longer_than_the_session_is_waited_for(tmp_path: Path) -> None:

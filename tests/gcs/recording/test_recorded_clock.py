@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import io
+import math
 import struct
 from collections.abc import Callable
 from pathlib import Path
@@ -15,9 +17,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import common
 
-from gcs.recording import tlog_reader
+from gcs.recording import session_folder, tables, tlog_reader
+from gcs.recording.export import export
 from gcs.recording.times.recorded_clock import NO_STAMP, judged
 from gcs.recording.times.vehicle_clock import VehicleClock
+from gcs.session.replay import Replay
 
 Times = NDArray[np.int64]
 SECOND_US = 1_000_000
@@ -158,7 +162,10 @@ def recording(path: Path, stamps_us: Times, *, stamped: bool = True) -> None:
     path.write_bytes(b"".join(out))
 
 
-@pytest.mark.parametrize("broken", [name for name in BROKEN if name not in ("none", "one that is negative")])
+FILES = [name for name in BROKEN if name != "one that is negative"]
+
+
+@pytest.mark.parametrize("broken", [name for name in FILES if name != "none"])
 def test_a_file_is_read_by_them(tmp_path: Path, broken: str) -> None:
     path = tmp_path / "flight.tlog"
     recording(path, BROKEN[broken](came()))
@@ -168,6 +175,26 @@ def test_a_file_is_read_by_them(tmp_path: Path, broken: str) -> None:
     assert all(problem.startswith("flight.tlog: ") for problem in log.problems)
     again = tlog_reader.Tlog(path, chunk_bytes=1 << 20, times=log.times)
     assert [t_us for t_us, _ in again] == times_us.tolist()
+
+
+@pytest.mark.parametrize("broken", FILES)
+def test_replay_report_and_export_have_these_times(tmp_path: Path, broken: str) -> None:
+    path = tmp_path / "flight.tlog"
+    recording(path, BROKEN[broken](came()), stamped=broken != "none")
+    log = tlog_reader.Tlog(path)
+    times_us = np.array([t_us for t_us, frame in log if frame.msgid == common.MAVLINK_MSG_ID_ATTITUDE])
+    replay = Replay(path)
+    replay.advance(math.inf, math.inf)
+    written = tables.tables("csv", tmp_path)
+    problems = export(path, written)
+    written.close()
+    with (tmp_path / "ATTITUDE.csv").open(newline="") as file:
+        exported_s = np.array([float(row["time_s"]) for row in csv.DictReader(file)])
+    np.testing.assert_allclose(exported_s - exported_s[0], 1e-6 * (times_us - times_us[0]), atol=2e-6)
+    true_s = 1e-6 * (came()[-1] - came()[0])
+    for end_s in (replay.to_s, session_folder.read_recording(path, path).end_s, exported_s[-1]):
+        assert end_s == pytest.approx(true_s, abs=0.5)
+    assert problems == replay.problems == log.problems
 
 
 @pytest.mark.parametrize("name", ["flight.tlog.raw", "flight.rlog", "flight.tlog"])

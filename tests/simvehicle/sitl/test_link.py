@@ -1,8 +1,12 @@
 """Connection strings and sockets."""
 
+import contextlib
+import re
 import select
 import socket
 from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
@@ -23,6 +27,7 @@ from simvehicle.sitl.link import (
 )
 from simvehicle.sitl.steady import SteadyFlight
 
+THREAT_MODEL = Path(__file__).resolve().parents[3] / "docs" / "threat-model.md"
 HEARTBEAT = bytes(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(mav.MAVLink(None, 255, 190)))
 
 
@@ -155,6 +160,26 @@ def test_strangers_do_not_push_out_who_is_there_and_free_their_places_by_silence
         made.socket.close()
         for peer in peers:
             peer.close()
+
+
+def test_a_forged_heartbeat_sends_as_many_bytes_as_the_threat_model_says_and_no_more(vehicle_bench: Any) -> None:
+    """The vehicle flies; a single HEARTBEAT, then a minute of silence."""
+    said = re.search(r"answer a HEARTBEAT .* telemetry to that address, (\d+) bytes for each", THREAT_MODEL.read_text())
+    assert said is not None
+    bench, now_s, got = vehicle_bench().in_air(), 0.0, 0
+    with PlainLink(Address("udpin", "127.0.0.1", 0), bench.connection, lambda: now_s) as made, peer_of(made) as victim:
+        victim.setblocking(False)
+        victim.send(HEARTBEAT)
+        assert len(received(made)) == 1
+        for tick in range(600):
+            bench.vehicle.advance(bench.vehicle.time_ms + 100)
+            bench.services.report()
+            made.flush()
+            now_s = 0.1 * (tick + 1)
+            with contextlib.suppress(BlockingIOError):
+                while data := victim.recv(2000):
+                    got += len(data)
+    assert got / len(HEARTBEAT) == pytest.approx(int(said[1]), rel=0.05)
 
 
 def test_a_link_takes_in_a_bounded_number_of_datagrams_at_once(

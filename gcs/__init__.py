@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from gcs.renamed import install, old_classes
 from skytender.compiled import check
 
 TYPE_CHECKING = False  # as from typing, which would take longer to load than all else here
@@ -71,15 +70,11 @@ _HOME = {
     "load": "scenario.file",
 }
 
-install()
-_renamed = old_classes("gcs", lambda name: getattr(import_module(f"gcs.{_HOME[name]}"), name), globals())
-
 
 def __getattr__(name: str) -> Any:
-    found = getattr(import_module(f"gcs.{_HOME[name]}"), name) if name in _HOME else _renamed(name)
-    if found is None:
+    if name not in _HOME:
         raise AttributeError(f"module 'gcs' has no attribute {name!r}")
-    return found
+    return getattr(import_module(f"gcs.{_HOME[name]}"), name)
 
 
 def __dir__() -> list[str]:

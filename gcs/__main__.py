@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-from gcs.exit import INTERRUPTED
+from skytender.exit import INTERRUPTED
 
 AGAIN_S = 0.02
 TYPE_CHECKING = False
@@ -20,7 +20,7 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from gcs.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
+    from skytender.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
 
     def run() -> None:
         with uncollected():

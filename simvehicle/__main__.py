@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import signal
 
-from simvehicle.exit import INTERRUPTED
+from skytender.exit import INTERRUPTED
 
 
 def main() -> None:
@@ -13,7 +13,7 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from simvehicle.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
+    from skytender.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
 
     def run() -> None:
         with uncollected():

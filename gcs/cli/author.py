@@ -16,7 +16,7 @@ import click
 
 from gcs.cli.options import STATION_OPTION, connect_option
 from gcs.cli.trust import TRUST
-from gcs.exit import BAD_INPUT, NOT_DONE
+from skytender.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem

@@ -17,7 +17,7 @@ from gcs.cli.author import SET, load_scenario
 from gcs.cli.campaign_progress import ProgressLine
 from gcs.cli.options import Refused, out_option
 from gcs.cli.trust import TRUST, allow
-from gcs.exit import DONE, NOT_DONE
+from skytender.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.campaign.engine import Progress

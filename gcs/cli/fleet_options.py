@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli.options import STATION_OPTION, Refused, connect_option, connecting, key_file_option
-from gcs.exit import NOT_DONE
 from gcs.scenario.endpoint import Endpoint
+from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet

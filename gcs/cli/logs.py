@@ -16,7 +16,7 @@ import click
 
 from gcs.cli.fleet_options import fleet_at, of_the_fleet
 from gcs.cli.options import Refused
-from gcs.exit import NOT_DONE
+from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.link.asked_fleet import AskedFleet

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import click
 
-from gcs.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 from gcs.extras import MissingExtra
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 

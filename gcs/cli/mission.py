@@ -96,9 +96,9 @@ def _plans(file: Path, sysid: int | None) -> Iterator[tuple[str, MissionPlan]]:
 
 
 def _write(found: dict[str, MissionPlan], out: Path, part: str | None) -> int:
-    from gcs.exit import NOT_DONE
     from gcs.missions import qgc_plan, waypoint_file
     from gcs.missions.items import fence_items, mission_items, rally_items
+    from skytender.exit import NOT_DONE
 
     if len(found) > 1:
         raise click.UsageError(f"--out holds one plan, and there are {', '.join(found)}: choose one with --sysid.")

@@ -12,8 +12,8 @@ from typing import Any
 import click
 
 from gcs.cli import page
-from gcs.exit import BAD_INPUT
 from gcs.scenario.endpoint import EXAMPLE, FORM, Endpoint, address
+from skytender.exit import BAD_INPUT
 
 USUAL_COMPID = 190
 PLAIN = click.option(

@@ -9,8 +9,8 @@ from pathlib import Path
 import click
 
 from gcs.cli.options import out_option
-from gcs.exit import NOT_DONE
 from gcs.extras import require
+from skytender.exit import NOT_DONE
 
 
 @click.command(short_help="Fly the paper's examples and judge its claims.")

@@ -17,7 +17,7 @@ import click
 from gcs.cli import page
 from gcs.cli.options import PLAIN, limits, out_option, refuse_two_shows, speed_option
 from gcs.cli.trust import TRUST, allow
-from gcs.exit import NOT_DONE
+from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from contextlib import AbstractContextManager

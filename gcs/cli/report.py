@@ -13,7 +13,7 @@ from pathlib import Path
 
 import click
 
-from gcs.exit import BAD_INPUT, NOT_DONE, leave
+from skytender.exit import BAD_INPUT, NOT_DONE, leave
 
 SIGNALLED = 128
 """Exit statuses above it stand for a signal."""

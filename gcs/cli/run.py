@@ -18,8 +18,8 @@ from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments, show_warnings
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.cli.trust import TRUST
-from gcs.exit import BAD_INPUT, NOT_DONE
-from gcs.loading import uncollected
+from skytender.exit import BAD_INPUT, NOT_DONE
+from skytender.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario

@@ -17,10 +17,10 @@ from typing import Any
 
 from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
-from gcs.exit import INTERRUPTED
 from gcs.processes.forked import await_end
 from gcs.processes.python import start_python
 from gcs.session.plain_text import View
+from skytender.exit import INTERRUPTED
 
 CONSOLE = "gcs.console"
 ENDS_WITHIN_S = 3.0

@@ -26,8 +26,8 @@ from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
-from gcs.mavlink.signing import SignatureVerdict
 from gcs.scenario.external import External
+from skytender.signing import SignatureVerdict
 
 ANNOUNCE_EVERY_S = 1.0
 REPEAT_AFTER_S = 0.2

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from gcs.mavlink.signing import KEY_BYTES, SETUP_SIGNING, TICKS_PER_S, SignatureVerdict, Signing, ticks, without_key
+from skytender.signing import KEY_BYTES, SETUP_SIGNING, TICKS_PER_S, SignatureVerdict, Signing, ticks, without_key
 
 SAVE_EVERY_S = 5.0
 AHEAD_TICKS = 2 * int(SAVE_EVERY_S) * TICKS_PER_S
@@ -72,7 +72,7 @@ class LinkSigning:
         self._path = path.with_name(path.name + ".stamps")
         self._clock = clock
         latest, streams = self._read_stamps()
-        self._signing = Signing(read_key(path), link_id, latest=latest, streams=streams)
+        self._signing, self._link_id = Signing(read_key(path), latest=latest, streams=streams), link_id
         self._saved_s = -math.inf
 
     def sign(self, raw: bytes) -> bytes:
@@ -81,11 +81,11 @@ class LinkSigning:
         if now_s - self._saved_s >= SAVE_EVERY_S or now_s < self._saved_s:
             self._saved_s = now_s
             self._save(max(ticks(now_s) + AHEAD_TICKS, self._signing.latest + TICKS_PER_S))
-        return self._signing.sign(raw, ticks(now_s))
+        return self._signing.sign(raw, codec.seed_of(raw), self._link_id, ticks(now_s))
 
     def judge(self, frame: Frame) -> SignatureVerdict:
         """Whether a received frame counts."""
-        return self._signing.judge(frame, ticks(self._clock()))
+        return self._signing.judge(frame.raw, frame.msgid, ticks(self._clock()))
 
     def close(self) -> None:
         """Leave the stamps as they are now."""
@@ -134,7 +134,7 @@ class SignatureGate:
         """The frames that pass."""
         passed = []
         for frame in frames:
-            verdict = without_key(frame) if self._signing is None else self._signing.judge(frame)
+            verdict = without_key(frame.raw) if self._signing is None else self._signing.judge(frame)
             if verdict is not SignatureVerdict.GOOD:
                 self.refused[frame.sysid] += 1
                 self.reasons[frame.sysid] = verdict

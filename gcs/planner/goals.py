@@ -9,10 +9,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.assignment import least_cost
 from gcs.planner.neighbours import IntArray
 from gcs.scenario.geometry import FloatArray
 from skytender import elementary, elementwise
+from skytender.assignment import least_cost
 
 Vec3 = tuple[float, float, float]
 

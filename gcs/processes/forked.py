@@ -15,7 +15,7 @@ from typing import IO
 
 from setproctitle import setproctitle
 
-from gcs.exit import INTERNAL_ERROR
+from skytender.exit import INTERNAL_ERROR
 
 
 def can_fork() -> bool:

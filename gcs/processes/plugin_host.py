@@ -20,7 +20,6 @@ from typing import Any
 
 from setproctitle import setproctitle
 
-from gcs.exit import DONE, leave
 from gcs.planner.request import GuardedPlanner
 from gcs.processes.plugin_channel import PluginChannel, answer, planner_question, policy_question
 from gcs.processes.python import end_with
@@ -29,6 +28,7 @@ from gcs.scenario.document import ScenarioError
 from gcs.scenario.guard import Guard
 from gcs.scenario.model import Scenario
 from gcs.scenario.plugins import PLANNER
+from skytender.exit import DONE, leave
 
 DUMPS = signal.SIGUSR1
 WORD_EVERY_S = 0.5

@@ -17,10 +17,10 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.refuelling.giver import Giver, ServiceTimes
-from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from skytender import elementary
+from skytender.winner_take_all import advance, normalise, revive, share
 
 # Session times are sums of tick lengths; a dwell time must not slip a tick for their last bits.
 _ROUNDING_S = 1e-6

@@ -14,12 +14,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.assignment import least_cost
 from gcs.refuelling.service import Phase, Service
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import RefuellingRules
 from gcs.telemetry.state import Vec3, VehicleView
 from skytender import elementary
+from skytender.assignment import least_cost
 
 WORTH_J = 500.0
 """A giver with less to spare takes nobody on."""

@@ -18,13 +18,13 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.assignment import least_cost
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
 from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
 from gcs.scenario.guard import Guard, Nonsense, PluginFault
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
+from skytender.assignment import least_cost
 
 WINNER_TAKE_ALL = "winner_take_all"
 MOST_PLANNED = 24

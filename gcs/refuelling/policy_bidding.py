@@ -16,11 +16,11 @@ from gcs.refuelling.bidding import (
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, GuardedPolicy, PolicyCalls, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
-from gcs.refuelling.winner_take_all import normalise
 from gcs.scenario.guard import Guard, PluginFault
 from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
 from gcs.scenario.plugins import POLICY, PluginClient
 from gcs.telemetry.state import FleetSnapshot, VehicleView
+from skytender.winner_take_all import normalise
 
 
 class PolicyBidding(BiddingRule):

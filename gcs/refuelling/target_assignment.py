@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
-from gcs.refuelling.winner_take_all import advance, normalise, revive, share
 from gcs.scenario.model import PursuitRules
 from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
 from skytender import elementary
+from skytender.winner_take_all import advance, normalise, revive, share
 
 LOW, HIGH = 0.01, 1.0
 

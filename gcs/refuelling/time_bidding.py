@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from gcs.refuelling.bidding import Award, CompetitionState, is_servable
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match, nearest_s, served_if_passed_over_s, ways_s
-from gcs.refuelling.k_winners import Competitor, Reading, bounded, read
-from gcs.refuelling.winner_take_all import advance_ln
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
+from skytender.k_winners import Competitor, Reading, bounded, read
+from skytender.winner_take_all import advance_ln
 
 HOPELESS_S = -3.0
 """[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as

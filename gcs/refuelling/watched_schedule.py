@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.giver import WORTH_J
-from gcs.refuelling.k_winners import share_of
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.service import Decision, Phase, Service
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import STALE_S, FleetSnapshot
 from skytender import elementary
+from skytender.k_winners import share_of
 
 PEER, SERVICE = "Peer", "Service"
 COMPETES, CALLS, FREE = 1, 2, 5

@@ -16,7 +16,6 @@ from html import escape
 from pathlib import Path
 from string import Template
 
-from gcs.loading import uncollected
 from gcs.recording.importing import opened
 from gcs.recording.session_folder import read, read_recording
 from gcs.report import tables
@@ -25,6 +24,7 @@ from gcs.report.findings import Findings
 from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
+from skytender.loading import uncollected
 
 FILE = "report.html"
 READ, MEASURED = 0.8, 0.9

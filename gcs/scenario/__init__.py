@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from gcs.renamed import old_classes
-
 TYPE_CHECKING = False
 
 if TYPE_CHECKING:
@@ -26,12 +24,10 @@ _PARTS = (
     *("Pursuer", "Radio", "Tanker", "Target", "VehicleBase", "Vehicles"),
 )
 """Classes of `gcs.scenario.model` that may be asked for here."""
-_renamed = old_classes("gcs.scenario", lambda name: getattr(import_module("gcs.scenario.model"), name), globals())
 
 
 def __getattr__(name: str) -> Any:
     home = _HOME.get(name) or ("model" if name in _PARTS else None)
-    found = getattr(import_module(f"gcs.scenario.{home}"), name) if home is not None else _renamed(name)
-    if found is None:
+    if home is None:
         raise AttributeError(f"module 'gcs.scenario' has no attribute {name!r}")
-    return found
+    return getattr(import_module(f"gcs.scenario.{home}"), name)

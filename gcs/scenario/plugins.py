@@ -10,13 +10,10 @@ from __future__ import annotations
 
 import importlib
 import sys
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import Any, Protocol
 
-from gcs.renamed import RenamedWarning
 from gcs.scenario import plugin_source
 from gcs.scenario.document import Problem, ScenarioError, did_you_mean, read
 from gcs.scenario.guard import PluginFault
@@ -71,14 +68,13 @@ def look_in(folders: Iterable[str | Path]) -> None:
 
 def missing(scenario: Scenario) -> list[tuple[str, str]]:
     """(key, sentence) of each implementation that a scenario names and that cannot be used; they are imported, and
-    not made. Old names of ours that they import are warned of."""
+    not made."""
     problems = []
-    with _old_names("default"):
-        for key, name, method in named(scenario):
-            try:
-                find(name, method)
-            except ValueError as error:
-                problems.append((key, str(error)))
+    for key, name, method in named(scenario):
+        try:
+            find(name, method)
+        except ValueError as error:
+            problems.append((key, str(error)))
     return problems
 
 
@@ -106,14 +102,6 @@ def refuse(scenario: Scenario, file: Path | None, problems: Iterable[tuple[str, 
         found.append(nowhere if file is None else read(file).problem(tuple(key.split(".")), text))
     if found:
         raise ScenarioError(found)
-
-
-@contextmanager
-def _old_names(action: Literal["default", "ignore"]) -> Iterator[None]:
-    """Show the warnings of old names once, or not at all; they are no errors, whatever filters are set."""
-    with warnings.catch_warnings():
-        warnings.simplefilter(action, RenamedWarning)
-        yield
 
 
 def find(name: str, method: str) -> Any:
@@ -146,8 +134,7 @@ def make(key: str, name: str, method: str, scenario: Scenario) -> Any:
     """The implementation itself, given the scenario. Raises ScenarioError where it cannot be made."""
     try:
         try:
-            with _old_names("ignore"):  # `missing` has shown them
-                made = find(name, method)(scenario)
+            made = find(name, method)(scenario)
         except ValueError:
             raise
         except (Exception, SystemExit) as error:

@@ -30,7 +30,6 @@ from typing import Any
 
 from setproctitle import setproctitle
 
-from gcs.loading import gathered
 from gcs.processes.forked import be
 from gcs.processes.hatch import READY_WITHIN_S, Hatch
 from gcs.processes.python import end_with
@@ -43,6 +42,7 @@ from gcs.session.client import Lines
 from gcs.session.session_process import SessionProcess
 from gcs.session.supervised import Signals
 from gcs.supervisor import summarise
+from skytender.loading import gathered
 
 REHEARSED, REHEARSED_S = "paper/example1", 3.0
 """Flown for so long before any other: the interpreter has then specialised the code of a tick, once for all forks."""

@@ -13,7 +13,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from gcs.exit import DONE, NOT_DONE
 from gcs.link.router import VehicleRouter
 from gcs.link.socket import AddressRefused
 from gcs.processes.hatch import Hatch, LaunchError
@@ -21,6 +20,7 @@ from gcs.processes.vehicles import vehicle_orders
 from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.model import Scenario
 from gcs.session.supervised import POLL_S, RunError, Signals, make_folder, write_scenario
+from skytender.exit import DONE, NOT_DONE
 
 STARTED_WITHIN_S = 120.0
 ENDED_EARLY = "standard input ended before the vehicles were there; --until-eof wants one that stays open"

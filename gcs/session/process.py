@@ -16,7 +16,6 @@ from pathlib import Path
 
 import click
 
-from gcs.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE, leave
 from gcs.link.keys import KeyRefused
 from gcs.link.socket import AddressRefused
 from gcs.processes import plugin_process
@@ -28,6 +27,7 @@ from gcs.session.arrival import BadVehicleError, SessionFailed
 from gcs.session.ordered import Ordered
 from gcs.session.server import Reader
 from gcs.session.session_process import SessionProcess, say
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE, leave
 
 ELSEWHERE = "Free space there, or give --out another place."
 

@@ -14,11 +14,9 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gcs.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
 from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
-from gcs.loading import loaded
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.processes.hatch import Ended, Hatch
 from gcs.processes.pace import Pace
@@ -38,6 +36,8 @@ from gcs.session.server import Publisher, Reader
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event, Kind, Level
+from skytender.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
+from skytender.loading import loaded
 
 if TYPE_CHECKING:
     from gcs.link.external import ExternalLink

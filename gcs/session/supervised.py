@@ -19,8 +19,6 @@ from typing import IO, Any, Self
 
 import click
 
-from gcs.exit import BAD_INPUT, INTERNAL_ERROR
-from gcs.loading import loaded, on_one_core, uncollected
 from gcs.processes.forked import ForkedProcess, await_end
 from gcs.processes.hatch import Hatch, LaunchError
 from gcs.processes.python import start_python
@@ -29,6 +27,8 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.unplugged import unplugged
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR
+from skytender.loading import loaded, on_one_core, uncollected
 
 SUPERVISOR = "gcs.session.process"
 POLL_S = 0.125

@@ -11,7 +11,6 @@ from typing import NamedTuple
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
-from gcs.renamed import warn_of_field
 from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, UNSTAMPED, FleetColumns
 
 Vec3 = tuple[float, float, float]
@@ -118,24 +117,6 @@ class VehicleView(NamedTuple):
     def silent_s(self, now_s: float) -> float:
         """For how long nothing has come from its autopilot; not how old its position is, which is `age_s`."""
         return max(now_s - max(self.last_message_s, self.last_received_s), 0.0)
-
-    @property
-    def heard_s(self) -> float:
-        """Old name of `last_received_s`."""
-        warn_of_field("VehicleView", "heard_s", "last_received_s")
-        return self.last_received_s
-
-    @property
-    def battery_told(self) -> bool:
-        """Old name of `battery_reported`."""
-        warn_of_field("VehicleView", "battery_told", "battery_reported")
-        return self.battery_reported
-
-    @property
-    def given_told_s(self) -> float:
-        """Old name of `given_reported_s`."""
-        warn_of_field("VehicleView", "given_told_s", "given_reported_s")
-        return self.given_reported_s
 
     def p_now_ned(self) -> Vec3:
         """Position carried forward by its age while that is fresh; call only where `p_ned` is known."""

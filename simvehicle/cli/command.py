@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from simvehicle.exit import BAD_INPUT, INTERRUPTED
+from skytender.exit import BAD_INPUT, INTERRUPTED
 
 COMMANDS = ("ardupilot", "hatch", "paper", "px4", "traffic")
 """Each in a module of its name."""

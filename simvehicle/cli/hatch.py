@@ -16,7 +16,7 @@ import click
 
 from simvehicle.cli.command import cli, reported, run_argv
 from simvehicle.cli.vehicle import LAST_SYSID, prepare
-from simvehicle.loading import loaded, on_one_core, uncollected
+from skytender.loading import loaded, on_one_core, uncollected
 
 OWN_PROCESS = {"-h", "--help", "--version", "--state"}
 """Options that a vehicle's own process reads: those that print, and the one that opens a file to write."""

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import click
 
-from simvehicle.exit import CANNOT_WRITE
+from skytender.exit import CANNOT_WRITE
 
 
 @click.command(short_help="Draw the paper's vehicle-only figures.")

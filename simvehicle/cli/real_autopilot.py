@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from simvehicle.exit import AUTOPILOT_GONE
+from skytender.exit import AUTOPILOT_GONE
 
 if TYPE_CHECKING:
     from simvehicle.sitl.autopilot_unit import AutopilotUnit

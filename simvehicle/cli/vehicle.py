@@ -13,7 +13,7 @@ from typing import Any
 import click
 
 from simvehicle.cli.files import open_state, read_fleet_rules, read_parameters, read_plants
-from simvehicle.exit import CANNOT_WRITE
+from skytender.exit import CANNOT_WRITE
 
 LAST_SYSID = 254
 

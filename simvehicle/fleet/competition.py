@@ -15,9 +15,10 @@ import numpy as np
 from simvehicle.fleet.bids import HOPELESS_S, Offer, begins_s, lasts_s, meeting_s
 from simvehicle.fleet.peers import DecidedBy, PeerReport
 from simvehicle.fleet.rules import FleetRules
-from simvehicle.law.assignment import least_cost_columns
-from simvehicle.law.winner_take_all import Bidder, Standing, advance_ln, bounded, standing
 from skytender import elementary
+from skytender.assignment import least_cost
+from skytender.k_winners import Competitor, Reading, bounded, read
+from skytender.winner_take_all import advance_ln
 
 _ROUNDING_S = 1e-6
 
@@ -36,9 +37,9 @@ class FleetCompetition:
     def __init__(self, rules: FleetRules) -> None:
         self._rules = rules
         self._ln_v: dict[int, float] = {}
-        self._bidders: list[Bidder] = []
+        self._bidders: list[Competitor] = []
         self._reports: Mapping[int, PeerReport] = {}
-        self._standings: dict[int, Standing] = {}
+        self._standings: dict[int, Reading] = {}
         self._held_since_s: dict[int, float] = {}
         self._begun_s: float | None = None
         self._last_s: float | None = None
@@ -61,7 +62,7 @@ class FleetCompetition:
         ln_v = bounded(ln_v, places, rules.floor)
         self._ln_v = dict(zip(bids_s, map(float, ln_v), strict=True))
         self._bidders = [
-            Bidder(sysid, self._ln_v[sysid], report.bid_s, _rank(sysid, report))
+            Competitor(sysid, self._ln_v[sysid], report.bid_s, _rank(sysid, report))
             for sysid, report in self._reports.items()
         ]
         self._watch(now_s, places)
@@ -83,10 +84,10 @@ class FleetCompetition:
         slacks_s = [report.slack_s for report in self._reports.values()]
         if min((s for s in slacks_s if s >= HOPELESS_S), default=math.inf) <= 2.0 * rules.dwell_s:
             by_bid = [one._replace(ln_v=-one.time_s) for one in self._bidders]
-            winners = standing(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
+            winners = read(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
             return self._matched(now_s, winners, DecidedBy.URGENCY, free)
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
-            winners = standing(self._bidders, k, p=rules.p, tie_s=rules.tie_s).winners
+            winners = read(self._bidders, k, p=rules.p, tie_s=rules.tie_s).winners
             return self._matched(now_s, winners, DecidedBy.TIMEOUT, free)
         return []
 
@@ -108,7 +109,7 @@ class FleetCompetition:
             self._begun_s = now_s
         before, self._standings = self._standings, {}
         for k in range(1, min(places, len(self._bidders) - 1) + 1):
-            now = self._standings[k] = standing(self._bidders, k, p=rules.p, tie_s=rules.tie_s)
+            now = self._standings[k] = read(self._bidders, k, p=rules.p, tie_s=rules.tie_s)
             was = before.get(k)
             changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
             if changed or now.share < rules.share:
@@ -120,11 +121,11 @@ class FleetCompetition:
         """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
         place to the next one whom it would not."""
         cost_s = [[self._way_s(now_s, offer, sysid) for offer in free] for sysid in winners]
-        tanker_of = least_cost_columns(cost_s)
+        _, tanker_of = least_cost(np.reshape(cost_s, (len(winners), len(free))))
         others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
         others = [sysid for sysid in others if sysid not in winners]
         found = []
-        for winner, i in zip(winners, tanker_of, strict=True):
+        for winner, i in zip(winners, tanker_of.tolist(), strict=True):
             chosen = winner
             for candidate in (winner, *others):
                 lasts = lasts_s(self._reports[candidate], now_s, self._rules.lands_at)

@@ -1,45 +1,20 @@
-"""MAVLink 2 signing of a vehicle's plain links (https://mavlink.io/en/guide/message_signing.html).
+"""Signing of a vehicle's plain links (`skytender.signing`), whose key a ground station may set.
 
-A signature is the first 48 bits of SHA-256 over key, frame, link id and time stamp. Rules:
-1. Without a key nothing is signed, and a signed frame is dropped: it cannot be checked.
-2. With one everything is signed, and a frame counts when its signature is right and its time stamp, in 10 µs since
-   2015, is later than the last of its stream (system, component, link id); the first one may be a minute behind.
-3. With one an unsigned frame is dropped, but for RADIO_STATUS and ADSB_VEHICLE, whose senders have no key.
-4. SETUP_SIGNING sets the key while there is none; later only a signed one does, and 32 zero bytes take the key away.
-   It is acted on here and goes no further.
+Rules:
+1. Without a key nothing is signed, and a signed frame is refused: it cannot be checked.
+2. With one everything is signed, and only frames count that the key signed, or that need no signature.
+3. SETUP_SIGNING sets the key while there is none; later only a signed one does, and 32 zero bytes remove the key. It is
+   acted on here and goes no further.
 """
 
 from __future__ import annotations
 
-import hashlib
-import hmac
-import struct
 from collections.abc import Callable, Mapping
 
-from fastcrc.crc16 import mcrf4xx
-from pymavlink.dialects.v20 import common as mav
+from simvehicle.mavlink.codec import ReceivedFrame, decode, schema
+from skytender.signing import LAST_STAMP, SETUP_SIGNING, SignatureVerdict, Signing, Stream, without_key
 
-from simvehicle.mavlink.codec import CHECKSUM_BYTES, SIGNATURE_BYTES, SIGNED, ReceivedFrame, decode, schema
-
-KEY_BYTES = 32
-TICKS_PER_S = 100_000
-EPOCH_S = 1_420_070_400
-"""2015-01-01 in Unix time."""
-STALE_TICKS = 60 * TICKS_PER_S
 MOST_STREAMS = 256
-LAST_STAMP = (1 << 48) - 1
-"""A time stamp has 48 bits; who has used them up repeats the last one, which nobody takes twice."""
-_TAIL = struct.Struct("<HBIH").pack
-"""Checksum, link id, time stamp (low 32 bits, high 16)."""
-_HASH_BYTES = _STAMP_BYTES = 6
-_UNSIGNED = frozenset({mav.MAVLINK_MSG_ID_RADIO_STATUS, mav.MAVLINK_MSG_ID_ADSB_VEHICLE})
-GOOD, NO_KEY = "", "signed, and no key is set"
-NOT_SIGNED, OTHER_KEY, REPEATED = "not signed", "signed with another key", "repeated or out of date"
-
-
-def ticks(unix_s: float) -> int:
-    """The time stamp of a Unix time."""
-    return max(int((unix_s - EPOCH_S) * TICKS_PER_S), 0)
 
 
 class VehicleSigning:
@@ -51,76 +26,58 @@ class VehicleSigning:
         key: bytes | None = None,
         *,
         latest: int = 0,
-        streams: Mapping[tuple[int, int, int], int] | None = None,
+        streams: Mapping[Stream, int] | None = None,
         on_key: Callable[[bytes | None], object] = lambda _: None,
     ) -> None:
         """`latest` and `streams`: the time stamps of an earlier run; `on_key` is called with a key that was set."""
         self._sysid = sysid
         self._on_key = on_key
-        self._use(key)
-        self.latest = latest
-        self.streams = dict(streams or {})
+        self._latest = latest
+        self._use(key, streams)
 
     @property
     def has_key(self) -> bool:
         """Whether frames are signed."""
-        return self._hash is not None
+        return self._signing is not None
 
     def sign(self, raw: bytes, link_id: int, now_ticks: int) -> bytes:
         """A frame as it is sent."""
-        if self._hash is None:
+        if self._signing is None:
             return raw
-        self.latest = min(max(self.latest + 1, now_ticks), LAST_STAMP)
         row = schema(int.from_bytes(raw[7:10], "little"))
         assert row is not None
-        latest = self.latest
-        body = raw[:2] + bytes((SIGNED,)) + raw[3:-CHECKSUM_BYTES]
-        crc = mcrf4xx(body[1:] + row.seed)
-        stamped = body + _TAIL(crc, link_id, latest & 0xFFFF_FFFF, latest >> 32)
-        return stamped + self._signature(stamped)
+        return self._signing.sign(raw, row.seed, link_id, now_ticks)
 
-    def judge(self, frame: ReceivedFrame, now_ticks: int) -> str:
-        """Why a received frame is refused; GOOD, the empty text, where it counts."""
-        raw = frame.raw
-        if not raw[2] & SIGNED:
-            return GOOD if self._hash is None or frame.msgid in _UNSIGNED else NOT_SIGNED
-        if self._hash is None:
-            return NO_KEY
-        if not hmac.compare_digest(self._signature(raw[:-_HASH_BYTES]), raw[-_HASH_BYTES:]):
-            return OTHER_KEY
-        stamp = int.from_bytes(raw[-_STAMP_BYTES - _HASH_BYTES : -_HASH_BYTES], "little")
-        stream = frame.sysid, frame.compid, raw[-SIGNATURE_BYTES]
-        before = self.streams.get(stream)
-        if before is None:
-            if stamp + STALE_TICKS < max(self.latest, now_ticks) or len(self.streams) >= MOST_STREAMS:
-                return REPEATED
-        elif stamp <= before:
-            return REPEATED
-        self.streams[stream] = stamp
-        self.latest = max(self.latest, min(stamp, LAST_STAMP - 1))
-        return GOOD
+    def judge(self, frame: ReceivedFrame, now_ticks: int) -> SignatureVerdict:
+        """Whether a received frame counts."""
+        if self._signing is None:
+            return without_key(frame.raw)
+        return self._signing.judge(frame.raw, frame.msgid, now_ticks)
 
     def take_setup(self, frame: ReceivedFrame) -> bool:
         """Act on a SETUP_SIGNING that was judged good; whether the frame was one, for this vehicle or another."""
-        if frame.msgid != mav.MAVLINK_MSG_ID_SETUP_SIGNING:
+        if frame.msgid != SETUP_SIGNING:
             return False
         content = decode(frame)
         assert content is not None
         if content.target_system in (0, self._sysid):
             key = bytes(content.secret_key)
+            self._latest = max(self.latest, min(content.initial_timestamp, LAST_STAMP - 1))
             self._use(key if any(key) else None)
-            self.streams.clear()
-            self.latest = max(self.latest, min(content.initial_timestamp, LAST_STAMP - 1))
             self._on_key(key if any(key) else None)
         return True
 
-    def _use(self, key: bytes | None) -> None:
-        if key is not None and len(key) != KEY_BYTES:
-            raise ValueError(f"a signing key has {KEY_BYTES} bytes, not {len(key)}")
-        self._hash = None if key is None else hashlib.sha256(key)
+    @property
+    def latest(self) -> int:
+        """The greatest time stamp used or accepted."""
+        return self._latest if self._signing is None else self._signing.latest
 
-    def _signature(self, stamped: bytes) -> bytes:
-        assert self._hash is not None
-        digest = self._hash.copy()
-        digest.update(stamped)
-        return digest.digest()[:_HASH_BYTES]
+    @property
+    def streams(self) -> Mapping[Stream, int]:
+        """The last time stamp of each stream."""
+        return {} if self._signing is None else self._signing.streams
+
+    def _use(self, key: bytes | None, streams: Mapping[Stream, int] | None = None) -> None:
+        self._signing = None
+        if key is not None:
+            self._signing = Signing(key, latest=self._latest, streams=streams, most_streams=MOST_STREAMS)

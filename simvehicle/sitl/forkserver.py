@@ -27,9 +27,9 @@ from typing import Any, NamedTuple
 
 from setproctitle import getproctitle, setproctitle
 
-from simvehicle.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
-from simvehicle.loading import gathered
 from simvehicle.sitl.secret import hand_over
+from skytender.exit import BAD_INPUT, CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
+from skytender.loading import gathered
 
 PR_SET_PDEATHSIG = 1
 LAST_LINES = 8

@@ -16,7 +16,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from simvehicle.mavlink.codec import ReceivedFrame
-from simvehicle.mavlink.signing import GOOD, KEY_BYTES, TICKS_PER_S, VehicleSigning, ticks
+from simvehicle.mavlink.signing import VehicleSigning
+from skytender.signing import KEY_BYTES, TICKS_PER_S, SignatureVerdict, ticks
 
 SAVE_EVERY_S = 5.0
 AHEAD_TICKS = 2 * int(SAVE_EVERY_S) * TICKS_PER_S
@@ -53,7 +54,7 @@ class Keyring:
         passed = []
         for frame in frames:
             why = self._signing.judge(frame, now)
-            if why != GOOD:
+            if why is not SignatureVerdict.GOOD:
                 self._refuse(why, frame.sysid)
             elif not self._signing.take_setup(frame):
                 passed.append(frame)

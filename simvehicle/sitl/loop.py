@@ -8,12 +8,12 @@ import time
 from collections.abc import Callable, Sequence
 from typing import NamedTuple, Protocol
 
-from simvehicle.exit import ABANDONED
 from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants, bundles, together
 from simvehicle.sitl.link import PlainLink, SupervisedLink
 from simvehicle.sitl.steady import Flyable, SteadyFlight
+from skytender.exit import ABANDONED
 
 HELLO_EVERY_S = 0.1
 SILENCE_S = 10.0

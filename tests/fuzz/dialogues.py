@@ -19,7 +19,7 @@ from gcs.mavlink.ftp.requests import ACK, BURST, LIST, NAK, OPEN, READ, RESET
 from gcs.mavlink.log_client import LogClient, LogEntry
 from gcs.mavlink.parameters.client import ParameterClient
 from gcs.mavlink.plan_client import MESSAGES, PlanClient, PlanItem
-from gcs.mavlink.signing import UNSIGNED
+from skytender.signing import UNSIGNED
 
 _FTP = struct.Struct("<HBBBBBxI")
 LIVES = 400

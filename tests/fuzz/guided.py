@@ -31,8 +31,8 @@ with atheris.instrument_imports(include=["gcs", "simvehicle"]):
 
     from gcs.link.keys import SignatureGate, new_key
     from gcs.mavlink import codec
-    from gcs.mavlink.signing import SETUP_SIGNING
     from simvehicle.mavlink import codec as vehicle_codec
+    from skytender.signing import SETUP_SIGNING
 
 LARGEST = 1 << 16
 HANG_S = 20

@@ -9,11 +9,12 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common
 
-from gcs.mavlink import codec, signing
-from gcs.mavlink.signing import SignatureVerdict, Signing
+from gcs.mavlink import codec
 from simvehicle.mavlink import codec as vehicle_codec
 from simvehicle.mavlink import signing as vehicle_signing
 from simvehicle.mavlink.signing import VehicleSigning
+from skytender import signing
+from skytender.signing import SignatureVerdict, Signing
 
 THREAT_MODEL = Path(__file__).resolve().parents[2] / "docs" / "threat-model.md"
 KEY, OTHER = bytes(range(32)), bytes(range(1, 33))
@@ -44,19 +45,18 @@ class Ours:
 
     def __init__(self, program: str, key: bytes | None = KEY, **how: Any) -> None:
         self.program = program
-        self.gcs = Signing(key, 5, **how) if program == "gcs" and key is not None else None
+        self.gcs = Signing(key, **how) if program == "gcs" and key is not None else None
         self.vehicle = VehicleSigning(1, key, **how) if program == "simvehicle" else None
 
     def sign(self, raw: bytes, now: int = NOW) -> bytes:
-        return self.gcs.sign(raw, now) if self.gcs else self.vehicle.sign(raw, 5, now)  # type: ignore[union-attr]
+        return self.gcs.sign(raw, codec.seed_of(raw), 5, now) if self.gcs else self.vehicle.sign(raw, 5, now)  # type: ignore[union-attr]
 
     def judge(self, raw: bytes, now: int = NOW) -> str:
         if self.vehicle is not None:
             (frame,) = vehicle_codec.split(raw)
-            why = self.vehicle.judge(frame, now)
-            return {vehicle_signing.GOOD: "good", vehicle_signing.NO_KEY: SignatureVerdict.NO_KEY}.get(why, why)
+            return str(self.vehicle.judge(frame, now))
         (own,) = codec.split(raw).frames
-        return str(self.gcs.judge(own, now) if self.gcs else signing.without_key(own))
+        return str(self.gcs.judge(raw, own.msgid, now) if self.gcs else signing.without_key(raw))
 
 
 @pytest.fixture(params=["gcs", "simvehicle"])
@@ -155,7 +155,7 @@ def test_an_earlier_runs_frames_are_stale_and_its_stamps_are_not_used_again(prog
 
 
 def test_streams_are_bounded(program: str) -> None:
-    most = signing.MOST_STREAMS if program == "gcs" else vehicle_signing.MOST_STREAMS
+    most = 1024 if program == "gcs" else vehicle_signing.MOST_STREAMS
     ours = Ours(program, streams={(s >> 8, s & 0xFF, 9): 1 for s in range(most)})
     assert ours.judge(beat(peer())) == SignatureVerdict.STALE
 
@@ -171,17 +171,19 @@ def test_a_key_is_set_by_anybody_while_there_is_none_and_then_only_by_who_has_it
     def give(raw: bytes) -> str:
         (frame,) = vehicle_codec.split(raw)
         why = vehicle.judge(frame, NOW)
-        return why or ("set up" if vehicle.take_setup(frame) else "passed")
+        if why is not SignatureVerdict.GOOD:
+            return str(why)
+        return "set up" if vehicle.take_setup(frame) else "passed"
 
     unsigned = common.MAVLink(None, 255, 190)
     assert give(bytes(setup(KEY, target=2).pack(unsigned))) == "set up"  # another vehicle's: not passed on either
     assert not vehicle.has_key
     assert give(bytes(setup(KEY).pack(unsigned))) == "set up"
-    assert give(beat(unsigned)) == vehicle_signing.NOT_SIGNED
-    assert give(bytes(setup(OTHER).pack(unsigned))) == vehicle_signing.NOT_SIGNED
-    assert give(bytes(setup(OTHER).pack(peer(OTHER)))) == vehicle_signing.OTHER_KEY
+    assert give(beat(unsigned)) == SignatureVerdict.UNSIGNED
+    assert give(bytes(setup(OTHER).pack(unsigned))) == SignatureVerdict.UNSIGNED
+    assert give(bytes(setup(OTHER).pack(peer(OTHER)))) == SignatureVerdict.WRONG
     assert give(bytes(setup(OTHER).pack(peer()))) == "set up"
-    assert give(beat(peer())) == vehicle_signing.OTHER_KEY
+    assert give(beat(peer())) == SignatureVerdict.WRONG
     assert give(bytes(setup(bytes(32)).pack(peer(OTHER, stamp=NOW + 9)))) == "set up"
     assert give(beat(unsigned)) == "passed"
     assert keys == [KEY, OTHER, None]

@@ -14,8 +14,8 @@ import click
 
 from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
 from gcs.cli.trust import TRUST
-from gcs.exit import BAD_INPUT, NOT_DONE
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
+from skytender.exit import BAD_INPUT, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.cli.check.dialogue import CheckFinding, Dialogue

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from gcs.recording.series import Floats
-from gcs.refuelling.winner_take_all import simulate
+from gcs.refuelling.simulated_competition import simulate
 from gcs.report.paper import figures, flown, races, session, tracking
 from gcs.report.paper.session import RecordedFlight
 from gcs.report.paper.study import Drawing, Measurement, Study, Table

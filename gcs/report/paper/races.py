@@ -13,8 +13,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 from gcs.recording.series import Floats
-from gcs.refuelling.winner_take_all import advance, normalise, simulate
+from gcs.refuelling.simulated_competition import simulate
 from gcs.report.paper.session import RecordedFlight
+from skytender.winner_take_all import advance, normalise
 
 Criterion = Literal["ratio", "share"]
 

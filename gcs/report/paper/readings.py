@@ -11,7 +11,7 @@ import itertools
 import numpy as np
 
 from gcs.recording.series import Floats
-from gcs.refuelling.winner_take_all import simulate
+from gcs.refuelling.simulated_competition import simulate
 from gcs.report.paper import races
 from gcs.report.paper.disturbed import delayed, noisy
 from gcs.report.paper.examples import EXPONENTS

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from gcs.recording.series import Floats
-from gcs.refuelling.winner_take_all import simulate
+from gcs.refuelling.simulated_competition import simulate
 from gcs.report.paper import figures, races
 from gcs.report.paper.examples import EXPONENTS
 from gcs.report.paper.study import Drawing, Measurement, Study, Table

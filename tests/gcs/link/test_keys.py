@@ -12,10 +12,10 @@ from pymavlink.dialects.v20 import common
 
 from gcs.link.keys import AHEAD_TICKS, KeyRefused, LinkSigning, RefusalNotices, SignatureGate, new_key, read_key
 from gcs.mavlink import codec
-from gcs.mavlink.signing import SignatureVerdict, ticks
 from simvehicle.mavlink import codec as vehicle_codec
 from simvehicle.sitl.keys import KeyFileError, Keyring
 from simvehicle.sitl.keys import read_key as vehicle_reads
+from skytender.signing import SignatureVerdict, ticks
 
 NOW_S = 1_800_000_000.0
 

@@ -8,11 +8,11 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle import exit
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl import loop
 from simvehicle.sitl.link import SupervisedLink, parse_address
+from skytender import exit
 
 
 class Clock:

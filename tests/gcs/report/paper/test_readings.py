@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from gcs.refuelling.winner_take_all import advance
 from gcs.report.paper import readings
+from skytender.winner_take_all import advance
 
 V0, TAU = np.array([0.5, 0.1, 0.3]), np.array([0.4, 1.0, 0.7])
 

@@ -10,6 +10,11 @@ DONE = 0
 NOT_DONE = 1
 BAD_INPUT = 2
 INTERNAL_ERROR = 70
+CANNOT_WRITE = 74
+ABANDONED = 75
+"""A vehicle's supervisor has been silent for too long."""
+AUTOPILOT_GONE = 76
+"""The autopilot that a vehicle flies cannot be started, was not ready, or has ended."""
 INTERRUPTED = 130
 
 

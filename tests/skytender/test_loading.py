@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gcs.loading import HUGE_BYTES, gathered
+from skytender.loading import HUGE_BYTES, gathered
 
 SEED = 12
 

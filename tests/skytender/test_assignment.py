@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linear_sum_assignment
 
-from gcs.assignment import least_cost
+from skytender.assignment import least_cost
 
 
 @pytest.mark.parametrize("values", [2, 4, 1000])  # few values: many equal sums

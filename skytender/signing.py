@@ -13,26 +13,25 @@ import struct
 from collections.abc import Mapping
 from enum import StrEnum
 
-from fastcrc.crc16 import mcrf4xx
-
-from gcs.mavlink import codec
-from gcs.mavlink.codec import Frame
+from skytender.checksum import mcrf4xx
 
 KEY_BYTES = 32
 TICKS_PER_S = 100_000
 EPOCH_S = 1_420_070_400
 """2015-01-01 in Unix time."""
 STALE_TICKS = 60 * TICKS_PER_S
-MOST_STREAMS = 1024
+SIGNED = 0x01
+"""Incompatibility flag of a signed frame."""
+CHECKSUM_BYTES, SIGNATURE_BYTES = 2, 13
 _STAMP_BYTES, _HASH_BYTES = 6, 6
 LAST_STAMP = (1 << 48) - 1
-"""A time stamp has 48 bits; who has used them up repeats the last one, which nobody takes twice."""
+"""A time stamp has 48 bits; after the last one it is repeated, and no receiver accepts it twice."""
 _TAIL = struct.Struct("<HBIH").pack
 """Checksum, link id, time stamp (low 32 bits, high 16)."""
-UNSIGNED = frozenset({codec.msgid("RADIO_STATUS"), codec.msgid("ADSB_VEHICLE")})
-"""Messages that are taken without a signature: radios and transponders have no key."""
-SETUP_SIGNING = codec.msgid("SETUP_SIGNING")
-"""It carries a key: it is never taken from a vehicle, recorded or forwarded."""
+UNSIGNED = frozenset({109, 246})
+"""RADIO_STATUS and ADSB_VEHICLE are accepted without a signature: radios and transponders have no key."""
+SETUP_SIGNING = 256
+"""It carries a key: it is never accepted from a vehicle, recorded or forwarded."""
 Stream = tuple[int, int, int]
 """System, component and link id."""
 
@@ -47,9 +46,9 @@ class SignatureVerdict(StrEnum):
     NO_KEY = "signed, and there is no key to check it with"
 
 
-def without_key(frame: Frame) -> SignatureVerdict:
+def without_key(raw: bytes) -> SignatureVerdict:
     """Judge a frame where no key is set: a signature that cannot be checked proves nothing."""
-    return SignatureVerdict.NO_KEY if frame.raw[2] & codec.SIGNED else SignatureVerdict.GOOD
+    return SignatureVerdict.NO_KEY if raw[2] & SIGNED else SignatureVerdict.GOOD
 
 
 def ticks(unix_s: float) -> int:
@@ -60,37 +59,37 @@ def ticks(unix_s: float) -> int:
 class Signing:
     """One key at one end of a link: its own time stamps, and those of every stream that it has accepted."""
 
-    def __init__(self, key: bytes, link_id: int = 0, *, latest: int = 0, streams: Mapping[Stream, int] | None = None):
+    def __init__(
+        self, key: bytes, *, latest: int = 0, streams: Mapping[Stream, int] | None = None, most_streams: int = 1024
+    ) -> None:
         """`latest`: the greatest time stamp of an earlier run, by which no later one may be less; `streams`: its
         streams. Raises ValueError for a key of another length."""
         if len(key) != KEY_BYTES:
             raise ValueError(f"a signing key has {KEY_BYTES} bytes, not {len(key)}")
         self._hash = hashlib.sha256(key)
-        self._link = link_id
+        self._most_streams = most_streams
         self.latest = latest
         self.streams: dict[Stream, int] = dict(streams or {})
 
-    def sign(self, raw: bytes, now_ticks: int) -> bytes:
-        """An unsigned frame of the dialect, signed."""
+    def sign(self, raw: bytes, seed: bytes, link_id: int, now_ticks: int) -> bytes:
+        """An unsigned frame, signed; `seed`: the byte by which its message's checksum begins."""
         self.latest = min(max(self.latest + 1, now_ticks), LAST_STAMP)
-        latest = self.latest
-        body = raw[:2] + b"\x01" + raw[3 : -codec.CRC_BYTES]
-        crc = mcrf4xx(body + codec.seed_of(raw), codec.BEFORE_MARKER)
-        stamped = body + _TAIL(crc, self._link, latest & 0xFFFF_FFFF, latest >> 32)
+        body = raw[:2] + bytes((SIGNED,)) + raw[3:-CHECKSUM_BYTES]
+        crc = mcrf4xx(body[1:] + seed)
+        stamped = body + _TAIL(crc, link_id, self.latest & 0xFFFF_FFFF, self.latest >> 32)
         return stamped + self._signature(stamped)
 
-    def judge(self, frame: Frame, now_ticks: int) -> SignatureVerdict:
+    def judge(self, raw: bytes, msgid: int, now_ticks: int) -> SignatureVerdict:
         """Whether a received frame counts; its time stamp is kept where it does."""
-        raw = frame.raw
-        if not raw[2] & codec.SIGNED:
-            return SignatureVerdict.GOOD if frame.msgid in UNSIGNED else SignatureVerdict.UNSIGNED
+        if not raw[2] & SIGNED:
+            return SignatureVerdict.GOOD if msgid in UNSIGNED else SignatureVerdict.UNSIGNED
         if not hmac.compare_digest(self._signature(raw[:-_HASH_BYTES]), raw[-_HASH_BYTES:]):
             return SignatureVerdict.WRONG
         stamp = int.from_bytes(raw[-_STAMP_BYTES - _HASH_BYTES : -_HASH_BYTES], "little")
-        stream = frame.sysid, frame.compid, raw[-codec.SIGNATURE_BYTES]
+        stream = raw[5], raw[6], raw[-SIGNATURE_BYTES]
         before = self.streams.get(stream)
         if before is None:
-            if stamp + STALE_TICKS < max(self.latest, now_ticks) or len(self.streams) >= MOST_STREAMS:
+            if stamp + STALE_TICKS < max(self.latest, now_ticks) or len(self.streams) >= self._most_streams:
                 return SignatureVerdict.STALE
         elif stamp <= before:
             return SignatureVerdict.STALE

@@ -9,7 +9,7 @@ import pytest
 BUFFERED = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
 LEAVES = """
 import atexit, sys
-from gcs.exit import leave
+from skytender.exit import leave
 atexit.register(lambda: print("torn down"))
 sys.stdout.write("said")
 sys.stderr.write("complained")

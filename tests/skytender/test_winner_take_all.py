@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
-from gcs.refuelling import winner_take_all
+from skytender import winner_take_all
 
 EXTREMES = [(p, n) for p in (1.1, 2.0, 10.0) for n in (1, 2, 1000)]
 

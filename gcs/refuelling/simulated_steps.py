@@ -1,5 +1,5 @@
 """Steps of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay), for
-`winner_take_all.simulate`.
+`simulated_competition.simulate`.
 
     v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i
 
@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import cython
 import numpy as np
-from cython.cimports.gcs.refuelling.winner_take_all_steps import DRIFT, NOISE, STATE
+from cython.cimports.gcs.refuelling.simulated_steps import DRIFT, NOISE, STATE
 from cython.cimports.libc import math
 from cython.cimports.skytender import elementary
 from numpy.typing import NDArray

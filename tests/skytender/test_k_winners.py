@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from gcs.refuelling.k_winners import Competitor, bounded, read, share_of
-from gcs.refuelling.winner_take_all import advance, advance_ln
+from skytender.k_winners import Competitor, bounded, read, share_of
+from skytender.winner_take_all import advance, advance_ln
 
 
 def competitors(ln_v: list[float], times_s: list[float] | None = None) -> list[Competitor]:

@@ -48,14 +48,15 @@ class Watched:
 
     def judge(self, now_s: float) -> None:
         """No place is shown, unless it is uncertain or old, that is farther from the truth."""
-        origin = self.observer.session()["origin"]
+        if self.observer.changed:  # as whoever sends it on asks
+            self.origin = self.observer.session()["origin"]
         for view in self.observer.view(now_s).vehicles:
             assert not view.doubt
             vehicle = self.vehicles[view.sysid]
             if view.p_ned is None or view.age_s > STALE_S or view.uncertain in (BOOTED, CONTRADICTED, JUMPED):
                 continue
             then_s = now_s - view.age_s
-            truth = seen_from(origin, vehicle.place(then_s))
+            truth = seen_from(self.origin, vehicle.place(then_s))
             if view.uncertain == HEIGHT_UNKNOWN:  # as high as it is above where it was switched on
                 truth = (*truth[:2], -vehicle.above_start_m(then_s))
             else:

@@ -176,12 +176,12 @@ class Vehicles:
         self.before = datagrams
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tmp_path: Path) -> None:
     rng = random.Random(seed)
     scenario = load(find("fleet"))
     keys = [(sysid, 1) for sysid in range(1, 13)]
-    addresses = {key: k // (1, 4, 12)[seed % 3] for k, key in enumerate(keys)}
+    addresses = {key: k // (1, 4, 12)[seed] for k, key in enumerate(keys)}
     both = [Side(scenario, addresses, tmp_path / str(alone), alone=alone) for alone in (False, True)]
     usual, alone = both
     assert usual.link.joined == alone.link.joined == set(keys)

@@ -40,6 +40,7 @@ ELSEWHERE = {
     'eval "$(_SIMVEHICLE_COMPLETE=bash_source simvehicle)"': "likewise",
     "gcs mission survey.plan": "tests/gcs/cli/test_mission.py",
     "python fly_with_mavsdk.py": "tests/peers/test_docs.py, where MAVSDK is",
+    "gcs check --connect udpin:127.0.0.1:14550": "tests/system/test_check.py",
     "gcs check --connect udpin:127.0.0.1:14550 --arm": "tests/system/test_check.py",
     "gcs check --connect udpin:127.0.0.1:14550 --json": "tests/system/test_check.py",
     "SKYTENDER_PX4=~/PX4-Autopilot/build/px4_sitl_default python -m pytest "
@@ -71,7 +72,6 @@ ONE_VEHICLE = "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550"
 COMPANIONS = {
     "gcs monitor": "gcs run demo --plain",
     "gcs monitor --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
-    "gcs check --connect udpin:127.0.0.1:14550": ONE_VEHICLE,
     "gcs check --connect udpin:127.0.0.1:14550 --wait-ready 60": ONE_VEHICLE,
     "gcs params get 'RTL_*'": ONE_VEHICLE,
     "gcs logs get": ONE_VEHICLE,

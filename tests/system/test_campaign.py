@@ -246,7 +246,7 @@ def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(
 ) -> None:
     flown = plan()
     folder = make_folder(flown, tmp_path / "campaign")
-    with Cluster(tmp_path / "cluster", secured) as cluster:
+    with Cluster(tmp_path / "cluster", secured, workers=1) as cluster:
 
         def kill(progress: Progress, row: Any) -> None:
             if progress.done == 2 and row is not None:
@@ -358,9 +358,9 @@ def test_machines_that_share_nothing_but_a_network_fly_the_same_rows(
 
 
 class Cluster:
-    """A scheduler and two workers of Dask, started by hand; here, or in three network namespaces."""
+    """A scheduler and workers of Dask, started by hand; here, or in network namespaces, one for each."""
 
-    def __init__(self, folder: Path, secured: Path, machines: Sequence[str] = ()) -> None:
+    def __init__(self, folder: Path, secured: Path, machines: Sequence[str] = (), *, workers: int = 2) -> None:
         folder.mkdir()
         self._processes: list[subprocess.Popen[str]] = []
         self._machines = list(machines)
@@ -374,7 +374,7 @@ class Cluster:
         assert self.scheduler.stderr is not None
         said = next(line for line in self.scheduler.stderr if "Scheduler at:" in line)
         self.address = said.split()[-1]
-        for _ in range(2):
+        for _ in range(workers):
             self._start(folder, "dask_worker", self.address, "--nthreads", "1", "--no-dashboard")
 
     def _start(self, folder: Path, module: str, *arguments: str) -> subprocess.Popen[str]:

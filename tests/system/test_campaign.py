@@ -403,7 +403,7 @@ class Cluster:
 
 
 SEARCH = {
-    "search": {"minimise": "min_clearance_m", "trials": 6, "batch": 3},
+    "search": {"minimise": "min_clearance_m", "trials": 4, "batch": 2},
     "vary": {},
     "draw": {"planner.cruise_m_s": {"uniform": [0.8, 2.0]}},
     "set": {"goal.duration_s": 15},

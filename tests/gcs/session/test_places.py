@@ -48,7 +48,7 @@ class Watched:
 
     def judge(self, now_s: float) -> None:
         """No place is shown, unless it is uncertain or old, that is farther from the truth."""
-        if self.observer.changed:  # as whoever sends it on asks
+        if self.observer.changed:  # as programs that send it on do
             self.origin = self.observer.session()["origin"]
         for view in self.observer.view(now_s).vehicles:
             assert not view.doubt

@@ -27,11 +27,13 @@ run: $(BUILT)
 
 build: $(BUILT)
 
+# Beside mypy the tests are imported once, and what is compiled then is kept: else each worker would compile all of it.
+# Many tests wait for real time: four workers for each of two processors keep those busy.
 test: $(DEV_READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
-	@$(VENV)/bin/mypy
-	@$(VENV)/bin/python -m pytest -n 4 --dist loadfile --no-loadscope-reorder
+	@$(VENV)/bin/python -m pytest --collect-only -qq >/dev/null & $(VENV)/bin/mypy && wait
+	@$(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder
 
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks

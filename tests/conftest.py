@@ -1,5 +1,6 @@
 """What all tests need of their own process, and the order in which they are run."""
 
+import gc
 import os
 import signal
 import tempfile
@@ -21,11 +22,38 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # What tests let scenarios use is no answer of whoever runs them.
 os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="skytender-tests-")
 
-# The two longest, and one on the real clock with little to spare, beside which MAVSDK's only wait.
-FIRST = ("tests/peers/test_mavsdk.py", "tests/system/test_external.py", "tests/system/test_readme.py")
+
+def pytest_collectstart() -> None:
+    """What is collected stays to the end: looking it through for garbage takes a sixth of the time."""
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """From here on only what tests make is looked through."""
+    gc.freeze()
+    gc.enable()
+
+
+# The longest, what waits for real time beside what computes; the third has little time to spare.
+FIRST = (
+    "tests/peers/test_mavsdk.py",
+    "tests/system/test_safety_external.py",
+    "tests/system/test_external.py",
+    "tests/system/test_logs.py",
+    "tests/system/test_wheel.py",
+    "tests/system/test_campaign.py",
+    "tests/system/test_docs_pages.py",
+    "tests/system/test_readme.py",
+)
 SESSIONS = ("tests/peers/", "tests/system/")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Long files first, so that none is left for one worker alone at the end; the many short tests fill up."""
-    items.sort(key=lambda item: (not item.nodeid.startswith(FIRST), not item.nodeid.startswith(SESSIONS)))
+    place = {name: k for k, name in enumerate(FIRST)}
+
+    def order(item: pytest.Item) -> tuple[int, bool]:
+        file = item.nodeid.partition("::")[0]
+        return place.get(file, len(FIRST)), not file.startswith(SESSIONS)
+
+    items.sort(key=order)

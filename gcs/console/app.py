@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+from collections.abc import Callable
 
 from textual import events
 
@@ -27,9 +28,15 @@ class ConsoleApp(Shell):
     AUTO_FOCUS = None
 
     def __init__(
-        self, source: MessageSource, title: str = "", *, owner: bool = False, glyphs: Glyphs | None = None
+        self,
+        source: MessageSource,
+        title: str = "",
+        *,
+        owner: bool = False,
+        glyphs: Glyphs | None = None,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
-        super().__init__(source, title, owner=owner, glyphs=glyphs)
+        super().__init__(source, title, owner=owner, glyphs=glyphs, clock=clock)
         self.main = MainScreen()
 
     def on_mount(self) -> None:
@@ -42,7 +49,7 @@ class ConsoleApp(Shell):
         """Take in what has come and show it."""
         changed = self.seen.update(self.source.receive())
         if changed:
-            self.last_received_s = time.monotonic()
+            self.last_received_s = self.clock()
         if self.seen.end is not None:
             self.exit(0)
             return

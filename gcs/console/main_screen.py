@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -108,7 +107,7 @@ class MainScreen(Screen[None]):
 
     def notice(self, text: str, style: str = "info") -> None:
         """Say something for a few seconds, in place of the keys."""
-        self._notice = (text, style, time.monotonic() + NOTICE_S)
+        self._notice = (text, style, self.app.clock() + NOTICE_S)
         self.redraw()
 
     def too_small(self, size: Size) -> bool:
@@ -148,12 +147,12 @@ class MainScreen(Screen[None]):
 
     def _session(self, width: int, height: int) -> StyledLines:
         app = self.app
-        silent_s = time.monotonic() - app.last_received_s
+        silent_s = app.clock() - app.last_received_s
         return [heading.session_line(self.seen, app.title, app.source.connected, silent_s, width, app.glyphs)]
 
     def _keys(self, width: int, height: int) -> StyledLines:
         glyphs = self.app.glyphs
-        if self._notice is not None and time.monotonic() < self._notice[2]:
+        if self._notice is not None and self.app.clock() < self._notice[2]:
             text, style, _ = self._notice
             return [[(t, f"notice {style} raised") for t, _ in fitted([(f" {text}", "")], width, glyphs)]]
         keys = help_text.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-import time
+from collections.abc import Callable
 
 from textual.app import App
 
@@ -17,10 +17,13 @@ from gcs.session.client import MessageSource
 class Shell(App[int]):
     """One source, the state of its messages, and the abilities of the terminal.
 
-    `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop.
+    `owner`: this console belongs to `gcs run`, whose session Ctrl-C is meant to stop. `clock`: s, by which silence and
+    notices are timed.
     """
 
-    def __init__(self, source: MessageSource, title: str, *, owner: bool, glyphs: Glyphs | None) -> None:
+    def __init__(
+        self, source: MessageSource, title: str, *, owner: bool, glyphs: Glyphs | None, clock: Callable[[], float]
+    ) -> None:
         self._ground = look_of(os.environ)
         super().__init__()
         self.look: Look = "plain" if self.no_color else self._ground
@@ -29,7 +32,8 @@ class Shell(App[int]):
         self.owner = owner
         self.glyphs = glyphs or own_glyphs(sys.__stderr__.encoding if sys.__stderr__ else "ascii")
         self.seen = SessionModel()
-        self.last_received_s = time.monotonic()
+        self.clock = clock
+        self.last_received_s = clock()
 
     def get_css_variables(self) -> dict[str, str]:
         """The grounds, for the panels' rules."""

@@ -1,6 +1,7 @@
 """Attack what takes bytes, guided by coverage (libFuzzer by Atheris): readers of files, frames, lines, answers.
 
     python guided.py --target replay --runs 10000 [--seconds 60] [--seed 1] [--kept DIR]
+    python guided.py --target replay:100 --target lines:500
 
 Branches of our own modules are what it looks for; what reaches a new one is kept in DIR and mutated on. It ends with
 libFuzzer's report, and at the first exception, with the input in the working directory.
@@ -152,21 +153,14 @@ def seeds(name: str, place: Path) -> None:
         (place / f"seed-{number}").write_bytes(one)
 
 
-def main() -> None:
-    """Ends the process with libFuzzer's status."""
-    says = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    says.add_argument("--target", choices=[*BYTES, *READERS], required=True)
-    says.add_argument("--runs", type=int, default=10_000)
-    says.add_argument("--seconds", type=int, default=0, help="at most; 0: as long as the runs take")
-    says.add_argument("--seed", type=int, default=1)
-    says.add_argument("--kept", type=Path, help="folder of inputs that reach something new  [default: a temporary one]")
-    options = says.parse_args()
+def guide(target: str, runs: int, options: argparse.Namespace) -> None:
+    """Attack one target; ends the process with libFuzzer's status."""
     place = Path(tempfile.mkdtemp(dir=IN_MEMORY))
     kept = options.kept or place / "kept"
-    seeds(options.target, kept)
-    make = BYTES.get(options.target)
-    attack = file_of(options.target, place / "session") if make is None else make(place)
-    limits = [f"-runs={options.runs}", f"-seed={options.seed}", f"-max_len={LARGEST}", f"-timeout={HANG_S}"]
+    seeds(target, kept)
+    make = BYTES.get(target)
+    attack = file_of(target, place / "session") if make is None else make(place)
+    limits = [f"-runs={runs}", f"-seed={options.seed}", f"-max_len={LARGEST}", f"-timeout={HANG_S}"]
     limits += [f"-max_total_time={options.seconds}"] if options.seconds else []
     os.environ.setdefault("PYTHONWARNINGS", "ignore")
     with read_once():
@@ -176,5 +170,40 @@ def main() -> None:
         atheris.Fuzz()
 
 
+def targets_of(words: list[str], runs: int) -> list[tuple[str, int]]:
+    """Targets and their runs, where a word NAME:RUNS has runs of its own. Raises ValueError."""
+    found = []
+    for word in words:
+        name, _, own = word.partition(":")
+        if name not in {*BYTES, *READERS}:
+            raise ValueError(f"there is no target {name!r}; there are: {', '.join([*BYTES, *READERS])}")
+        found.append((name, int(own or runs)))
+    return found
+
+
+def main() -> int:
+    """Attack one target in this process; several, each in a fork of it, which has everything imported."""
+    says = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    says.add_argument("--target", action="append", metavar="NAME[:RUNS]", required=True)
+    says.add_argument("--runs", type=int, default=10_000)
+    says.add_argument("--seconds", type=int, default=0, help="at most; 0: as long as the runs take")
+    says.add_argument("--seed", type=int, default=1)
+    says.add_argument("--kept", type=Path, help="folder of inputs that reach something new  [default: a temporary one]")
+    options = says.parse_args()
+    try:
+        targets = targets_of(options.target, options.runs)
+    except ValueError as error:
+        says.error(str(error))
+    if len(targets) == 1:
+        guide(*targets[0], options)
+    for target, runs in targets:
+        fork = os.fork()
+        if not fork:
+            guide(target, runs, options)
+        if status := os.waitstatus_to_exitcode(os.waitpid(fork, 0)[1]):
+            return abs(status)
+    return 0
+
+
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -48,6 +48,12 @@ def files(page: Path) -> dict[str, str]:
     return {found.title: found.body for found in blocks(page) if found.title is not None}
 
 
+def run_lines(page: Path) -> list[str]:
+    """What a page has run as `sh`, without comments."""
+    lines = [line for found in blocks(page) if found.kind == "sh" for line in found.body.splitlines()]
+    return [line.split("  #")[0].strip() for line in lines]
+
+
 def terminal_lines(page: Path) -> list[str]:
     """What a page has a reader type in a terminal, without comments, and without what is run as `sh`."""
     lines = [line for found in blocks(page) if found.kind == "console" for line in found.body.splitlines()]

@@ -55,9 +55,9 @@ def drive(
     glyphs: Glyphs = UNICODE,
     owner: bool = False,
 ) -> ConsoleApp:
-    """Run the app, take in `messages`, then do `steps`; the app as it ended."""
+    """Run the app, take in `messages`, then do `steps`; the app as it ended. Its clock stands."""
     source = Fed(*messages)
-    app = ConsoleApp(source, "demo", owner=owner, glyphs=glyphs)
+    app = ConsoleApp(source, "demo", owner=owner, glyphs=glyphs, clock=lambda: 0.0)
 
     async def run() -> None:
         async with app.run_test(size=size) as pilot:

@@ -11,7 +11,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -110,18 +110,51 @@ class Outcome:
         return found
 
     def messages(self, *types: str) -> Iterator[tuple[float, Any]]:
-        """(session time, message) of the recorded frames, read by pymavlink."""
-        reader = mavutil.mavlogfile(str(self.folder / "session.tlog"), robust_parsing=False)
+        """(session time, message) of the recorded frames, read by pymavlink; of frames of other types only the length
+        is read."""
         scenario = yaml.safe_load((self.folder / "scenario.yaml").read_text(encoding="utf-8"))
         epoch_s = datetime.fromisoformat(str(scenario["clock"]["epoch"])).timestamp()
-        try:
-            while (message := reader.recv_match(type=list(types) or None)) is not None:
-                yield message._timestamp - epoch_s, message
-        finally:
-            reader.close()
+        tlog = self.folder / "session.tlog"
+        for time_s, message in frames_of(tlog, types) if types else all_frames(tlog):
+            yield time_s - epoch_s, message
 
     def truth(self, sysid: int) -> Truth:
         return read_truth(self.folder / "vehicles" / f"{sysid}.truth")
+
+
+def all_frames(tlog: Path) -> Iterator[tuple[float, Any]]:
+    """(Unix time, message) of a recording, as pymavlink reads its file."""
+    reader = mavutil.mavlogfile(str(tlog), robust_parsing=False)
+    try:
+        while (message := reader.recv_match()) is not None:
+            yield message._timestamp, message
+    finally:
+        reader.close()
+
+
+def frames_of(tlog: Path, types: Sequence[str]) -> Iterator[tuple[float, Any]]:
+    """(Unix time, message) of the frames of these types; a frame that a killed process left unfinished is passed over.
+
+    A record is a time, big-endian in us, and a frame: https://mavlink.io/en/guide/serialization.html.
+    """
+    raw = tlog.read_bytes()
+    wanted = {number for number, kind in mavutil.mavlink.mavlink_map.items() if kind.msgname in types}
+    assert len(wanted) == len(set(types)), types
+    parser = mavutil.mavlink.MAVLink(None)
+    at = 0
+    while at + 8 + 10 <= len(raw):
+        head = raw[at + 8 : at + 18]
+        if head[0] == 0xFD:
+            length, msgid = 12 + head[1] + 13 * (head[2] & 1), int.from_bytes(head[7:10], "little")
+        else:
+            assert head[0] == 0xFE, f"no frame begins at byte {at + 8} of {tlog}"
+            length, msgid = 8 + head[1], head[5]
+        if at + 8 + length > len(raw):
+            return
+        if msgid in wanted:
+            message = parser.decode(bytearray(raw[at + 8 : at + 8 + length]))
+            yield int.from_bytes(raw[at : at + 8], "big") * 1e-6, message
+        at += 8 + length
 
 
 @dataclass

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import select
+import signal
 import socket
 import subprocess
 import sys
@@ -30,6 +31,16 @@ GONE_WITHOUT = {mav.MAVLINK_MSG_ID_PARAM_ERROR: "parameter-unknown"}
 """Likewise, but real autopilots do not send it and their peers know to go on."""
 
 
+STOPPED_S = 4.0
+"""Longer than MAVSDK waits for a HEARTBEAT."""
+COMMAND = mav.MAVLINK_MSG_ID_COMMAND_LONG
+
+
+def msgid_of(datagram: bytes) -> int:
+    """Of a datagram that carries one message, as all here do."""
+    return int.from_bytes(datagram[7:10], "little")
+
+
 def port_of(vehicle: subprocess.Popen[str]) -> int:
     """The port that the vehicle says it got."""
     assert vehicle.stdout is not None
@@ -37,8 +48,9 @@ def port_of(vehicle: subprocess.Popen[str]) -> int:
 
 
 @contextmanager
-def swallowing(to_port: int, msgids: set[int]) -> Iterator[int]:
-    """A port that passes datagrams on to a vehicle and back, without these messages on the way back."""
+def swallowing(to_port: int, msgids: set[int], asked: threading.Event | None = None) -> Iterator[int]:
+    """A port that passes datagrams on to a vehicle and back, without these messages on the way back; `asked` is set
+    when the vehicle is asked something."""
     with (
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as near,
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as far,
@@ -56,9 +68,11 @@ def swallowing(to_port: int, msgids: set[int]) -> Iterator[int]:
                 if near in ready:
                     datagram, asker = near.recvfrom(65535)
                     far.send(datagram)
+                    if asked is not None and msgid_of(datagram) == COMMAND:
+                        asked.set()
                 if far in ready:
                     datagram = far.recv(65535)
-                    if asker and int.from_bytes(datagram[7:10], "little") not in msgids:
+                    if asker and msgid_of(datagram) not in msgids:
                         near.sendto(datagram, asker)
 
         thread = threading.Thread(target=pass_on)
@@ -73,18 +87,22 @@ def swallowing(to_port: int, msgids: set[int]) -> Iterator[int]:
 
 @pytest.fixture(scope="module")
 def checked() -> dict[str, tuple[int, dict[str, Any]]]:
-    """(exit status, what was found) for each autopilot, and for one whose replies are swallowed; all at once."""
-    runs = {"px4": ["--arm"], "ardupilot": ["--arm"], "generic": [], "swallowed": []}
+    """(exit status, what was found) for each autopilot, for one whose replies are swallowed, and by a check that is
+    stopped for a while; all at once."""
+    runs = {"px4": ["--arm"], "ardupilot": ["--arm"], "generic": [], "swallowed": [], "stopped": []}
     with ExitStack() as stack:
         checks = {}
         for name, options in runs.items():
-            autopilot = ["--autopilot", "px4" if name == "swallowed" else name]
+            autopilot = ["--autopilot", name if name in ("px4", "ardupilot", "generic") else "px4"]
             argv = [*VEHICLE, "--sysid", "3", "--connect", "udpin:127.0.0.1:0", *autopilot]
             vehicle = stack.enter_context(subprocess.Popen(argv, stdout=subprocess.PIPE, text=True))
             stack.callback(vehicle.kill)
             port = port_of(vehicle)
             if name == "swallowed":
                 port = stack.enter_context(swallowing(port, {*SWALLOWED, *GONE_WITHOUT}))
+            if name == "stopped":
+                asked = threading.Event()
+                port = stack.enter_context(swallowing(port, set(), asked))
             argv = [*GCS, *CHECK, "--connect", f"udpout:127.0.0.1:{port}", *options]
             process = subprocess.Popen(argv, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             checks[name] = stack.enter_context(process)
@@ -96,6 +114,11 @@ def checked() -> dict[str, tuple[int, dict[str, Any]]]:
         process = subprocess.Popen(argv, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         checks["arducopter"] = stack.enter_context(process)
         stack.callback(process.kill)
+        assert asked.wait(60.0)
+        checks["stopped"].send_signal(signal.SIGSTOP)
+        with pytest.raises(subprocess.TimeoutExpired):
+            checks["stopped"].wait(timeout=STOPPED_S)
+        checks["stopped"].send_signal(signal.SIGCONT)
         outputs = {name: process.communicate(timeout=90)[0] for name, process in checks.items()}
         return {name: (checks[name].returncode, json.loads(output)) for name, output in outputs.items()}
 
@@ -134,6 +157,12 @@ def test_exactly_the_replies_that_are_swallowed_are_named(checked: dict[str, Any
     assert {f["key"] for f in found["findings"] if f["outcome"] == "late"} >= set(GONE_WITHOUT.values())
     assert all(f["misses"] for f in found["findings"] if f["outcome"] == "missing")
     assert status == 1
+
+
+def test_a_check_that_the_machine_keeps_from_running_for_a_while_blames_no_vehicle(checked: dict[str, Any]) -> None:
+    status, found = checked["stopped"]
+    assert [f for f in found["findings"] if f["outcome"] in ("missing", "wrong")] == []
+    assert status == 0
 
 
 def test_nobody_there_is_one_sentence() -> None:

@@ -7,19 +7,14 @@ import sys
 from pathlib import Path
 
 import pytest
-from pages import DOCS, PAGES, blocks, run
+from pages import DOCS, PAGES, run, run_lines
 
 INDEX = DOCS / "index.md"
-RUN = [page for page in PAGES if page != INDEX and any(block.kind == "sh" for block in blocks(page))]
-
-
-def commands(page: Path) -> set[str]:
-    """The lines of a page's `sh` blocks."""
-    return {line for block in blocks(page) if block.kind == "sh" for line in block.body.splitlines()}
+RUN = [page for page in PAGES if page != INDEX and run_lines(page)]
 
 
 def test_the_index_runs_nothing_that_the_first_hour_does_not() -> None:
-    assert commands(INDEX) <= commands(DOCS / "first-hour.md")
+    assert set(run_lines(INDEX)) <= set(run_lines(DOCS / "first-hour.md"))
 
 
 @pytest.mark.timeout(300)

@@ -6,20 +6,23 @@ import itertools
 import select
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common as mav
-from sessions import fly, read_truth
+from sessions import Outcome, fly, read_truth
 from strangers import SIMVEHICLE, free_port, strangers
 
 HOME = "47.397742,8.545594,488"
 ACROSS_M = 7.0
 OFF_M = 1.0
+OFFSETS = [(-OFF_M, 0.0), (0.0, -OFF_M), (OFF_M, 0.0), (0.0, OFF_M)]
+COLUMNS = [(9.0, 4.0), (12.0, -4.5), (16.0, 0.5)]
 SET_POINT = "SET_POSITION_TARGET_LOCAL_NED"
 pytestmark = pytest.mark.timeout(120)
 
@@ -62,47 +65,42 @@ def crossing() -> tuple[list[list[float]], list[dict[str, Any]], list[list[float
     return [[n, e, 0.0] for n, e in out], blocks, ends
 
 
-@pytest.mark.parametrize("speed_m_s", [2.0, 4.0])
-def test_external_vehicles_that_cross_keep_two_metres_apart_and_arrive(tmp_path: Path, speed_m_s: float) -> None:
+class Flown(NamedTuple):
+    """A flight that has ended, and the truth that its external vehicles wrote."""
+
+    outcome: Outcome
+    truths: list[Path]
+
+
+def fly_across(folder: Path, speed_m_s: float) -> Flown:
     port = free_port()
-    starts, blocks, ends = crossing()
+    starts, blocks, _ = crossing()
     for i, block in enumerate(blocks):
         block["external"] = {"sysid": i + 1, "connect": f"udpin:127.0.0.1:{port}", "capacity_j": 200_000}
-    command, truths = fleet(tmp_path, starts, port)
+    command, truths = fleet(folder, starts, port)
     planner = {"cruise_m_s": speed_m_s, "separation_m": 2.0}
-    with strangers(tmp_path / "logs", command):
-        outcome = fly(scenario(blocks, 30.0 if speed_m_s < 3.0 else 24.0, planner=planner), tmp_path)
-    assert outcome.status == 0, outcome.stdout + outcome.stderr
-    ways = ways_ned(truths)
-    assert nearest_m(ways) > 2.0
-    assert np.linalg.norm(ways[:, -1] - ends, axis=1).max() < 0.5
-    assert outcome.summary["outcome"] == "met"
+    with strangers(folder / "logs", command):
+        return Flown(fly(scenario(blocks, 30.0 if speed_m_s < 3.0 else 24.0, planner=planner), folder), truths)
 
 
-def test_on_a_ring_among_obstacles_external_vehicles_have_clearance_to_spare(tmp_path: Path) -> None:
+def fly_on_a_ring(folder: Path) -> Flown:
     port = free_port()
     starts = [[5.0, 0.0, 0.0], [-2.5, 4.3, 0.0], [-2.5, -4.3, 0.0]]
     blocks = [
         {"takeoff_m": 3.0, "external": {"sysid": i + 1, "connect": f"udpin:127.0.0.1:{port}", "capacity_j": 200_000}}
         for i in range(3)
     ]
-    columns = [(9.0, 4.0), (12.0, -4.5), (16.0, 0.5)]
     content = scenario(
         blocks, 28.0, planner={"cruise_m_s": 2.0, "separation_m": 2.0}, formation={"ring_m": 5.0},
-        obstacles=[{"cylinder_m": list(at), "radius_m": 0.5, "bottom_m": 0.0, "top_m": -6.0} for at in columns],
+        obstacles=[{"cylinder_m": list(at), "radius_m": 0.5, "bottom_m": 0.0, "top_m": -6.0} for at in COLUMNS],
     )  # fmt: skip
     content["vehicles"]["targets"] = [
         {"sysid": 101, "start_m": [0, 0, 0], "takeoff_m": 3.0, "speed_m_s": 1.0, "path_m": [[0, 0, -3], [18, -2, -3]],
          "battery": {"capacity_j": 150_000}},
     ]  # fmt: skip
-    command, truths = fleet(tmp_path, starts, port)
-    with strangers(tmp_path / "logs", command):
-        fly(content, tmp_path)
-    ways = ways_ned(truths)
-    assert nearest_m(ways) > 2.0
-    clear_m = min(float(np.linalg.norm(ways[:, :, :2] - at, axis=2).min()) - 0.5 for at in columns)
-    assert clear_m > 0.3
-    assert ways[:, -1, 0].min() > 5.0  # they followed their target past the obstacles
+    command, truths = fleet(folder, starts, port)
+    with strangers(folder / "logs", command):
+        return Flown(fly(content, folder), truths)
 
 
 def shift(data: bytes, off_ned: tuple[float, float]) -> bytes:
@@ -154,23 +152,61 @@ def off_by(offsets: list[tuple[float, float]], gcs_ports: list[int]) -> Iterator
             thread.join()
 
 
-def test_autopilots_that_fly_a_metre_off_their_set_points_keep_apart(tmp_path: Path) -> None:
+def fly_off(folder: Path) -> Flown:
     """Each is off towards the circle's middle, where all of them cross."""
     starts, blocks, _ = crossing()
     ports = [free_port() for _ in starts]
     for i, block in enumerate(blocks):
         block["external"] = {"sysid": i + 1, "connect": f"udpin:127.0.0.1:{ports[i]}", "capacity_j": 200_000}
-    offsets = [(-OFF_M, 0.0), (0.0, -OFF_M), (OFF_M, 0.0), (0.0, OFF_M)]
     with ExitStack() as stack:
-        listens = stack.enter_context(off_by(offsets, ports))
-        truths = [tmp_path / f"{i + 1}.truth" for i in range(len(starts))]
+        listens = stack.enter_context(off_by(OFFSETS, ports))
+        truths = [folder / f"{i + 1}.truth" for i in range(len(starts))]
         commands = [
             [*SIMVEHICLE, "--sysid", str(i + 1), "--home", HOME, "--connect", f"udpout:127.0.0.1:{listens[i]}",
              "--position", ",".join(f"{x:g}" for x in start), "--truth", str(truths[i])]
             for i, start in enumerate(starts)
         ]  # fmt: skip
-        stack.enter_context(strangers(tmp_path / "logs", *commands))
-        outcome = fly(scenario(blocks, 26.0, planner={"cruise_m_s": 2.0, "separation_m": 1.0}), tmp_path)
+        stack.enter_context(strangers(folder / "logs", *commands))
+        return Flown(fly(scenario(blocks, 26.0, planner={"cruise_m_s": 2.0, "separation_m": 1.0}), folder), truths)
+
+
+FLIGHTS: dict[str, Callable[[Path], Flown]] = {
+    "across at 2 m/s": lambda folder: fly_across(folder, 2.0),
+    "across at 4 m/s": lambda folder: fly_across(folder, 4.0),
+    "on a ring": fly_on_a_ring,
+    "off": fly_off,
+}
+
+
+@pytest.fixture(scope="module")
+def flights(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Future[Flown]]:
+    """All at once: what they take is real time, and little else."""
+    with ThreadPoolExecutor(len(FLIGHTS)) as pool:
+        return {name: pool.submit(one, tmp_path_factory.mktemp("flight")) for name, one in FLIGHTS.items()}
+
+
+@pytest.mark.parametrize("speed_m_s", [2, 4])
+def test_external_vehicles_that_cross_keep_two_metres_apart_and_arrive(
+    flights: dict[str, Future[Flown]], speed_m_s: int
+) -> None:
+    outcome, truths = flights[f"across at {speed_m_s} m/s"].result()
+    assert outcome.status == 0, outcome.stdout + outcome.stderr
+    ways = ways_ned(truths)
+    assert nearest_m(ways) > 2.0
+    assert np.linalg.norm(ways[:, -1] - crossing()[2], axis=1).max() < 0.5
+    assert outcome.summary["outcome"] == "met"
+
+
+def test_on_a_ring_among_obstacles_external_vehicles_have_clearance_to_spare(flights: dict[str, Future[Flown]]) -> None:
+    ways = ways_ned(flights["on a ring"].result().truths)
+    assert nearest_m(ways) > 2.0
+    clear_m = min(float(np.linalg.norm(ways[:, :, :2] - at, axis=2).min()) - 0.5 for at in COLUMNS)
+    assert clear_m > 0.3
+    assert ways[:, -1, 0].min() > 5.0  # they followed their target past the obstacles
+
+
+def test_autopilots_that_fly_a_metre_off_their_set_points_keep_apart(flights: dict[str, Future[Flown]]) -> None:
+    outcome = flights["off"].result().outcome
     ways = [
         [(t_s, m) for t_s, m in outcome.messages("LOCAL_POSITION_NED") if m.get_srcSystem() == i] for i in (1, 2, 3, 4)
     ]
@@ -180,6 +216,6 @@ def test_autopilots_that_fly_a_metre_off_their_set_points_keep_apart(tmp_path: P
     ]).transpose(0, 2, 1)  # fmt: skip
     assert nearest_m(at) > 1.0
     planned = {m.target_system: m for _, m in outcome.messages(SET_POINT)}
-    for i, off in enumerate(offsets):
+    for i, off in enumerate(OFFSETS):
         m = planned[i + 1]
         assert np.linalg.norm(at[i, -1, :2] - (m.x, m.y)) == pytest.approx(OFF_M, abs=0.2), off

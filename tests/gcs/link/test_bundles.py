@@ -63,7 +63,7 @@ class Field:
             one.close()
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(4))
 def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
     """Processes of several vehicles and of one, whose ids lie among each other's; some vehicles leave."""
     draw = random.Random(seed)

@@ -288,12 +288,12 @@ def of_what_came(client: LogClient, number: int, size: int) -> tuple[set[int], b
 
 
 @settings(max_examples=40)
-@given(st.integers(0, 210), st.sampled_from((0.0, 0.1, 0.5)), st.booleans(), st.booleans())
+@given(st.integers(0, 90), st.sampled_from((0.0, 0.1, 0.5)), st.booleans(), st.booleans())
 def test_of_a_vehicle_that_dies_what_came_is_known_to_the_byte(
     messages: int, lose: float, by_file: bool, other_file: bool
 ) -> None:
     """By MAVFTP, by ranges, or by ranges behind a file that turned out to be shorter, and so another."""
-    content = log(90 * 200 + 7)
+    content = log(90 * 80 + 7)
     files = {"@LOG/1": content[: 239 * 20] if other_file else content} if by_file else {}
     vehicle = Dying({1: content}, messages, lose, Files(files))
     client = LogClient(3, 1)

@@ -48,14 +48,15 @@ class Watched:
 
     def judge(self, now_s: float) -> None:
         """No place is shown, unless it is uncertain or old, that is farther from the truth."""
-        origin = self.observer.session()["origin"]
+        if self.observer.changed:  # as programs that send it on do
+            self.origin = self.observer.session()["origin"]
         for view in self.observer.view(now_s).vehicles:
             assert not view.doubt
             vehicle = self.vehicles[view.sysid]
             if view.p_ned is None or view.age_s > STALE_S or view.uncertain in (BOOTED, CONTRADICTED, JUMPED):
                 continue
             then_s = now_s - view.age_s
-            truth = seen_from(origin, vehicle.place(then_s))
+            truth = seen_from(self.origin, vehicle.place(then_s))
             if view.uncertain == HEIGHT_UNKNOWN:  # as high as it is above where it was switched on
                 truth = (*truth[:2], -vehicle.above_start_m(then_s))
             else:
@@ -140,7 +141,7 @@ def test_a_frame_that_begins_elsewhere_leaves_each_place_right(
     """The vehicle says once where it lies now, with any frame lost; in the air, at a step of its filter, or after it
     has booted, when an ArduPilot does not know its height for a while. Positions of one kind may be missing."""
     for order in ORDERS:
-        said = [(kind, k * ROUND_S) for k in range(14) for kind in order if kind != without]
+        said = [(kind, k * ROUND_S) for k in range(12) for kind in order if kind != without]
         said = [(kind, t_s) for kind, t_s in said if kind in KINDS[2:] or t_s in (0.0, 3.0, 5.0)]
         for lost in range(-1, len(said)):
             one = TruthfulVehicle(1, autopilot, HOME, origin_in_home=(4.0, 5.0, 1.0), booted_s=-60.0)
@@ -154,7 +155,7 @@ def test_a_frame_that_begins_elsewhere_leaves_each_place_right(
                         one.origin_in_home = (-200.0, 60.0, -20.0)
                 if k != lost:
                     watched.hear(one, kind, t_s)
-            watched.hear_all(order, 7.0)
+            watched.hear_all(order, 6.0)
 
 
 @settings(max_examples=300, deadline=None)

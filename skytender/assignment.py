@@ -26,7 +26,7 @@ def least_cost(cost: FloatArray) -> tuple[IntArray, IntArray]:
     if n <= m:
         return np.arange(n), _columns(np.ascontiguousarray(cost, dtype=np.float64))
     rows = _columns(np.ascontiguousarray(cost.T, dtype=np.float64))
-    columns = np.argsort(rows)
+    columns = np.argsort(rows, kind="stable")
     return rows[columns], columns
 
 

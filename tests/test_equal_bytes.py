@@ -51,6 +51,7 @@ NOT_OF_NUMPY = {
     "arcsin",
     "arctan",
     "arctan2",
+    "argpartition",
     "cbrt",
     "convolve",
     "correlate",
@@ -71,6 +72,7 @@ NOT_OF_NUMPY = {
     "log2",
     "logaddexp",
     "matmul",
+    "partition",
     "polyfit",
     "polyval",
     "power",
@@ -135,6 +137,9 @@ def _called(tree: ast.Module) -> Iterator[str]:
         elif isinstance(node, ast.Call) and ast.unparse(node.func) == "np.linalg.norm":
             if not any(keyword.arg == "axis" for keyword in node.keywords):
                 yield f"{node.lineno}: np.linalg.norm without an axis"
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "argsort":
+            if not any(word.arg == "kind" and ast.unparse(word.value) == "'stable'" for word in node.keywords):
+                yield f"{node.lineno}: argsort that is not stable, which orders equal values by the processor"
         elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and not _is_whole(node):
             yield f"{node.lineno}: {ast.unparse(node)}"
 

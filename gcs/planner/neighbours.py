@@ -40,7 +40,7 @@ def within_range(
     if n * m <= FEW:
         return everyone(n, m)
     q, reach = np.ascontiguousarray(q_ned), np.ascontiguousarray(reach_m)
-    order = table[:, NORTH].argsort()
+    order = table[:, NORTH].argsort(kind="stable")
     spheres, spans = np.empty((m, 4)), np.empty((n, 2), np.int64)
     spheres[:, 3] = ranges_m if isinstance(ranges_m, float) else ranges_m[order]
     rows = np.empty(_look(q, reach, table, order, spheres, spans), np.int64)

@@ -140,6 +140,8 @@ def _called(tree: ast.Module) -> Iterator[str]:
         elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "argsort":
             if not any(word.arg == "kind" and ast.unparse(word.value) == "'stable'" for word in node.keywords):
                 yield f"{node.lineno}: argsort that is not stable, which orders equal values by the processor"
+        elif isinstance(node, ast.Import) and "pymap3d" in {name.name for name in node.names}:
+            yield f"{node.lineno}: pymap3d, whose sines are NumPy's; skytender/geodesy.py has it"
         elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and not _is_whole(node):
             yield f"{node.lineno}: {ast.unparse(node)}"
 

@@ -20,10 +20,9 @@ import math
 from typing import NamedTuple, TypeVar
 
 import numpy as np
-import pymap3d
 from numpy.typing import NDArray
 
-from skytender import elementary
+from skytender import elementary, geodesy
 
 Vec3 = tuple[float, float, float]
 T = TypeVar("T", float, NDArray[np.float64])
@@ -40,7 +39,8 @@ def frame_place(
     lat_deg: float, lon_deg: float, alt_m: float, common_lat_deg: float, common_lon_deg: float, common_alt_m: float
 ) -> FramePlace:
     """The place of a frame whose origin lies there, in the common frame with its origin."""
-    north, east, _ = pymap3d.geodetic2ned(lat_deg, lon_deg, common_alt_m, common_lat_deg, common_lon_deg, common_alt_m)
+    origin = common_lat_deg, common_lon_deg, common_alt_m
+    north, east, _ = geodesy.ned_of(lat_deg, lon_deg, common_alt_m, origin)
     phi, phi_0 = math.radians(lat_deg), math.radians(common_lat_deg)
     ahead = math.radians(lon_deg - common_lon_deg)
     (sin_phi, cos_phi), (sin_phi_0, cos_phi_0) = elementary.sin_cos(phi), elementary.sin_cos(phi_0)
@@ -48,15 +48,14 @@ def frame_place(
     north_of_north = sin_phi_0 * sin_phi * cos_ahead + cos_phi_0 * cos_phi
     east_of_north, north_of_east = -sin_phi * sin_ahead, sin_phi_0 * sin_ahead
     turn_rad = elementary.atan2(east_of_north - north_of_east, north_of_north + cos_ahead)
-    offset = (float(north), float(east), common_alt_m - alt_m)
-    return FramePlace(offset, turn_rad)
+    return FramePlace((north, east, common_alt_m - alt_m), turn_rad)
 
 
 def origin_under(lat_deg: float, lon_deg: float, alt_m: float, at_ned: Vec3) -> tuple[float, float, float]:
     """Origin (deg, deg, m) of the frame in which that place is at `at_ned`, m."""
     north, east, down = at_ned
-    lat_0, lon_0, _ = pymap3d.ned2geodetic(-north, -east, 0.0, lat_deg, lon_deg, alt_m)
-    return float(lat_0), float(lon_0), alt_m + down
+    lat_0, lon_0, _ = geodesy.place_of((-north, -east, 0.0), (lat_deg, lon_deg, alt_m))
+    return lat_0, lon_0, alt_m + down
 
 
 def turned(vector_ned: tuple[T, T, T], turn_rad: float) -> tuple[T, T, T]:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import math
 
-import pymap3d
-
 from gcs.missions.items import FenceArea, GlobalPlace, LatLon, LocalPlace
-from skytender import elementary
+from skytender import elementary, geodesy
 
 Origin = tuple[float, float, float]
 """Of the common frame: latitude and longitude in degrees, altitude above the sea in m."""
@@ -18,8 +16,7 @@ CIRCLE = 72
 
 def plane_ne(at_deg: LatLon, origin: Origin) -> tuple[float, float]:
     """North and east of a place, m."""
-    north_m, east_m, _ = pymap3d.geodetic2ned(*at_deg, origin[2], *origin)
-    return float(north_m), float(east_m)
+    return geodesy.ned_of(*at_deg, origin[2], origin)[:2]
 
 
 def place_ned(place: GlobalPlace | LocalPlace, origin: Origin, home_alt_m: float) -> Vec3:

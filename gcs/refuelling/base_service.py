@@ -13,8 +13,6 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-import pymap3d
-
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.ids import STATION
@@ -22,7 +20,7 @@ from gcs.refuelling.service import GiverReport, Phase, Service, TransferRole, to
 from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
 from gcs.scenario.model import Base, Origin
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
-from skytender import elementary
+from skytender import elementary, geodesy
 
 POSITION_AND_VELOCITY = 0b11
 STANDS = (0.0, 0.0, 0.0)
@@ -282,15 +280,14 @@ _STEPS = {
 
 def giver_messages(report: GiverReport, origin: Origin, time_ms: int) -> list[Message]:
     """Its FOLLOW_TARGET and its XferOut at a session time; `origin` is the common frame's."""
-    north, east, down = report.p_ned
-    lat_deg, lon_deg, alt_m = pymap3d.ned2geodetic(north, east, down, origin.lat_deg, origin.lon_deg, origin.alt_m)
+    lat_deg, lon_deg, alt_m = geodesy.place_of(report.p_ned, (origin.lat_deg, origin.lon_deg, origin.alt_m))
     place = message(
         "FOLLOW_TARGET",
         timestamp=time_ms,
         est_capabilities=POSITION_AND_VELOCITY,
-        lat=round(1e7 * float(lat_deg)),
-        lon=round(1e7 * float(lon_deg)),
-        alt=float(alt_m),
+        lat=round(1e7 * lat_deg),
+        lon=round(1e7 * lon_deg),
+        alt=alt_m,
         vel=STANDS,
         acc=STANDS,
         attitude_q=(1.0, 0.0, 0.0, 0.0),

@@ -15,7 +15,6 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-import pymap3d
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec, plan_client
@@ -28,6 +27,7 @@ from gcs.mavlink.plan_client import PlanClient, PlanItem
 from gcs.scenario.model import Scenario
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
+from skytender import geodesy
 
 CLOCK_OFF_S = 10.0
 """[choice] Logs and signatures of a vehicle whose clock is farther off belong to another time."""
@@ -231,5 +231,5 @@ def rally_items(scenario: Scenario) -> list[PlanItem]:
 
 def _degrees_e7(scenario: Scenario, place: tuple[float, float]) -> tuple[int, int]:
     o = scenario.origin
-    lat_deg, lon_deg, _ = pymap3d.ned2geodetic(*place, 0.0, o.lat_deg, o.lon_deg, o.alt_m)
-    return round(1e7 * float(lat_deg)), round(1e7 * float(lon_deg))
+    lat_deg, lon_deg, _ = geodesy.place_of((*place, 0.0), (o.lat_deg, o.lon_deg, o.alt_m))
+    return round(1e7 * lat_deg), round(1e7 * lon_deg)

@@ -16,7 +16,6 @@ from operator import itemgetter
 from typing import Any, NamedTuple
 
 import numpy as np
-import pymap3d
 from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
@@ -62,7 +61,7 @@ from gcs.telemetry.readings import (
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
 from gcs.telemetry.traffic import KnownTraffic
-from skytender import elementary
+from skytender import elementary, geodesy
 
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
@@ -367,19 +366,16 @@ class Fleet:
     def _receive_traffic(self, content: Any, time_s: float) -> None:
         if plausibility.globe(content.lat, content.lon):
             return
-        p_ned = _ned(1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude, self.origin)
+        place = 1e-7 * content.lat, 1e-7 * content.lon, 1e-3 * content.altitude
+        p_ned = geodesy.ned_of(*place, astuple(self.origin))
         self._traffic.receive(content, p_ned, time_s)
-
-
-def _ned(lat_deg: float, lon_deg: float, alt_m: float, origin: GlobalOrigin) -> Vec3:
-    north, east, down = pymap3d.geodetic2ned(lat_deg, lon_deg, alt_m, *astuple(origin))
-    return float(north), float(east), float(down)
 
 
 @lru_cache(maxsize=1024)  # each vehicle tells its own again and again
 def _origin_place(told: Vec3, external: bool, origin: GlobalOrigin) -> FramePlace:
     """Where the frame of a vehicle lies that tells its origin (deg, deg, m); that of one of ours is parallel."""
-    return frame_place(*told, *astuple(origin)) if external else FramePlace(_ned(*told, origin), 0.0)
+    ours = astuple(origin)
+    return frame_place(*told, *ours) if external else FramePlace(geodesy.ned_of(*told, ours), 0.0)
 
 
 _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {

@@ -16,7 +16,7 @@ DIGESTS = {
     "paper/example2": "5e9963ac",
     "paper/example3": "c7d0a668",
     "paper/example4": "e3d5d00d",
-    "demo": "c1c18ed8",
+    "demo": "a158562a",
 }
 """First digits of the digests of shipped scenarios; the changelog names each change."""
 SIMPLER = {

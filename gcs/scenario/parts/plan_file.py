@@ -88,7 +88,7 @@ def _origin(given: Any) -> tuple[float, float, float] | None:
 
 def _ned(plan: MissionPlan, origin: tuple[float, float, float], mirror: float) -> tuple[dict[str, Any], list[Any]]:
     """`fence` and `rally_m` as the file would have them; mirror: -1 where its axes are the paper's."""
-    from gcs.missions.placed import plane_ne  # noqa: PLC0415 - pymap3d
+    from gcs.missions.placed import plane_ne  # noqa: PLC0415 - only where a plan is read
 
     def place(at_deg: tuple[float, float]) -> list[float]:
         north_m, east_m = plane_ne(at_deg, origin)

@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skytender import elementary, elementwise
+from skytender import closed_form, elementary, elementwise
 
 FloatArray = NDArray[np.float64]
 
@@ -24,9 +24,6 @@ def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float)
     v (n,) >= 0 and tau (n,) > 0 have no unit, p >= 1, and rate = c > 0 in 1/s; all finite, else ValueError.
     Computed in logarithms relative to the leader, so neither growth nor decay overflows; a loser far below the smallest
     float becomes 0, and a v of 0 stays 0 (`revive` between calls prevents both).
-
-    With w = v^p, a = p c, and k the largest of w_i e^(a τ_i t):
-    ln w_i = z_i - ln(e^(-x_k)/w_k + Σ_j e^(z_j) (1 - e^(-x_j))/τ_j),  x_j = a τ_j t,  z_i = ln(w_i/w_k) + x_i - x_k
     """
     v_now, drive = states_of(v), drive_of(tau, np.shape(v)[:1])
     require_exponent(p)
@@ -34,8 +31,9 @@ def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float)
     require_span(dt_s)
     if dt_s == 0 or not v_now.any():
         return v_now.copy()
-    with np.errstate(divide="ignore", under="ignore"):
-        return elementwise.exponentials(_advanced(elementwise.logarithms(v_now), drive, dt_s, p, rate))
+    return elementwise.exponentials(
+        closed_form.advanced(elementwise.logarithms(v_now), np.ascontiguousarray(drive), p * rate * dt_s, p)
+    )
 
 
 def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
@@ -47,21 +45,7 @@ def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: 
     require_span(dt_s)
     if dt_s == 0 or not ln_now.size:
         return ln_now.copy()
-    with np.errstate(under="ignore"):
-        return _advanced(ln_now, drive, dt_s, p, rate)
-
-
-def _advanced(ln_v: FloatArray, drive: FloatArray, dt_s: float, p: float, rate: float) -> FloatArray:
-    at = p * rate * dt_s
-    ln_w = p * ln_v
-    x = at * drive
-    k = int((ln_w + x).argmax())
-    z = (ln_w - ln_w[k]) + at * (drive - drive[k])
-    shares = z + elementwise.logarithms([-elementary.expm1(-one) for one in x]) - elementwise.logarithms(drive)
-    start = -(ln_w[k] + x[k])
-    top = max(start, shares.max())
-    ln_sum = top + elementary.log(elementary.exp(start - top) + elementwise.exponentials(shares - top).sum())
-    return np.asarray((z - ln_sum) / p)
+    return closed_form.advanced(np.ascontiguousarray(ln_now), np.ascontiguousarray(drive), p * rate * dt_s, p)
 
 
 def normalise(x: ArrayLike, *, low: float, high: float, largest_wins: bool = True) -> FloatArray:

@@ -25,7 +25,9 @@ BUILT := $(VENV)/.built
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
 
-build: $(BUILT)
+build: $(READY)
+	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
+	@touch $(BUILT)
 
 # Beside mypy the tests are imported once, and what is compiled then is kept: else each worker would compile all of it.
 # Many tests wait for real time: four workers for each of two processors keep those busy.
@@ -68,7 +70,7 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	@$(PYTHON) -m venv $(VENV)
 	@echo "[2/3] installing what Skytender needs (half a minute)"
 	@$(INSTALL) setuptools cython
-	@echo "[3/3] compiling and installing Skytender (a minute)"
+	@echo "[3/3] compiling and installing Skytender (half a minute)"
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@$(INSTALL) --no-build-isolation -e .
 	@touch $@

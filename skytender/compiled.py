@@ -24,33 +24,42 @@ def compiled_sources(root: Path) -> list[Path]:
     return [file.relative_to(root) for package in PACKAGES for file in _files(root / package) if file.suffix == ".py"]
 
 
-def listing(root: Path, package: str) -> str:
-    """Text of a package's list, for the sources as they are."""
-    return "".join(
-        f"{crc32(file.read_bytes()):08x} {file.relative_to(root).as_posix()}\n" for file in _files(root / package)
-    )
+def listing(root: Path, package: str) -> list[str]:
+    """Lines of a package's list, for the sources as they are."""
+    return [f"{crc32(file.read_bytes()):08x} {file.relative_to(root).as_posix()}" for file in _files(root / package)]
+
+
+def changed(package: str, root: str = _HERE) -> list[str]:
+    """Paths of a package's compiled sources, in the folder of the packages, that are not what was compiled.
+
+    Raises:
+        FileNotFoundError: none has been compiled.
+    """
+    with open(f"{root}/{package}/{LIST}", encoding="utf-8") as file:
+        listed = (line.split(" ", 1) for line in file.read().splitlines())
+    return [path for checksum, name in listed if _checksum(path := f"{root}/{name}") != int(checksum, 16)]
 
 
 def check(package: str, root: str = _HERE) -> None:
-    """Compare a package's compiled sources, in the folder of the packages, with those that were compiled.
+    """Refuse a package of which a compiled source is no longer what was compiled.
 
     Raises:
-        ImportError: one was changed, or none has been compiled.
+        ImportError: one was changed or removed, or none has been compiled.
     """
     try:
-        with open(f"{root}/{package}/{LIST}", encoding="utf-8") as file:
-            listed = file.read().splitlines()
+        paths = changed(package, root)
     except FileNotFoundError:
         raise ImportError(f"{root}/{package} has not been compiled: run `make build` in {root}") from None
-    for line in listed:
-        checksum, name = line.split(" ", 1)
-        try:
-            with open(f"{root}/{name}", "rb") as source:
-                content = source.read()
-        except FileNotFoundError:  # an installation may leave the sources of what is compiled out
-            continue
-        if crc32(content) != int(checksum, 16):
-            raise ImportError(f"{root}/{name} was changed after it was compiled: run `make build` in {root}")
+    if paths:
+        raise ImportError(f"{paths[0]} was changed after it was compiled: run `make build` in {root}")
+
+
+def _checksum(path: str) -> int | None:
+    try:
+        with open(path, "rb") as source:
+            return crc32(source.read())
+    except FileNotFoundError:
+        return None
 
 
 def _files(package: Path) -> list[Path]:

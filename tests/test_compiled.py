@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from Cython.Build.Dependencies import create_dependency_tree
 
 from skytender import compiled
 
@@ -25,10 +29,22 @@ def copied(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for package in compiled.PACKAGES:
         shutil.copytree(ROOT / package, root / package, ignore=ignored)
     for name in ("setup.py", "pyproject.toml", "MANIFEST.in", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, root)
+        shutil.copy2(ROOT / name, root)  # with its time, by which it is known that all is compiled
     for folder in ("configs", "build"):
         shutil.copytree(ROOT / folder, root / folder)
     return root
+
+
+@contextmanager
+def changed(source: Path) -> Iterator[None]:
+    """A source with an empty line more, and then as it was, its time included."""
+    before, times = source.read_text(), source.stat()
+    source.write_text(before + "\n")
+    try:
+        yield
+    finally:
+        source.write_text(before)
+        os.utime(source, ns=(times.st_atime_ns, times.st_mtime_ns))
 
 
 def said(root: Path, program: str) -> subprocess.CompletedProcess[str]:
@@ -41,15 +57,9 @@ def said(root: Path, program: str) -> subprocess.CompletedProcess[str]:
 @pytest.mark.parametrize("source", SOURCES, ids=str)
 @pytest.mark.parametrize("suffix", [".py", ".pxd"])
 def test_a_changed_source_of_any_compiled_module_is_named(copied: Path, source: Path, suffix: str) -> None:
-    changed = copied / source.with_suffix(suffix)
-    before = changed.read_text()
-    try:
-        changed.write_text(before + "\n")
-        package = source.parts[0]
-        with pytest.raises(ImportError, match=re.escape(f"{changed} was changed after it was compiled")):
-            compiled.check(package, str(copied))
-    finally:
-        changed.write_text(before)
+    one, package = copied / source.with_suffix(suffix), source.parts[0]
+    with changed(one), pytest.raises(ImportError, match=re.escape(f"{one} was changed after it was compiled")):
+        compiled.check(package, str(copied))
     compiled.check(package, str(copied))
 
 
@@ -62,15 +72,10 @@ def test_a_changed_source_of_any_compiled_module_is_named(copied: Path, source: 
     ],
 )
 def test_no_program_starts_with_old_code(copied: Path, program: str, source: str) -> None:
-    changed = copied / source
-    before = changed.read_text()
-    changed.write_text(before + "\n")
-    try:
+    with changed(copied / source):
         done = said(copied, f"import {program}")
-        assert done.returncode == 1
-        assert f"{source} was changed after it was compiled: run `make build`" in done.stderr.splitlines()[-1]
-    finally:
-        changed.write_text(before)
+    assert done.returncode == 1
+    assert f"{source} was changed after it was compiled: run `make build`" in done.stderr.splitlines()[-1]
 
 
 FLOWN = """
@@ -79,15 +84,72 @@ print(controller.outer(0., 0., 0., 0., 0., 0., -50., 0., 0., 0., 3., 0., 10., 0.
 """
 
 
+def rebuilt(root: Path) -> set[Path]:
+    """The modules that are compiled anew."""
+    begun = {path: path.stat().st_mtime_ns for path in root.rglob("*.so")}
+    command = [sys.executable, "setup.py", "--quiet", "build_ext", "--inplace"]
+    subprocess.run(command, cwd=root, check=True, capture_output=True)
+    return {
+        path.relative_to(root).parent / path.name.partition(".")[0]
+        for package in compiled.PACKAGES
+        for path in (root / package).rglob("*.so")
+        if path.stat().st_mtime_ns != begun.get(path)
+    }
+
+
 @pytest.mark.timeout(600)
 def test_what_is_rebuilt_flies(copied: Path) -> None:
-    """A fall that is asked for is held at the least lift, a share of gravity that the law's source names."""
+    """A fall that is asked for is held at the least lift, a share of gravity that the law's source names. The changed
+    source is older than what was compiled, as one that is put back from a copy."""
     law = copied / "simvehicle" / "law" / "controller.py"
     assert said(copied, FLOWN).stdout == "3.0\n"
     law.write_text(law.read_text().replace("_LEAST_LIFT = 0.3", "_LEAST_LIFT = 0.4"))
-    command = [sys.executable, "setup.py", "--quiet", "build_ext", "--inplace"]
-    subprocess.run(command, cwd=copied, check=True, capture_output=True)
+    os.utime(law, (0, 0))
+    no_longer_compiled = copied / "gcs" / "ids.cpython-3-x86_64-linux-gnu.so"
+    no_longer_compiled.touch()
+    assert rebuilt(copied) == {Path("simvehicle/law/controller")}
     assert said(copied, FLOWN).stdout == "4.0\n"
+    assert not no_longer_compiled.exists()
+
+
+@pytest.mark.timeout(600)
+def test_a_changed_function_of_a_declaration_flies_in_all_that_use_it(copied: Path) -> None:
+    """What holds accelerations within their limits stands in a .pxd alone: here it adds a climb beyond all thrust."""
+    declared = copied / "simvehicle" / "law" / "arithmetic.pxd"
+    declared.write_text(declared.read_text().replace("min(max(x, -limit)", "1000.0 + min(max(x, -limit)"))
+    law = Path("simvehicle/law")
+    assert rebuilt(copied) == {law / "controller", law / "step", law / "rotor_flight"}
+    assert said(copied, FLOWN).stdout == "20.0\n"
+
+
+def declarations_of(source: Path) -> set[Path]:
+    """The .pxd of ours that a compiled source, or a .pxd, names."""
+    text = source.read_text()
+    if source.suffix == ".pxd":
+        found = re.finditer(r"^ *(?:from +([\w.]+) +)?cimport +(.+)$", text, re.MULTILINE)
+        named = [(one[1], [name.split()[0] for name in one[2].split(",")]) for one in found]
+    else:
+        nodes = list(ast.walk(ast.parse(text)))
+        named = [(one.module, [name.name for name in one.names]) for one in nodes if isinstance(one, ast.ImportFrom)]
+        named += [(None, [name.name for name in one.names]) for one in nodes if isinstance(one, ast.Import)]
+    modules = {module for module, _ in named if module}
+    modules |= {f"{module}.{name}" if module else name for module, names in named for name in names}
+    cython = {module.removeprefix("cython.cimports.") for module in modules
+              if source.suffix == ".pxd" or module.startswith("cython.cimports.")}  # fmt: skip
+    paths = {Path(*module.split(".")).with_suffix(".pxd") for module in cython}
+    return {path for path in paths if (ROOT / path).exists()}
+
+
+def test_cython_sees_each_declaration_that_a_module_uses(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It reads imports line by line, and not all forms of them: what it does not see would not be compiled anew."""
+    monkeypatch.chdir(ROOT)
+    seen = create_dependency_tree(quiet=True)
+    for source in SOURCES:
+        named, left = set(), [source, source.with_suffix(".pxd")]
+        while left:
+            named |= (more := declarations_of(left.pop()) - named)
+            left += more
+        assert named <= {Path(path) for path in seen.all_dependencies(str(source))}, source
 
 
 def test_every_compiled_module_is_compiled() -> None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 import cython
-from cython.cimports.gcs.mavlink import payload
+import cython.cimports.gcs.mavlink.payload as payload
 from cython.cimports.gcs.mavlink.frame_runs import (
     _BEGINS,
     _IDS,

@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.gcs.scenario.geometry as geometry
 import numpy as np
-from cython.cimports.gcs.scenario import geometry
 from cython.cimports.gcs.telemetry.approach import CLEAR_AT, CLEAR_M, ENDS, FINE, Pair, Seen
 from cython.cimports.libc import math
 from numpy.typing import NDArray

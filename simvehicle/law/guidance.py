@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import cython.cimports.simvehicle.law.dynamics as dynamics
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.simvehicle.law import dynamics
 from cython.cimports.simvehicle.law.guidance import guide_of, guide_yaw_of
 from numpy.typing import ArrayLike, NDArray
 

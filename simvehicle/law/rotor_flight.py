@@ -13,13 +13,16 @@ from dataclasses import replace
 from typing import Any
 
 import cython
+import cython.cimports.simvehicle.law.dynamics as dynamics
+import cython.cimports.simvehicle.law.power as power
+import cython.cimports.simvehicle.law.rows as rows
+import cython.cimports.simvehicle.law.step as step
+import cython.cimports.simvehicle.world.power as rotor_power
+import cython.cimports.simvehicle.world.rotors as rotors
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.simvehicle.law import dynamics, power, rows, step
 from cython.cimports.simvehicle.law.arithmetic import bounded
 from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
-from cython.cimports.simvehicle.world import power as rotor_power
-from cython.cimports.simvehicle.world import rotors
 from cython.cimports.simvehicle.world.error_step import step_errors
 from cython.cimports.simvehicle.world.rows import ERROR_SIZE, GUST_NOISE
 from cython.cimports.simvehicle.world.wind import blow, discrete_of, gusts_at

@@ -13,8 +13,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import cython
+import cython.cimports.simvehicle.law.controller as controller
+import cython.cimports.simvehicle.law.differentiator as differentiator
+import cython.cimports.simvehicle.law.dynamics as dynamics
+import cython.cimports.simvehicle.law.guidance as guidance
+import cython.cimports.simvehicle.law.power as power
+import cython.cimports.simvehicle.law.rows as rows
 import numpy as np
-from cython.cimports.simvehicle.law import controller, differentiator, dynamics, guidance, power, rows
 from cython.cimports.simvehicle.law.arithmetic import bounded
 from numpy.typing import NDArray
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.simvehicle.law.rotor_flight as rotor_flight
+import cython.cimports.simvehicle.law.step as step
 from cython.cimports.libc.math import isfinite
 from cython.cimports.libc.string import memcpy
-from cython.cimports.simvehicle.law import rotor_flight, step
 from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
 from cython.cimports.simvehicle.law.rows import Command
 from cython.cimports.simvehicle.mavlink.motion_frames import HEADER_BYTES, MAGIC, checksum

@@ -9,8 +9,8 @@ With w = v^p, a = p c, and k the largest of w_i e^(a τ_i t):
 from __future__ import annotations
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]

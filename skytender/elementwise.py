@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.skytender import elementary
 from cython.cimports.skytender.elementwise import _COS, _EXP, _LOG, _POW, _SIN
 from numpy.typing import ArrayLike, NDArray
 

@@ -5,9 +5,9 @@ NumPy's own generator takes logarithms from the C library, which are not.
 
 from __future__ import annotations
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 

@@ -12,10 +12,10 @@ ten steps and how long these could have been, whether the escape is on, and how 
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.planner.fuzzy_escape import TERMS, WINDOW
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 
 from gcs.scenario.geometry import FloatArray
 from skytender import layout

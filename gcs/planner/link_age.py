@@ -7,9 +7,9 @@ are old, the newest too.
 
 from __future__ import annotations
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.scenario.geometry import FloatArray

@@ -6,10 +6,10 @@ sum over everything. Looked at is what lies in reach from south to north.
 
 import functools
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, shape_at
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.scenario.geometry import NORTH, FloatArray

@@ -19,11 +19,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.planner.search import Front
 from cython.cimports.gcs.scenario.geometry import WALL, shape_at, shape_surface
 from cython.cimports.libc.math import INFINITY, ceil, floor
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from gcs.planner.line_of_sight import FloatArray, IntArray

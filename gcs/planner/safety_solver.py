@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.planner.braking_clearance import TINY, braking
 from cython.cimports.gcs.planner.constraints import (
@@ -36,7 +37,6 @@ from cython.cimports.gcs.planner.safety_constraints import (
 from cython.cimports.gcs.scenario.geometry import shape_at
 from cython.cimports.libc import math
 from cython.cimports.libc.stdlib import calloc, free
-from cython.cimports.skytender import elementary
 
 from gcs.planner.braking_clearance import FloatArray, IntArray
 

@@ -7,10 +7,10 @@ aside.
 
 from __future__ import annotations
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.planner.tracking import KEPT
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 _MOVING_M_S = 0.5

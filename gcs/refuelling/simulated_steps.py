@@ -11,10 +11,10 @@ by a shorter step beside the path, so that the path does not depend on what is a
 from __future__ import annotations
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.refuelling.simulated_steps import DRIFT, NOISE, STATE
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]

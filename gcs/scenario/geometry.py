@@ -21,10 +21,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, POINT, SPHERE, WALL, row_of, shape_at
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:

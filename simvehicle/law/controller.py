@@ -3,9 +3,9 @@ loop (docs/model.md#attitude-loop) [lineage]."""
 
 from __future__ import annotations
 
+import cython.cimports.skytender.elementary as elementary
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.law.arithmetic import bounded
-from cython.cimports.skytender import elementary
 
 _LEAST_LIFT = 0.3  # of g: floor of W_z
 _LEAST_LIFT_LITERAL = 1e-6  # m/s²: keeps the literal form's quotients finite

@@ -17,9 +17,9 @@ more than `tolerance` rad/s², and makes that correction: what remains is of the
 from __future__ import annotations
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import SOLVE_TOLERANCE

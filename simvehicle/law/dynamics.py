@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
-from cython.cimports.skytender import elementary
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import Airframe

@@ -19,6 +19,7 @@ import cython.cimports.simvehicle.law.rows as rows
 import cython.cimports.simvehicle.law.step as step
 import cython.cimports.simvehicle.world.power as rotor_power
 import cython.cimports.simvehicle.world.rotors as rotors
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.law.arithmetic import bounded
@@ -26,7 +27,6 @@ from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
 from cython.cimports.simvehicle.world.error_step import step_errors
 from cython.cimports.simvehicle.world.rows import ERROR_SIZE, GUST_NOISE
 from cython.cimports.simvehicle.world.wind import blow, discrete_of, gusts_at
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.law.params import Airframe, VehicleParams

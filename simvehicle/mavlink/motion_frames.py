@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.libc.string import memcpy
@@ -28,7 +29,6 @@ from cython.cimports.simvehicle.mavlink.motion_frames import (
     MAGIC,
     TURN_DEG,
 )
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 """Bits of the messages that are wanted."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.libc.string import memcpy
@@ -49,7 +50,6 @@ from cython.cimports.simvehicle.mavlink.steady_answer import (
     TRUTH_NUMBERS,
     a_row,
 )
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.autopilot import snapshot

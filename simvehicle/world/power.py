@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.power import CELLS
 from cython.cimports.simvehicle.world.rotors import airframe_at
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 from simvehicle.world import airframes

@@ -10,11 +10,11 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.rotors import Sums, airframe_at, body_at
 from cython.cimports.simvehicle.world.rows import MOVING, Body
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 Row = NDArray[np.float64]

@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import Any
 
 import cython
+import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
 from cython.cimports.simvehicle.world.rows import GUST_SIZE
 from cython.cimports.simvehicle.world.wind import gusts_at
-from cython.cimports.skytender import elementary
 from numpy.typing import NDArray
 
 Row = NDArray[np.float64]

@@ -153,7 +153,7 @@ class AskedFleet:
                 elif frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:
                     content = codec.fields(frame)
                     if content.autopilot != mav.MAV_AUTOPILOT_INVALID and frame.sysid != self._station[0]:
-                        self.profiles.setdefault(frame.sysid, profile_of(content.autopilot))
+                        self.profiles.setdefault(frame.sysid, profile_of(content.autopilot, content.type))
                         if self._where.setdefault(frame.sysid, sender) != sender:
                             self._seconds[frame.sysid] = sender
                         elif frame.sysid in self._seconds:

@@ -83,7 +83,7 @@ class Profile:
     """that QGroundControl speaks to; None: any"""
     commanded_by_peers: bool
     """whether QGroundControl knows how to let it take off, land and return"""
-    mode_table: Literal["main and sub", "copter"]
+    mode_table: Literal["main and sub", "copter", "plane", "rover", "sub", "blimp"]
     """which of pymavlink's tables MAVProxy reads its modes by"""
     speed_setting: str
     """which setting of its simulator says how much faster than real time it runs"""
@@ -250,7 +250,111 @@ ARDUCOPTER = Profile(
         26: "autorotate",
         27: "auto return",
         28: "turtle",
+        29: "rate acro",
     },
+)
+ARDUPLANE = replace(
+    ARDUCOPTER,
+    modes={
+        **dict.fromkeys((0, 2, 3, 4, 5, 6, 7, 17, 18, 23), FlightMode.MANUAL),
+        11: FlightMode.RETURN,
+        12: FlightMode.HOLD,
+        13: FlightMode.TAKEOFF,
+        15: FlightMode.OFFBOARD,
+        19: FlightMode.HOLD,
+        20: FlightMode.LAND,
+        21: FlightMode.RETURN,
+        26: FlightMode.LAND,
+    },
+    offboard=(_CUSTOM, 15.0, 0.0),
+    hold=(_CUSTOM, 12.0, 0.0),
+    arming=(_CUSTOM, 15.0, 0.0),
+    mode_table="plane",
+    names={
+        0: "manual",
+        1: "circle",
+        2: "stabilize",
+        3: "training",
+        4: "acro",
+        5: "fly by wire A",
+        6: "fly by wire B",
+        7: "cruise",
+        8: "autotune",
+        10: "auto",
+        14: "avoid ADSB",
+        16: "initialising",
+        17: "Q stabilize",
+        18: "Q hover",
+        22: "Q autotune",
+        23: "Q acro",
+        24: "thermal",
+        25: "loiter to Q land",
+    },
+)
+ARDUROVER = replace(
+    ARDUCOPTER,
+    modes={
+        **dict.fromkeys((0, 1, 3, 7), FlightMode.MANUAL),
+        4: FlightMode.HOLD,
+        5: FlightMode.HOLD,
+        11: FlightMode.RETURN,
+        15: FlightMode.OFFBOARD,
+    },
+    offboard=(_CUSTOM, 15.0, 0.0),
+    hold=(_CUSTOM, 4.0, 0.0),
+    arming=(_CUSTOM, 15.0, 0.0),
+    mode_table="rover",
+    names={
+        0: "manual",
+        1: "acro",
+        2: "learning",
+        3: "steering",
+        6: "follow",
+        7: "simple",
+        8: "dock",
+        9: "circle",
+        10: "auto",
+        12: "smart return",
+        16: "initialising",
+    },
+)
+ARDUSUB = replace(
+    ARDUCOPTER,
+    modes={
+        **dict.fromkeys((0, 1, 2, 19), FlightMode.MANUAL),
+        4: FlightMode.OFFBOARD,
+        16: FlightMode.HOLD,
+    },
+    hold=(_CUSTOM, 16.0, 0.0),
+    mode_table="sub",
+    names={
+        0: "stabilize",
+        1: "acro",
+        2: "altitude hold",
+        3: "auto",
+        7: "circle",
+        9: "surface",
+        19: "manual",
+        20: "motor detection",
+        21: "bottom tracking",
+    },
+)
+BLIMP = replace(
+    ARDUCOPTER,
+    modes={
+        0: FlightMode.LAND,
+        1: FlightMode.MANUAL,
+        2: FlightMode.MANUAL,
+        3: FlightMode.HOLD,
+        4: FlightMode.RETURN,
+        6: FlightMode.HOLD,
+    },
+    offboard=(_CUSTOM, 3.0, 0.0),  # it has no mode in which it is guided
+    hold=(_CUSTOM, 3.0, 0.0),
+    arming=(_CUSTOM, 3.0, 0.0),
+    arms_in=frozenset({FlightMode.HOLD}),
+    mode_table="blimp",
+    names={1: "manual", 2: "velocity", 5: "auto"},
 )
 GENERIC = replace(
     PX4,
@@ -265,6 +369,15 @@ GENERIC = replace(
 )
 
 _BY_AUTOPILOT = {mav.MAV_AUTOPILOT_PX4: PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA: ARDUCOPTER}
+_ARDUPILOTS = {
+    **dict.fromkeys(
+        (mav.MAV_TYPE_FIXED_WING, *range(mav.MAV_TYPE_VTOL_DUOROTOR, mav.MAV_TYPE_VTOL_RESERVED5 + 1)), ARDUPLANE
+    ),
+    **dict.fromkeys((mav.MAV_TYPE_GROUND_ROVER, mav.MAV_TYPE_SURFACE_BOAT), ARDUROVER),
+    mav.MAV_TYPE_SUBMARINE: ARDUSUB,
+    mav.MAV_TYPE_AIRSHIP: BLIMP,
+}
+"""ArduPilot's programs by the kind of vehicle that each is for; all others are ArduCopter's."""
 PROFILES = {profile.name: profile for profile in (PX4, ARDUCOPTER, GENERIC)}
 SPEED_SETTINGS = " or ".join(dict.fromkeys(profile.speed_setting for profile in PROFILES.values()))
 
@@ -274,6 +387,7 @@ def in_table(autopilot: int) -> bool:
     return autopilot in _BY_AUTOPILOT
 
 
-def profile_of(autopilot: int) -> Profile:
-    """The profile for HEARTBEAT.autopilot."""
-    return _BY_AUTOPILOT.get(autopilot, GENERIC)
+def profile_of(autopilot: int, vehicle_type: int = mav.MAV_TYPE_QUADROTOR) -> Profile:
+    """The profile for HEARTBEAT.autopilot and type: ArduPilot numbers its modes by the kind of vehicle."""
+    profile = _BY_AUTOPILOT.get(autopilot, GENERIC)
+    return _ARDUPILOTS.get(vehicle_type, profile) if profile is ARDUCOPTER else profile

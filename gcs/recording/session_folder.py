@@ -27,7 +27,7 @@ SCENARIO = "scenario.yaml"
 WANTED = {
     "LOCAL_POSITION_NED": ("time_boot_ms", "x", "y", "z", "vx", "vy", "vz"),
     "ATTITUDE": ("time_boot_ms", "roll", "pitch", "yaw"),
-    "HEARTBEAT": ("place", "autopilot", "custom_mode", "base_mode"),
+    "HEARTBEAT": ("place", "type", "autopilot", "custom_mode", "base_mode"),
     "EXTENDED_SYS_STATE": ("landed_state",),
     "GPS_GLOBAL_ORIGIN": ("latitude", "longitude", "altitude"),
     "BATTERY_STATUS": (

@@ -108,10 +108,11 @@ def _words(found: Findings) -> dict[str, list[list[Any]]]:
     for sysid, beats in by_vehicle(found.recorded, "HEARTBEAT").items():
         if sysid not in found.tracks:
             continue
-        told = np.column_stack([beats["custom_mode"].astype(np.int64), beats["autopilot"].astype(np.int64)])
+        told = np.column_stack([beats[name].astype(np.int64) for name in ("custom_mode", "autopilot", "type")])
         changed = np.flatnonzero(np.r_[True, (np.diff(told, axis=0) != 0).any(axis=1)])
         track = found.tracks[sysid]
-        times = {float(beats["t_s"][k]): str(profile_of(int(told[k, 1])).mode(int(told[k, 0]))) for k in changed}
+        modes = [(int(k), *map(int, told[k])) for k in changed]
+        times = {float(beats["t_s"][k]): profile_of(pilot, kind).mode_name(mode) for k, mode, pilot, kind in modes}
         moments = sorted({*times, *_changes(track.armed), *_changes(track.in_air)})
         armed, in_air = (held(state, np.array(moments)) > 0.0 for state in (track.armed, track.in_air))
         mode, listed = "", []

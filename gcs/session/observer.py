@@ -295,7 +295,8 @@ class Observer:
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
         adapter = self._adapters[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
-        self.fleet.join(Member(frame.sysid, role, f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J, UNKNOWN_CAPACITY_J))
+        label, unknown_j = f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J
+        self.fleet.join(Member(frame.sysid, role, label, unknown_j, unknown_j, vehicle_type=content.type))
         kind = profile_of(content.autopilot).name
         self._events.append(Event(t_s, frame.sysid, "info", f"First heard of: {kind} autopilot", "link"))
         self.changed = True

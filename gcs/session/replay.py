@@ -192,7 +192,7 @@ class Replay:
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
         self._reported_until_s = self.t_s
-        if self.t_s >= self._planned_until_s:
+        if self.t_s >= self._planned_until_s and self.observer.origin is not None:
             self.observer.changed = True
         phase = "ended" if self.ended else "paused" if paused else "flying"
         return self.observer.snapshot(self.t_s, speed=speed, phase=phase, amend=amend)

@@ -53,6 +53,8 @@ class Member:
     """not launched by the session: its clock is its own, and it may lack any message"""
     profile: Profile | None = None
     """whose habits it has; None: as its HEARTBEAT says"""
+    vehicle_type: int = mav.MAV_TYPE_QUADROTOR
+    """MAV_TYPE, by which ArduPilot numbers its modes"""
     battery_apart: bool = False
     """its battery takes energy whatever its autopilot does"""
     airborne: bool = False
@@ -130,7 +132,7 @@ class VehicleTrack:
         """Take over what the last HEARTBEAT told."""
         autopilot, *modes = map(int, self.readings[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]])
         self.custom_mode, base_mode, self.system_status = modes
-        self.profile = self.member.profile or profile_of(autopilot)
+        self.profile = self.member.profile or profile_of(autopilot, self.member.vehicle_type)
         self.mode = self.profile.mode(self.custom_mode)
         self.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -80,16 +80,25 @@ def _listed() -> Iterator[bytes]:
     yield _row("MISE", START_US, *second)
 
 
-def dataflash(path: Path, *, sysid: int = 7, satellites: bool = True, mission: bool = False) -> None:
+def dataflash(
+    path: Path,
+    *,
+    sysid: int = 7,
+    satellites: bool = True,
+    mission: bool = False,
+    program: str = "ArduCopter",
+    mode: int = 4,
+    events: Sequence[int] = (10, 28),
+) -> None:
     out = []
     for name, (number, form, columns) in _DATAFLASH.items():
         length = 3 + struct.calcsize("<" + "".join(_C[kind] for kind in form))
         out.append(_row("FMT", number, length, name, form, columns))
     out.append(_row("PARM", START_US, "SYSID_THISMAV", float(sysid)))
-    out.append(_row("MSG", START_US, "ArduCopter V4.6.0 (12345678)"))
+    out.append(_row("MSG", START_US, f"{program} V4.6.0 (12345678)"))
     out.append(_row("MSG", START_US, LONG_TEXT))
     out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
-    out += [_row("MODE", START_US, 4, 4, 1), _row("EV", START_US, 10), _row("EV", START_US, 28)]
+    out += [_row("MODE", START_US, mode, mode, 1), *(_row("EV", START_US, event) for event in events)]
     out += _listed() if mission else ()
     week, ms = divmod((UTC_US // 1000 - 315_964_800_000 + 18_000), 7 * 86_400_000)
     for k, at in enumerate(moments()):

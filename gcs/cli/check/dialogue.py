@@ -95,7 +95,8 @@ class CheckedVehicle:
     @property
     def profile(self) -> Profile:
         """Which autopilot it says that it is."""
-        return profile_of(self.of("HEARTBEAT").autopilot)
+        beat = self.of("HEARTBEAT")
+        return profile_of(beat.autopilot, beat.type)
 
     @property
     def capabilities(self) -> int:

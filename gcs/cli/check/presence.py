@@ -41,8 +41,15 @@ def mav_mode_names(vehicle: CheckedVehicle) -> dict[str, set[int]]:
     """The autopilot's modes, by pymavlink's tables, which MAVProxy shows."""
     from pymavlink import mavutil  # noqa: PLC0415 - reads the environment when it is imported
 
-    if vehicle.profile.mode_table == "copter":
-        return {name: {number} for number, name in mavutil.mode_mapping_acm.items()}
+    table = {
+        "copter": mavutil.mode_mapping_acm,
+        "plane": mavutil.mode_mapping_apm,
+        "rover": mavutil.mode_mapping_rover,
+        "sub": mavutil.mode_mapping_sub,
+        "blimp": mavutil.mode_mapping_blimp,
+    }.get(vehicle.profile.mode_table)
+    if table is not None:
+        return {name: {number} for number, name in table.items()}
     found: dict[str, set[int]] = {}
     for name, (_, main, sub) in mavutil.px4_map.items():
         found.setdefault(name, set()).add(main << 16 | sub << 24)

@@ -11,7 +11,7 @@ import io
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from pymavlink import DFReader
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -28,8 +28,8 @@ TYPES = {
     "Blimp": mav.MAV_TYPE_AIRSHIP,
 }
 """MAV_TYPE by the word in the firmware's banner."""
-ARMED, DISARMED, LANDED, FLYING = 10, 11, 18, 28
-"""Ids of EV."""
+ARMED, DISARMED, AUTO_ARMED, LANDED, FLYING = 10, 11, 15, 18, 28
+"""Ids of EV. A copter that is ready to take off, or flies, is armed: a log that begins as it is armed may lack that."""
 SYSID_NAMES = ("SYSID_THISMAV", "MAV_SYSID")
 _HEARTBEAT_US = 1_000_000
 _CENTI = 100.0
@@ -42,7 +42,7 @@ def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
     with _opened(path) as reader:
         if "TIME" in reader.name_to_id:
             raise ImportFailed(f"{path} is a PX4 log of before ULog (sdlog2), which is not read.")
-        vehicle = _Vehicle(_sysid(reader))
+        vehicle = _Vehicle(_identity(reader))
         reader.rewind()
         begin_s: float | None = None
         read = _Read()
@@ -99,21 +99,36 @@ def _opened(path: Path) -> Iterator[Any]:
                 reader.filehandle.close()
 
 
-def _sysid(reader: Any) -> int:
-    sysid = 1
-    while (row := reader.recv_match(type="PARM")) is not None:
-        if row.Name in SYSID_NAMES and 1 <= row.Value <= 254:
+class _Identity(NamedTuple):
+    """System id, MAV_TYPE and first mode, which a log tells after rows that are of them already."""
+
+    sysid: int
+    kind: int
+    mode: int
+
+
+def _identity(reader: Any) -> _Identity:
+    sysid, kinds, modes = 1, list[int](), list[int]()
+    while (row := reader.recv_match(type=["PARM", "MSG", "MODE"])) is not None:
+        if row.get_type() == "MSG":
+            kinds += [kind for word, kind in TYPES.items() if not kinds and word in row.Message]
+        elif row.get_type() == "MODE":
+            modes += [] if modes else [_mode(row)]
+        elif row.Name in SYSID_NAMES and 1 <= row.Value <= 254:
             sysid = int(row.Value)
-    return sysid
+    return _Identity(sysid, kinds[0] if kinds else mav.MAV_TYPE_GENERIC, modes[0] if modes else 0)
+
+
+def _mode(row: Any) -> int:
+    return int(row.ModeNum if hasattr(row, "ModeNum") else row.Mode)
 
 
 class _Vehicle:
     """The vehicle as its log has told of it so far."""
 
-    def __init__(self, sysid: int) -> None:
-        self._sysid = sysid
-        self._type = mav.MAV_TYPE_GENERIC
-        self._mode, self._armed, self._landed = 0, False, mav.MAV_LANDED_STATE_UNDEFINED
+    def __init__(self, identity: _Identity) -> None:
+        self._sysid, self._type = identity.sysid, identity.kind
+        self._mode, self._armed, self._landed = identity.mode, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US
         self._texts = 0
         self._v_ned = (0.0, 0.0, 0.0)
@@ -158,18 +173,17 @@ class _Vehicle:
 
     def _take(self, name: str, row: Any) -> bool:
         """Whether the row changes what a HEARTBEAT says."""
-        before = self._type, self._mode, self._armed, self._landed
-        if name == "MSG":
-            self._type = next((kind for word, kind in TYPES.items() if word in row.Message), self._type)
-        elif name == "MODE":
-            self._mode = int(row.ModeNum if hasattr(row, "ModeNum") else row.Mode)
+        before = self._mode, self._armed, self._landed
+        if name == "MODE":
+            self._mode = _mode(row)
         elif name == "ARM":
             self._armed = bool(row.ArmState)
-        elif name == "EV" and row.Id in (ARMED, DISARMED):
-            self._armed = row.Id == ARMED
-        elif name == "EV" and row.Id in (LANDED, FLYING):
-            self._landed = mav.MAV_LANDED_STATE_ON_GROUND if row.Id == LANDED else mav.MAV_LANDED_STATE_IN_AIR
-        return before != (self._type, self._mode, self._armed, self._landed)
+        elif name == "EV":
+            if row.Id in (ARMED, DISARMED, AUTO_ARMED, FLYING):
+                self._armed = row.Id != DISARMED
+            if row.Id in (LANDED, FLYING):
+                self._landed = mav.MAV_LANDED_STATE_ON_GROUND if row.Id == LANDED else mav.MAV_LANDED_STATE_IN_AIR
+        return before != (self._mode, self._armed, self._landed)
 
     def _heartbeat(self) -> dict[str, Any]:
         armed = mav.MAV_MODE_FLAG_SAFETY_ARMED if self._armed else 0

@@ -38,6 +38,43 @@ def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     assert ARDUCOPTER.mode(numbers[name]) is mode
 
 
+WORDS = {
+    FlightMode.OFFBOARD: {"GUIDED"},
+    FlightMode.HOLD: {"LOITER", "QLOITER", "BRAKE", "HOLD", "POSHOLD"},
+    FlightMode.RETURN: {"RTL", "QRTL"},
+    FlightMode.LAND: {"LAND", "QLAND", "AUTOLAND"},
+    FlightMode.TAKEOFF: {"TAKEOFF"},
+}
+KINDS = [
+    (1, mavutil.mode_mapping_apm), (21, mavutil.mode_mapping_apm), (10, mavutil.mode_mapping_rover),
+    (11, mavutil.mode_mapping_rover), (12, mavutil.mode_mapping_sub), (7, mavutil.mode_mapping_blimp),
+    (2, mavutil.mode_mapping_acm), (4, mavutil.mode_mapping_acm), (13, mavutil.mode_mapping_acm),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("vehicle_type", "table"), KINDS)
+def test_ardupilot_numbers_its_modes_by_the_kind_of_vehicle(vehicle_type: int, table: dict[int, str]) -> None:
+    profile = profile_of(3, vehicle_type)
+    assert profile.name == "ardupilot"
+    for number, name in table.items():
+        mode = profile.mode(number)
+        if mode in WORDS:
+            assert name in WORDS[mode], name
+        elif table is not mavutil.mode_mapping_acm:  # its POSHOLD is flown by hand, and it has no more POSITION
+            assert not any(name in names for names in WORDS.values()), name
+            assert not profile.mode_name(number).startswith("mode "), name
+    for params, wanted in ((profile.hold, FlightMode.HOLD), (profile.arming, *profile.arms_in)):
+        assert profile.mode(int(params[1])) is wanted
+    if "GUIDED" in table.values():
+        assert table[int(profile.offboard[1])] == "GUIDED"
+
+
+def test_an_ardupilots_mode_is_named_as_its_kind_of_vehicle_names_it() -> None:
+    names = [profile_of(3, kind).mode_name(11) for kind in (1, 2, 10)]
+    assert names == ["return", "drift", "return"]
+    assert [profile_of(3, kind).mode_name(19) for kind in (12, 2, 20)] == ["manual", "avoid ADSB", "hold"]
+
+
 def test_offboard_is_named_as_the_autopilots_people_do() -> None:
     assert mavutil.mode_mapping_acm[int(ARDUCOPTER.offboard[1])] == ARDUCOPTER.offboard_name
     _, main, sub = mavutil.px4_map[PX4.offboard_name.upper()]

@@ -10,7 +10,7 @@ import pytest
 
 GCS = Path(__file__).resolve().parents[3] / "gcs"
 TABLE = GCS / "mavlink" / "autopilots.py"
-PROFILES = {"PX4", "ARDUCOPTER", "GENERIC"}
+PROFILES = {"PX4", "ARDUCOPTER", "ARDUPLANE", "ARDUROVER", "ARDUSUB", "BLIMP", "GENERIC"}
 NAMES = {"px4", "ardupilot", "generic"}
 NUMBERS = {"MAV_AUTOPILOT_PX4", "MAV_AUTOPILOT_ARDUPILOTMEGA"}
 ASKED = {"autopilot", "name", "profile"}

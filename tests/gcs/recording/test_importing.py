@@ -70,6 +70,35 @@ def test_a_log_is_the_flight_that_was_flown(log: Path) -> None:
     assert (np.diff(chunk.heads[:, T_US]) >= 0).all()
 
 
+@pytest.mark.parametrize(
+    ("program", "mode", "role", "name"),
+    [
+        ("ArduPlane", 11, "plane", "return"), ("ArduSub", 19, "submarine", "manual"),
+        ("ArduRover", 4, "rover", "hold"), ("ArduCopter", 11, "copter", "drift"),
+    ],
+)  # fmt: skip
+def test_a_log_is_of_its_program_and_in_its_mode_from_its_first_row_on(
+    tmp_path: Path, program: str, mode: int, role: str, name: str
+) -> None:
+    """The program's name and the mode come after the first rows, and a role is not taken twice."""
+    path = tmp_path / "flight.BIN"
+    logs.dataflash(path, program=program, mode=mode)
+    played = gcs("replay", str(path), "--json")
+    snapshots = [line for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "snapshot"]
+    told = {(row["role"], row["mode"]) for line in snapshots for row in line["vehicles"]}
+    assert told == {(role, name)}
+
+
+@pytest.mark.parametrize("events", [(15,), (28,), (10,)])
+def test_what_only_an_armed_copter_does_arms_it(tmp_path: Path, events: tuple[int, ...]) -> None:
+    """A log that begins as the vehicle is armed may lack the event: the public flight of akj127/drone_rover does."""
+    path = tmp_path / "flight.BIN"
+    logs.dataflash(path, events=events)
+    with opened(path) as source:
+        (chunk,) = tlog_reader.read(source.path).chunks()
+    assert (chunk.table("HEARTBEAT")["base_mode"][-10:] & 128).all()
+
+
 def test_replay_export_and_report_take_a_log(log: Path, tmp_path: Path) -> None:
     sysid = WRITERS[log.name][1]
     played = gcs("replay", str(log), "--json")

@@ -143,6 +143,8 @@ PX4 = Profile(
     modes={
         **dict.fromkeys(map(_px4, (1, 2, 3, 5, 7)), FlightMode.MANUAL),
         _px4(3, 1): FlightMode.MANUAL,
+        _px4(3, 2): FlightMode.MANUAL,
+        _px4(11): FlightMode.MANUAL,
         _px4(4, 2): FlightMode.TAKEOFF,
         _px4(4, 3): FlightMode.HOLD,
         _px4(4, 5): FlightMode.RETURN,
@@ -181,6 +183,7 @@ PX4 = Profile(
         _px4(2): "altitude",
         _px4(3): "position",
         _px4(3, 1): "orbit",
+        _px4(3, 2): "position, slow",
         _px4(4, 1): "ready",
         _px4(4, 4): "mission",
         _px4(4, 8): "follow",
@@ -189,6 +192,10 @@ PX4 = Profile(
         _px4(5): "acro",
         _px4(7): "stabilized",
         _px4(8): "rattitude",
+        _px4(10): "termination",
+        _px4(11): "altitude, cruise",
+        **{_px4(4, 10 + k): f"external {k}" for k in range(1, 9)},
+        _px4(4, 19): "guided course",
     },
 )
 ARDUCOPTER = Profile(

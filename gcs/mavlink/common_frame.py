@@ -34,6 +34,11 @@ class FramePlace(NamedTuple):
     offset_ned: Vec3
     turn_rad: float
 
+    def moved(self, at_ned: Vec3) -> Vec3:
+        """A place of that frame in the common one."""
+        north, east, down = turned(at_ned, self.turn_rad)
+        return (north + self.offset_ned[0], east + self.offset_ned[1], down + self.offset_ned[2])
+
 
 def frame_place(
     lat_deg: float, lon_deg: float, alt_m: float, common_lat_deg: float, common_lon_deg: float, common_alt_m: float

@@ -24,6 +24,7 @@ from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
+from gcs.session.common_zero import CommonZero
 from gcs.session.message_types import (
     CompetitionRow,
     MemberRow,
@@ -39,18 +40,20 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
-from gcs.telemetry.place_claims import CLAIMS, HEIGHT_UNKNOWN
+from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
-ORIGIN_WITHIN_S = 3.0
+NAMELESS = (
+    "A vehicle sends with system id 0, which MAVLink keeps for all vehicles, and is not shown: give it one of its own "
+    "(SYSID_THISMAV or MAV_SYSID of an ArduPilot, MAV_SYS_ID of a PX4)"
+)
 MOST_EVENTS = 200
 """Events of one snapshot."""
 _ADSB = codec.msgid("ADSB_VEHICLE")
 _BATTERY = codec.msgid("BATTERY_STATUS")
-_GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _TEXT = codec.msgid("STATUSTEXT")
 _ACK = codec.msgid("COMMAND_ACK")
@@ -110,10 +113,9 @@ class Observer:
         self.ordered: dict[int, End] = {}
         """what an operator wants vehicles of a scenario to fly: that is no failsafe"""
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
-        self._origin = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
-        self.fleet = Fleet(members, self._origin or GlobalOrigin(0.0, 0.0, 0.0))
-        self._zero_known = scenario is not None
-        """whether the common frame's height above the sea is"""
+        given = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
+        self._zero = CommonZero(given)
+        self.fleet = Fleet(members, given or GlobalOrigin(0.0, 0.0, 0.0))
         self._adapters: dict[int, TelemetryAdapter] = {}
         # A session's own vehicles send all that the fleet reads, on its clock; those of others are unknown here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
@@ -122,8 +124,9 @@ class Observer:
         self.quality = LinkQuality(self._gaps)
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
+        self._nameless = False
+        """whether a vehicle of system id 0 has been heard"""
         self._modes: dict[int, str] = {}
-        self._since_s: dict[int, float] = {}
         self._events: list[Event] = []
         self._aims: dict[int, Vec3] = {}
         self._mission_items: dict[int, int] = {}
@@ -148,7 +151,7 @@ class Observer:
         Not `counted`: it is one of many, the others of which are not passed in, and says nothing of the link.
         """
         if frame.msgid == _ADSB:
-            if self._origin is not None:
+            if self._zero.origin is not None:
                 self.fleet.ingest(frame, t_s)
             return
         adapter = self._adapters.get(frame.sysid)
@@ -168,7 +171,7 @@ class Observer:
         else:
             adapter.receive(frame, t_s)
             self._place_common_frame(adapter, frame.msgid, t_s)
-            adapter.feed(self.fleet, frame, t_s, framed=self._origin is not None)
+            adapter.feed(self.fleet, frame, t_s, framed=self._zero.origin is not None)
         if frame.msgid == _TARGET:
             self._aim(frame.sysid, codec.fields(frame))
         elif frame.msgid in (_TEXT, _ACK):
@@ -232,7 +235,8 @@ class Observer:
     @property
     def origin(self) -> tuple[float, float, float] | None:
         """Latitude and longitude, degrees, and altitude, m, of the common frame; None until it is known."""
-        return None if self._origin is None else (self._origin.lat_deg, self._origin.lon_deg, self._origin.alt_m)
+        zero = self._zero.origin
+        return None if zero is None else (zero.lat_deg, zero.lon_deg, zero.alt_m)
 
     def view(self, t_s: float) -> FleetSnapshot:
         """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
@@ -288,11 +292,16 @@ class Observer:
                 return None
             adapter = self._adapters[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
             return adapter
-        if frame.msgid != _HEARTBEAT or frame.sysid == 0:
+        if frame.msgid != _HEARTBEAT:
             return None
         content = codec.fields(frame)
         role = ROLES.get(content.type)
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
+            return None
+        if frame.sysid == 0:
+            if not self._nameless:
+                self._events.append(Event(t_s, 0, "warning", NAMELESS, "link"))
+            self._nameless = True
             return None
         adapter = self._adapters[frame.sysid] = TelemetryAdapter(frame.sysid, frame.compid)
         label, unknown_j = f"{role} {frame.sysid}", UNKNOWN_CAPACITY_J
@@ -303,27 +312,18 @@ class Observer:
         return adapter
 
     def _place_common_frame(self, adapter: TelemetryAdapter, msgid: int, t_s: float) -> None:
-        """Let the common frame begin where the first vehicle's does, as high as the first one that knows its height.
-
-        A vehicle's own origin is waited for a while before its mere place.
-        """
-        if msgid not in CLAIMS:
+        first = self._zero.origin is None
+        moved = self._zero.learn(adapter.sysid, adapter.claims, msgid, t_s)
+        if moved is None:
             return
-        altitude_m = adapter.claims.altitude_m
-        if self._origin is None:
-            early = t_s - self._since_s.setdefault(adapter.sysid, t_s) < ORIGIN_WITHIN_S
-            origin = None if early and msgid == _GLOBAL else adapter.claims.common_origin(msgid)
-            if origin is not None:
-                self._origin = self.fleet.origin = origin
-                self._zero_known = altitude_m is not None
-                self.changed = True
-        elif not self._zero_known and altitude_m is not None:
+        if first:
+            self.fleet.origin = moved.origin
+        else:
             unknown = {one.sysid for one in self.fleet.snapshot(t_s).vehicles if one.uncertain == HEIGHT_UNKNOWN}
-            zero = f"heights begin at {round(altitude_m)} m, not at {round(self._origin.alt_m)} m"
-            text = f"Knows its height above the sea: {zero}"
-            self._events.append(Event(t_s, adapter.sysid, "info", text, "link"))
-            self.fleet.move_zero(altitude_m, unknown)
-            self._origin, self._zero_known, self.changed = self.fleet.origin, True, True
+            self.fleet.move_zero(moved.origin, unknown)
+        if moved.why is not None:
+            self._events.append(Event(t_s, adapter.sysid, "info", moved.why, "link"))
+        self.changed = True
 
     def _found(self, sysid: int) -> MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
@@ -392,7 +392,7 @@ class Observer:
         """Where a vehicle's own frame lies in the common one."""
         adapter = None if view.sysid in self._known else self._adapters.get(view.sysid)
         if adapter is not None:
-            return None if self._origin is None else adapter.claims.frame(self._origin)
+            return None if self._zero.origin is None else adapter.claims.frame(self._zero.origin)
         return None if view.origin_offset_ned is None else FramePlace(view.origin_offset_ned, view.turn_rad)
 
 

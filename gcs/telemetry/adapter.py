@@ -60,6 +60,8 @@ class TelemetryAdapter:
             self.claims.booted(msgid, int.from_bytes(frame.payload[_BOOT_MS], "little"), t_s)
         if msgid in place_claims.CLAIMS:
             self._names_place = self.claims.receive(msgid, codec.fields(frame), t_s)
+        elif msgid == place_claims.SATELLITES:
+            self.claims.hear_satellites(codec.fields(frame), t_s)
         elif msgid == _HEARTBEAT:
             content = codec.fields(frame)
             self.claims.identify(home_is_local=profile_of(content.autopilot).home_is_local)

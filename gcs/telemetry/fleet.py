@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple, dataclass
 from functools import lru_cache
 from operator import itemgetter
 from typing import Any, NamedTuple
@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import Frame, fields
-from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under
+from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
 from gcs.mavlink.datagram import AnswerRuns, FrameRun, frame_at
 from gcs.mavlink.frame_runs import COLUMNS, LAST, NUMBERS, SYSID
 from gcs.mavlink.ids import AUTOPILOT
@@ -222,15 +222,19 @@ class Fleet:
             track.offset, track.uncertain = ZERO, uncertain
             self._settle(track)
 
-    def move_zero(self, alt_m: float, keep: Collection[int]) -> None:
-        """Measure heights in the common frame from another height above the sea; places of vehicles that `keep` names
-        are not known to be above it, and stay."""
-        down_m = alt_m - self.origin.alt_m
-        self.origin = replace(self.origin, alt_m=alt_m)
+    def move_zero(self, origin: GlobalOrigin, keep: Collection[int]) -> None:
+        """Let the common frame begin elsewhere; places of vehicles that `keep` names are not known to be above the sea,
+        and keep their heights."""
+        place = frame_place(*astuple(self.origin), *astuple(origin))
+        self.origin = origin
         for sysid, track in self._tracks.items():
-            if sysid not in keep:
-                track.readings[DOWN] += down_m
-        self._traffic.move(down_m)
+            row = track.readings
+            down_m = row[DOWN]
+            row[[NORTH, EAST, DOWN]] = place.moved(tuple(row[[NORTH, EAST, DOWN]].tolist()))
+            row[[V_NORTH, V_EAST, V_DOWN]] = turned(tuple(row[[V_NORTH, V_EAST, V_DOWN]].tolist()), place.turn_rad)
+            if sysid in keep:
+                row[DOWN] = down_m
+        self._traffic.move(place)
 
     def note_message(self, sysid: int, time_s: float) -> None:
         """A message of a vehicle's autopilot came that is not for `ingest`."""

@@ -14,8 +14,9 @@ from a jump of the local position on until the origin is said again.
 
 An autopilot that has not found its height above the sea sends as `alt` what the barometer says above the place where it
 was switched on, and its home then lies at sea level by both heights of the message. Such a height is believed where
-the vehicle's origin or home lies there too; else the place is uncertain, and is shown as high as it says that it is
-above its home. A vehicle that boots begins with a new frame, and its old one is uncertain until it says so again.
+the vehicle's origin or home lies there too, or where its satellites say the same height: it is at the coast. Else the
+place is uncertain, and is shown as high as it says that it is above its home. A vehicle that boots begins with a new
+frame, and its old one is uncertain until it says so again.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ import math
 from dataclasses import astuple
 from enum import IntEnum
 from typing import Any, NamedTuple
+
+from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
@@ -51,6 +54,7 @@ LOCAL = codec.msgid("LOCAL_POSITION_NED")
 GLOBAL = codec.msgid("GLOBAL_POSITION_INT")
 ORIGIN = codec.msgid("GPS_GLOBAL_ORIGIN")
 HOME = codec.msgid("HOME_POSITION")
+SATELLITES = codec.msgid("GPS_RAW_INT")
 CLAIMS = frozenset({LOCAL, GLOBAL, ORIGIN, HOME})
 
 
@@ -100,6 +104,10 @@ class PlaceClaims:
         self._global: _Global | None = None
         self._home: Any = None
         self._home_is_local = False
+        self._satellites: tuple[float, float] | None = None
+        """when satellites gave a height above the sea, and which"""
+        self._at_coast = False
+        """whether they gave the height that a home at sea level gives"""
         self._origin: GlobalOrigin | None = None
         self._by = _By.NONE
         self._skew_s = math.inf
@@ -132,7 +140,8 @@ class PlaceClaims:
     def booted(self, msgid: int, boot_ms: int, t_s: float) -> None:
         """Take in its own time in a message; a new boot leaves nothing certain."""
         if self._clock.feed(msgid, boot_ms / 1e3, t_s):
-            self._local = self._global = self._home = None
+            self._local = self._global = self._home = self._satellites = None
+            self._at_coast = False
             self._by = _By.NONE if self._origin is None else _By.EARLIER_BOOT
             self._skew_s, self._doubt = math.inf, ""
 
@@ -150,6 +159,11 @@ class PlaceClaims:
         else:
             self._offer(reported(content), _By.REPORT)
         return False
+
+    def hear_satellites(self, content: Any, t_s: float) -> None:
+        """Take in a GPS_RAW_INT, which judges heights, and places nothing."""
+        if content.fix_type >= mav.GPS_FIX_TYPE_3D_FIX and is_place(content.lat, content.lon):
+            self._satellites = t_s, 1e-3 * content.alt
 
     def common_origin(self, msgid: int) -> GlobalOrigin | None:
         """An origin for a common frame that has none, by the last message of this kind."""
@@ -245,7 +259,9 @@ class PlaceClaims:
         known = [] if self._home is None else [1e-3 * self._home.altitude]
         if self._by >= _By.HOME and self._origin is not None:
             known.append(self._origin.alt_m)
-        return any(min(abs(known_m - home_m), abs(known_m - alt_m)) <= AGREE_M for known_m in known)
+        if self._satellites is not None and abs(globe.t_s - self._satellites[0]) <= TOGETHER_S:
+            self._at_coast = self._at_coast or abs(alt_m - self._satellites[1]) <= AGREE_M
+        return self._at_coast or any(min(abs(known_m - home_m), abs(known_m - alt_m)) <= AGREE_M for known_m in known)
 
     def _agree(self, by_local: ClaimedPlace, local: _Local, globe: _Global, common: GlobalOrigin) -> bool:
         ahead_s = _ahead_s(local, globe)

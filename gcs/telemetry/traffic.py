@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.telemetry.state import TrafficView, Vec3
 from skytender import elementary
 
@@ -36,11 +37,11 @@ class KnownTraffic:
         v_ned = (speed_m_s * cos, speed_m_s * sin, -0.01 * content.ver_velocity)
         self._known[content.ICAO_address] = (content.callsign, p_ned, v_ned, time_s - content.tslc)
 
-    def move(self, down_m: float) -> None:
-        """Let all of them lie so much lower in the common frame."""
+    def move(self, place: FramePlace) -> None:
+        """Let all of them lie in a new common frame, in which the old one lies at `place`."""
         self._known = {
-            icao: (callsign, (north, east, down + down_m), v_ned, seen_s)
-            for icao, (callsign, (north, east, down), v_ned, seen_s) in self._known.items()
+            icao: (callsign, place.moved(at_ned), turned(v_ned, place.turn_rad), seen_s)
+            for icao, (callsign, at_ned, v_ned, seen_s) in self._known.items()
         }
 
     def at(self, time_s: float) -> tuple[TrafficView, ...]:

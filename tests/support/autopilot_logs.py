@@ -136,7 +136,7 @@ def _message(kind: bytes, content: bytes) -> bytes:
     return struct.pack("<H", len(content)) + kind + content
 
 
-def ulog(path: Path, *, sysid: int = 9) -> None:
+def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14) -> None:
     out = [b"ULog\x01\x12\x35\x01" + struct.pack("<Q", START_US), _message(b"B", bytes(40))]
     out += [_message(b"F", f"{name}:{fields}".encode()) for name, (fields, _) in _TOPICS.items()]
     key = b"int32_t MAV_SYS_ID"
@@ -156,6 +156,6 @@ def ulog(path: Path, *, sysid: int = 9) -> None:
         said("vehicle_attitude", at.t_us, math.cos(at.yaw_rad / 2.0), 0.0, 0.0, math.sin(at.yaw_rad / 2.0))
         if k % RATE_HZ == 0:
             said("vehicle_land_detected", at.t_us, 0)
-            said("vehicle_status", at.t_us, 2, 14, 2)
+            said("vehicle_status", at.t_us, 2, nav_state, 2)
             said("battery_status", at.t_us, 16.0, 20.0, 10.0 * k, 1.0 - k / 1000.0)
     path.write_bytes(b"".join(out))

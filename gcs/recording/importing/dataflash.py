@@ -131,6 +131,8 @@ class _Vehicle:
         self._mode, self._armed, self._landed = identity.mode, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US
         self._texts = 0
+        self._core = 0
+        """which of the estimator's cores it flies on; a row without C is of the only one"""
         self._v_ned = (0.0, 0.0, 0.0)
 
     def read(self, t_us: int, boot_ms: int, row: Any) -> Iterator[Sample]:
@@ -140,7 +142,9 @@ class _Vehicle:
             self._beat_us = t_us
             yield self._sample(t_us, "HEARTBEAT", self._heartbeat())
             yield self._sample(t_us, "EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": self._landed})
-        if name in ("XKF1", "NKF1", "EKF1") and not getattr(row, "C", 0):
+        if name in ("XKF4", "NKF4"):
+            self._core = getattr(row, "PI", 0)
+        elif name in ("XKF1", "NKF1", "EKF1") and getattr(row, "C", self._core) == self._core:
             self._v_ned = (row.VN, row.VE, row.VD)
             place = dict(zip("xyz", (row.PN, row.PE, row.PD), strict=True))
             speed = dict(zip(("vx", "vy", "vz"), self._v_ned, strict=True))

@@ -19,8 +19,9 @@ from pyulog import ULog
 from gcs.recording.importing.sample import Sample, chunks
 
 MODES = {
-    0: (1, 0), 1: (2, 0), 2: (3, 0), 3: (4, 4), 4: (4, 3), 5: (4, 5), 10: (5, 0), 14: (6, 0), 15: (7, 0),
-    17: (4, 2), 18: (4, 6), 19: (4, 8), 20: (4, 9),
+    0: (1, 0), 1: (2, 0), 2: (3, 0), 3: (4, 4), 4: (4, 3), 5: (4, 5), 6: (3, 2), 8: (11, 0), 10: (5, 0), 12: (4, 6),
+    13: (10, 0), 14: (6, 0), 15: (7, 0), 17: (4, 2), 18: (4, 6), 19: (4, 8), 20: (4, 9), 21: (3, 1), 22: (4, 10),
+    **{number: (4, number - 12) for number in range(23, 31)},
 }  # fmt: skip
 """nav_state of vehicle_status → main and sub mode of PX4's custom mode."""
 ARMED = 2

@@ -20,6 +20,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gcs.mavlink import codec
+from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.statustext import chunk_of, recorded
 from gcs.recording import tlog_reader
 from gcs.recording.importing import ImportFailed, beside, opened, tlog_writer
@@ -87,6 +88,24 @@ def test_a_log_is_of_its_program_and_in_its_mode_from_its_first_row_on(
     snapshots = [line for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "snapshot"]
     told = {(row["role"], row["mode"]) for line in snapshots for row in line["vehicles"]}
     assert told == {(role, name)}
+
+
+@pytest.mark.parametrize(
+    ("nav_state", "name"),
+    [
+        (0, "manual"), (1, "altitude"), (2, "position"), (3, "mission"), (4, "hold"), (5, "return"),
+        (6, "position, slow"), (8, "altitude, cruise"), (10, "acro"), (12, "land"), (13, "termination"),
+        (14, "offboard"), (15, "stabilized"), (17, "takeoff"), (18, "land"), (19, "follow"), (20, "precision land"),
+        (21, "orbit"), (22, "VTOL takeoff"), (23, "external 1"), (30, "external 8"),
+    ],
+)  # fmt: skip
+def test_every_navigation_state_of_px4_is_a_mode(tmp_path: Path, nav_state: int, name: str) -> None:
+    """The states of PX4's VehicleStatus.msg; DESCEND is shown as a landing, as PX4's own MAVLink shows it."""
+    path = tmp_path / "flight.ulg"
+    logs.ulog(path, nav_state=nav_state)
+    with opened(path) as source:
+        (chunk,) = tlog_reader.read(source.path).chunks()
+    assert {profile_of(12).mode_name(int(mode)) for mode in chunk.table("HEARTBEAT")["custom_mode"]} == {name}
 
 
 @pytest.mark.parametrize("events", [(15,), (28,), (10,)])

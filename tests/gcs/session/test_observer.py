@@ -82,6 +82,17 @@ def test_a_vehicle_is_who_sends_a_vehicles_heartbeat(observer: Observer) -> None
     assert [v["sysid"] for v in observer.session()["vehicles"]] == [1, 2, 3]
 
 
+def test_a_vehicle_of_system_id_0_is_named_once(observer: Observer) -> None:
+    for t_s in (0.1, 1.1):
+        observer.receive(beat(0), t_s)
+        observer.receive(local(1.0, 2.0, -3.0, sysid=0), t_s)
+    observer.receive(frame("HEARTBEAT", 0, 190, type=mav.MAV_TYPE_GCS, autopilot=8), 1.2)
+    snapshot = observer.snapshot(2.0, speed=1.0, phase="flying")
+    assert snapshot["vehicles"] == []
+    (event,) = snapshot["events"]
+    assert event["text"].startswith("A vehicle sends with system id 0")
+
+
 def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> None:
     assert observer.changed
     assert observer.session()["vehicles"] == []
@@ -165,6 +176,72 @@ def test_a_zero_of_heights_that_was_taken_too_soon_is_decided_again_and_the_page
         "Its position is certain now",
     ]
     assert observer.changed
+    assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT))
+
+
+def test_a_zero_at_a_mere_place_moves_to_where_the_vehicle_says_that_it_begins(observer: Observer) -> None:
+    """An ArduPilot without a fix drifts around 0, 0; its home comes with the fix."""
+    adrift = {"lat": 5, "lon": 35, "alt": 120, "relative_alt": 123}
+    for t_s in (0.1, 3.5):
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), t_s)
+        observer.receive(frame("GLOBAL_POSITION_INT", **adrift), t_s)
+    assert observer.session()["origin"] == pytest.approx((0.0, 0.0, 0.0), abs=0.02)
+    observer.receive(placed("HOME_POSITION", 0.0, 0.0, 0.0), 4.0)
+    observer.receive(frame("ADSB_VEHICLE", sysid=255, ICAO_address=7, lat=round(1e7 * LAT), lon=round(1e7 * LON),
+                           altitude=450_000, callsign=b"x"), 4.1)  # fmt: skip
+    for k in range(40):
+        observer.receive(placed("GLOBAL_POSITION_INT", 3.0, 4.0, -2.0, relative_alt=2000), 4.2 + 0.2 * k)
+    then = observer.snapshot(12.0, speed=1.0, phase="flying")
+    assert then["vehicles"][0]["p_ned"] == pytest.approx((3.0, 4.0, -2.0), abs=0.02)
+    assert then["traffic"] == [] or then["traffic"][0]["p_ned"] == pytest.approx((0.0, 0.0, -50.0), abs=0.02)
+    assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT))
+    assert any(event["text"].startswith("Says where it begins: ") for event in then["events"])
+
+
+def test_heights_begin_where_the_vehicle_says_not_where_its_heights_once_differed(observer: Observer) -> None:
+    """The two heights of GLOBAL_POSITION_INT are filtered apart: one pair of them may be metres off."""
+    for t_s, above_home in ((0.1, 0), (3.5, 2152)):
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), t_s)
+        observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, 0.0, relative_alt=above_home), t_s)
+    assert rows(observer, 3.6)[1]["height_m"] == pytest.approx(2.152)
+    observer.receive(placed("HOME_POSITION", 0.0, 0.0, 0.0), 4.0)
+    assert rows(observer, 4.1)[1]["height_m"] == pytest.approx(0.0, abs=1e-6)
+    observer.receive(placed("HOME_POSITION", 50.0, 0.0, -7.0), 5.0)
+    assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT)), "an operator moves home; the zero stays"
+
+
+@pytest.mark.parametrize(
+    ("satellites_m", "fix", "trouble"),
+    [
+        (0.6, 3, []),
+        (0.6, 2, ["position uncertain"]),
+        (27.2, 3, ["position uncertain"]),
+        (None, 0, ["position uncertain"]),
+    ],
+)
+def test_satellites_tell_a_home_at_the_coast_from_a_height_that_is_not_known(
+    observer: Observer, satellites_m: float | None, fix: int, trouble: list[str]
+) -> None:
+    lat_e7, lon_e7 = round(1e7 * LAT), round(1e7 * LON)
+    for k in range(30):
+        t_s = 0.1 + 0.2 * k
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), t_s)
+        if satellites_m is not None and k < 20:  # what they have said once counts on
+            fields = {"lat": lat_e7, "lon": lon_e7, "alt": round(1e3 * (satellites_m + 2.0))}
+            observer.receive(frame("GPS_RAW_INT", fix_type=fix, **fields), t_s)
+        fields = {"lat": lat_e7, "lon": lon_e7, "alt": 2000, "relative_alt": 2000}
+        observer.receive(frame("GLOBAL_POSITION_INT", **fields), t_s)
+    row = rows(observer, 6.0)[1]
+    assert row["trouble"] == trouble
+    assert row["height_m"] == pytest.approx(2.0)
+
+
+def test_another_vehicles_home_moves_no_zero(observer: Observer) -> None:
+    for t_s in (0.1, 3.5):
+        observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), t_s)
+        observer.receive(beat(2, autopilot=ARDUPILOT, mode=4), t_s)
+        observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -2.0, relative_alt=2000), t_s)
+    observer.receive(placed("HOME_POSITION", 5000.0, 0.0, -90.0, sysid=2), 4.0)
     assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT))
 
 

@@ -40,6 +40,11 @@ class Held(NamedTuple):
     items: tuple[MissionItem, ...]
     missing: int = 0
 
+    @property
+    def total(self) -> int:
+        """How many items it has."""
+        return len(self.items) + self.missing
+
 
 @dataclass
 class _Transfer:
@@ -87,11 +92,14 @@ class Transfers:
             self._complete(transfer, sysid, kind, t_s, from_vehicle)
 
     def incomplete(self) -> list[Held]:
-        """Parts of plans that were not heard whole."""
+        """Parts of plans that were not heard whole: of the first ones, and of one by which the vehicle has another
+        number of items than before."""
         parts = []
         for under_way in (self._uploads, self._downloads):
             for (sysid, kind), transfer in under_way.items():
-                if transfer.items and (sysid, kind) not in self._held:
+                held = self._held.get((sysid, kind))
+                other = held is None or (under_way is self._downloads and transfer.count not in (None, held.total))
+                if transfer.items and other:
                     parts.append(transfer.held(transfer.t_s, sysid, kind))
         return parts
 
@@ -127,7 +135,8 @@ _UNKNOWN = 2**31 - 1
 
 def plan_of(held: Held, *, has_home: bool) -> MissionPlan:
     """A vehicle's items as a plan; `has_home`: item 0 of its missions is home, as of an ArduPilot."""
-    left_out = (f"{held.missing} items were not recorded",) if held.missing else ()
+    what = "one item was" if held.missing == 1 else f"{held.missing} items were"
+    left_out = (f"{what} not recorded",) if held.missing else ()
     try:
         plan = sorted_out(held.items, has_home=has_home and held.kind == MISSION)
     except ItemError as error:

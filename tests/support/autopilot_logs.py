@@ -80,6 +80,12 @@ def _listed() -> Iterator[bytes]:
     yield _row("MISE", START_US, *second)
 
 
+def _sent_later(items: Sequence[int], count: int) -> Iterator[bytes]:
+    """Items of another mission, as they are begun."""
+    for number in items:
+        yield _row("CMD", START_US + number, count, number, 16, 0.0, 0.0, 0.0, 0.0, LAT_DEG, LON_DEG, 30.0 + number, 3)
+
+
 def dataflash(
     path: Path,
     *,
@@ -89,6 +95,7 @@ def dataflash(
     program: str = "ArduCopter",
     mode: int = 4,
     events: Sequence[int] = (10, 28),
+    later: tuple[Sequence[int], int] | None = None,
 ) -> None:
     out = []
     for name, (number, form, columns) in _DATAFLASH.items():
@@ -100,6 +107,7 @@ def dataflash(
     out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
     out += [_row("MODE", START_US, mode, mode, 1), *(_row("EV", START_US, event) for event in events)]
     out += _listed() if mission else ()
+    out += _sent_later(*later) if later else ()
     week, ms = divmod((UTC_US // 1000 - 315_964_800_000 + 18_000), 7 * 86_400_000)
     for k, at in enumerate(moments()):
         since_ms = (at.t_us - START_US) // 1000
@@ -136,11 +144,16 @@ def _message(kind: bytes, content: bytes) -> bytes:
     return struct.pack("<H", len(content)) + kind + content
 
 
+def _parameter(key: str, value: float) -> bytes:
+    packed = struct.pack("<f", value) if key.startswith("float") else struct.pack("<i", value)
+    return _message(b"P", bytes([len(key)]) + key.encode() + packed)
+
+
 def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14) -> None:
     out = [b"ULog\x01\x12\x35\x01" + struct.pack("<Q", START_US), _message(b"B", bytes(40))]
     out += [_message(b"F", f"{name}:{fields}".encode()) for name, (fields, _) in _TOPICS.items()]
-    key = b"int32_t MAV_SYS_ID"
-    out.append(_message(b"P", bytes([len(key)]) + key + struct.pack("<i", sysid)))
+    out += [_parameter("int32_t MAV_SYS_ID", sysid), _parameter("int32_t COM_FLTMODE1", -1)]
+    out.append(_parameter("float MPC_XY_CRUISE", 5.1))
     names = list(_TOPICS)
     out += [_message(b"A", struct.pack("<BH", 0, number) + name.encode()) for number, name in enumerate(names)]
 
@@ -158,4 +171,5 @@ def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14) -> None:
             said("vehicle_land_detected", at.t_us, 0)
             said("vehicle_status", at.t_us, 2, nav_state, 2)
             said("battery_status", at.t_us, 16.0, 20.0, 10.0 * k, 1.0 - k / 1000.0)
+    out.append(_parameter("int32_t COM_FLTMODE1", 4))
     path.write_bytes(b"".join(out))

@@ -131,6 +131,7 @@ class _Vehicle:
         self._mode, self._armed, self._landed = identity.mode, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US
         self._texts = 0
+        self._mission = dataflash_plans.ListedMission()
         self._core = 0
         """which of the estimator's cores it flies on; a row without C is of the only one"""
         self._v_ned = (0.0, 0.0, 0.0)
@@ -168,6 +169,9 @@ class _Vehicle:
         elif name == "PARM":
             value = {"param_id": row.Name, "param_value": row.Value, "param_type": mav.MAV_PARAM_TYPE_REAL32}
             yield self._sample(t_us, "PARAM_VALUE", {**value, "param_count": 0, "param_index": 65535})
+        elif name == "CMD":
+            for message, fields in self._mission.messages(row):
+                yield self._sample(t_us, message, fields)
         elif name in dataflash_plans.ROWS:
             for message, fields in dataflash_plans.messages(row):
                 yield self._sample(t_us, message, fields)

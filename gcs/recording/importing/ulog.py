@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from pyulog import ULog
 
+from gcs.mavlink.parameters.value import ParameterValue, to_wire
 from gcs.recording.importing.sample import Sample, chunks
 
 MODES = {
@@ -48,6 +49,8 @@ def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
         parts = chunks(text.log_level - ord("0"), text.message, number)
         said += ((int(text.timestamp), "STATUSTEXT", fields) for fields in parts)
     said += _states({data.name: data.data for data in log.data_list if data.multi_id == 0})
+    if said:
+        said += _parameters(log, min(t_us for t_us, *_ in said))
     utc_us = _utc_offset_us(log)
     for t_us, message, fields in sorted(said, key=lambda one: one[0]):
         yield Sample(t_us + utc_us, sysid, message, fields)
@@ -81,6 +84,16 @@ def _utc_offset_us(log: ULog) -> int:
         if utc_us is not None and (known := np.flatnonzero(utc_us > 0)).size:
             return int(utc_us[known[0]]) - int(data.data["timestamp"][known[0]])
     return 0
+
+
+def _parameters(log: ULog, begin_us: int) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """PARAM_VALUE of each parameter when the flight begins, and of each that is set later."""
+    first = ((begin_us, name, number) for name, number in log.initial_parameters.items())
+    for t_us, name, number in (*first, *log.changed_parameters):
+        kind = mav.MAV_PARAM_TYPE_INT32 if isinstance(number, int) else mav.MAV_PARAM_TYPE_REAL32
+        wire = to_wire(ParameterValue(number, kind), bytewise=True)
+        fields = {"param_id": name, "param_value": wire, "param_type": kind, "param_count": 0, "param_index": 65535}
+        yield int(t_us), "PARAM_VALUE", fields
 
 
 def _states(tables: dict[str, dict[str, NDArray[Any]]]) -> Iterator[tuple[int, str, dict[str, Any]]]:

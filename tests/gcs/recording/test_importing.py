@@ -108,6 +108,18 @@ def test_every_navigation_state_of_px4_is_a_mode(tmp_path: Path, nav_state: int,
     assert {profile_of(12).mode_name(int(mode)) for mode in chunk.table("HEARTBEAT")["custom_mode"]} == {name}
 
 
+def test_a_ulogs_parameters_keep_their_values_and_types(tmp_path: Path) -> None:
+    path, tables = tmp_path / "flight.ulg", tmp_path / "tables"
+    logs.ulog(path)
+    assert gcs("export", str(path), "--format", "csv", "--out", str(tables)).returncode == 0
+    with (tables / "PARAM_VALUE.csv").open() as file:
+        told = [(row["param_id"], row["param_value"], int(row["param_type"])) for row in csv.DictReader(file)]
+    assert [(name, kind) for name, _, kind in told] == [
+        ("MAV_SYS_ID", 6), ("COM_FLTMODE1", 6), ("MPC_XY_CRUISE", 9), ("COM_FLTMODE1", 6),
+    ]  # fmt: skip
+    assert [float(number) for _, number, _ in told] == pytest.approx([9.0, -1.0, 5.1, 4.0])
+
+
 @pytest.mark.parametrize("events", [(15,), (28,), (10,)])
 def test_what_only_an_armed_copter_does_arms_it(tmp_path: Path, events: tuple[int, ...]) -> None:
     """A log that begins as the vehicle is armed may lack the event: the public flight of akj127/drone_rover does."""

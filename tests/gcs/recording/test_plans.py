@@ -171,6 +171,26 @@ def test_a_dataflash_log_shows_what_it_lists(tmp_path: Path) -> None:
     assert snapshots[-1]["vehicles"][0]["mission_item"] == 2
 
 
+@pytest.mark.parametrize(
+    ("later", "heights_m", "left_out"),
+    [
+        (((1, 2, 3), 4), [31.0, 32.0, 33.0], []),
+        (((1, 2), 4), [31.0, 32.0], ["one item was not recorded"]),
+        (((1, 2), 3), [31.0, 32.0], []),
+    ],
+)
+def test_a_mission_that_came_while_a_log_was_written_is_the_one_whose_items_are_begun(
+    tmp_path: Path, later: tuple[tuple[int, ...], int], heights_m: list[float], left_out: list[str]
+) -> None:
+    """ArduPilot lists a mission when logging begins; of one that is sent then, the log has what is begun."""
+    path = tmp_path / "flight.BIN"
+    logs.dataflash(path, mission=True, later=later)
+    plan = json.loads(gcs("mission", str(path), "--json").stdout)
+    assert [item["params"][6] for item in plan["mission"]] == heights_m
+    assert plan["left_out"] == left_out
+    assert plan["home"]["lat_deg"] == pytest.approx(logs.LAT_DEG, abs=1e-6)
+
+
 def test_a_recordings_mission_becomes_a_file_that_pymavlink_reads(tmp_path: Path) -> None:
     tape = Tape()
     tape.fly(1.0)

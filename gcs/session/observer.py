@@ -24,7 +24,6 @@ from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.model import Scenario
-from gcs.session.common_zero import CommonZero
 from gcs.session.message_types import (
     CompetitionRow,
     MemberRow,
@@ -37,6 +36,7 @@ from gcs.session.message_types import (
 from gcs.session.messages import battery_rows, event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
+from gcs.telemetry.common_zero import CommonZero
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector

@@ -61,7 +61,7 @@ class TelemetryAdapter:
         if msgid in place_claims.CLAIMS:
             self._names_place = self.claims.receive(msgid, codec.fields(frame), t_s)
         elif msgid == place_claims.SATELLITES:
-            self.claims.hear_satellites(codec.fields(frame), t_s)
+            self.claims.judge_by_satellites(codec.fields(frame), t_s)
         elif msgid == _HEARTBEAT:
             content = codec.fields(frame)
             self.claims.identify(home_is_local=profile_of(content.autopilot).home_is_local)

@@ -160,7 +160,7 @@ class PlaceClaims:
             self._offer(reported(content), _By.REPORT)
         return False
 
-    def hear_satellites(self, content: Any, t_s: float) -> None:
+    def judge_by_satellites(self, content: Any, t_s: float) -> None:
         """Take in a GPS_RAW_INT, which judges heights, and places nothing."""
         if content.fix_type >= mav.GPS_FIX_TYPE_3D_FIX and is_place(content.lat, content.lon):
             self._satellites = t_s, 1e-3 * content.alt

@@ -7,7 +7,7 @@ import math
 import struct
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 LAT_DEG, LON_DEG, ALT_M = 47.397742, 8.545594, 488.0
 RADIUS_M, SPEED_M_S, HEIGHT_M = 20.0, 4.0, 10.0
@@ -34,6 +34,11 @@ def moments() -> Iterator[Moment]:
         speed = (-SPEED_M_S * math.sin(angle), SPEED_M_S * math.cos(angle), 0.0)
         yaw_rad = math.remainder(angle + math.pi / 2.0, 2.0 * math.pi)
         yield Moment(START_US + 1_000_000 * k // RATE_HZ, place, speed, yaw_rad)
+
+
+def _globe(p_ned: tuple[float, float, float]) -> tuple[float, float]:
+    north, east = (math.degrees(axis / 6_378_137.0) for axis in p_ned[:2])
+    return LAT_DEG + north, LON_DEG + east / math.cos(math.radians(LAT_DEG))
 
 
 _DATAFLASH = {
@@ -118,9 +123,7 @@ def dataflash(
             out.append(_row("BAT", at.t_us, 0, 16.0, 20.0, 10.0 * k, 0.16 * k, 100 - k // 10))
         out.append(_row("XKF1", at.t_us, 0, *at.p_ned, *at.v_ned))
         out.append(_row("XKF1", at.t_us, 1, 900.0, 900.0, 0.0, 0.0, 0.0, 0.0))
-        north, east = (math.degrees(axis / 6_378_137.0) for axis in at.p_ned[:2])
-        place = (LAT_DEG + north, LON_DEG + east / math.cos(math.radians(LAT_DEG)))
-        out.append(_row("POS", at.t_us, *place, ALT_M + HEIGHT_M, HEIGHT_M))
+        out.append(_row("POS", at.t_us, *_globe(at.p_ned), ALT_M + HEIGHT_M, HEIGHT_M))
         out.append(_row("ATT", at.t_us, 2.0, -3.0, math.degrees(at.yaw_rad) % 360.0))
     path.write_bytes(b"".join(out))
 
@@ -137,6 +140,7 @@ _TOPICS = {
         "uint64_t timestamp;float voltage_v;float current_a;float discharged_mah;float remaining;", "<Qffff",
     ),
     "vehicle_gps_position": ("uint64_t timestamp;uint64_t time_utc_usec;", "<QQ"),
+    "vehicle_global_position": ("uint64_t timestamp;double lat;double lon;float alt;", "<Qddf"),
 }  # fmt: skip
 
 
@@ -149,7 +153,7 @@ def _parameter(key: str, value: float) -> bytes:
     return _message(b"P", bytes([len(key)]) + key.encode() + packed)
 
 
-def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14) -> None:
+def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14, frame: Literal["local", "global"] = "local") -> None:
     out = [b"ULog\x01\x12\x35\x01" + struct.pack("<Q", START_US), _message(b"B", bytes(40))]
     out += [_message(b"F", f"{name}:{fields}".encode()) for name, (fields, _) in _TOPICS.items()]
     out += [_parameter("int32_t MAV_SYS_ID", sysid), _parameter("int32_t COM_FLTMODE1", -1)]
@@ -165,7 +169,10 @@ def ulog(path: Path, *, sysid: int = 9, nav_state: int = 14) -> None:
     out.append(_message(b"L", b"4" + struct.pack("<Q", START_US) + LONG_TEXT.encode()))
     for k, at in enumerate(moments()):
         where = (LAT_DEG, LON_DEG, *at.p_ned, *at.v_ned, ALT_M)
-        said("vehicle_local_position", at.t_us, *where, 1, 1, 1)
+        if frame == "local":
+            said("vehicle_local_position", at.t_us, *where, 1, 1, 1)
+        else:
+            said("vehicle_global_position", at.t_us, *_globe(at.p_ned), ALT_M - at.p_ned[2])
         said("vehicle_attitude", at.t_us, math.cos(at.yaw_rad / 2.0), 0.0, 0.0, math.sin(at.yaw_rad / 2.0))
         if k % RATE_HZ == 0:
             said("vehicle_land_detected", at.t_us, 0)

@@ -29,7 +29,7 @@ ARMED = 2
 """arming_state of vehicle_status."""
 TOPICS = (
     *("vehicle_local_position", "vehicle_attitude", "vehicle_status", "vehicle_land_detected", "home_position"),
-    *("battery_status", "vehicle_gps_position", "sensor_gps"),
+    *("battery_status", "vehicle_gps_position", "sensor_gps", "vehicle_global_position"),
 )
 _DEGE7 = 1e7
 
@@ -48,7 +48,10 @@ def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
     for number, text in enumerate(log.logged_messages):
         parts = chunks(text.log_level - ord("0"), text.message, number)
         said += ((int(text.timestamp), "STATUSTEXT", fields) for fields in parts)
-    said += _states({data.name: data.data for data in log.data_list if data.multi_id == 0})
+    tables = {data.name: data.data for data in log.data_list if data.multi_id == 0}
+    if "vehicle_local_position" not in tables:
+        said += _globals(tables)
+    said += _states(tables)
     if said:
         said += _parameters(log, min(t_us for t_us, *_ in said))
     utc_us = _utc_offset_us(log)
@@ -121,6 +124,34 @@ def _states(tables: dict[str, dict[str, NDArray[Any]]]) -> Iterator[tuple[int, s
         if landing is not None and (at := int(np.searchsorted(landing["timestamp"], t_us, side="right")) - 1) >= 0:
             landed = mav.MAV_LANDED_STATE_ON_GROUND if landing["landed"][at] else mav.MAV_LANDED_STATE_IN_AIR
         yield t_us, "EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": landed}
+
+
+def _globals(tables: dict[str, dict[str, NDArray[Any]]]) -> Iterator[tuple[int, str, dict[str, Any]]]:
+    """GLOBAL_POSITION_INT of a log without local positions: above home, or above the lowest place where home is not
+    told."""
+    rows = [row for row in _rows(tables.get("vehicle_global_position", {})) if _is_fixed(row)]
+    homes = [row.alt for row in _rows(tables.get("home_position", {})) if math.isfinite(row.alt)]
+    home_m = homes[-1] if homes else min((row.alt for row in rows), default=0.0)
+    for row in rows:
+        speeds = (getattr(row, f"vel_{axis}", 0.0) for axis in "ned")
+        yield (
+            row.timestamp,
+            "GLOBAL_POSITION_INT",
+            {
+                "time_boot_ms": row.timestamp // 1000 % (1 << 32),
+                "lat": round(_DEGE7 * row.lat),
+                "lon": round(_DEGE7 * row.lon),
+                "alt": round(1e3 * row.alt),
+                "relative_alt": round(1e3 * (row.alt - home_m)),
+                **{name: round(100.0 * v) for name, v in zip(("vx", "vy", "vz"), speeds, strict=True)},
+                "hdg": 65535,
+            },
+        )
+
+
+def _is_fixed(row: SimpleNamespace) -> bool:
+    valid = getattr(row, "lat_lon_valid", True) and getattr(row, "alt_valid", True)
+    return bool(valid) and all(map(math.isfinite, (row.lat, row.lon, row.alt)))
 
 
 _Made = Iterator[tuple[str, dict[str, Any]]]

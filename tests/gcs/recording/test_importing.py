@@ -14,6 +14,7 @@ from pathlib import Path
 
 import autopilot_logs as logs
 import numpy as np
+import pymap3d
 import pytest
 from commands import gcs
 from hypothesis import given, settings
@@ -106,6 +107,25 @@ def test_every_navigation_state_of_px4_is_a_mode(tmp_path: Path, nav_state: int,
     with opened(path) as source:
         (chunk,) = tlog_reader.read(source.path).chunks()
     assert {profile_of(12).mode_name(int(mode)) for mode in chunk.table("HEARTBEAT")["custom_mode"]} == {name}
+
+
+def test_a_ulog_with_global_positions_alone_has_places(tmp_path: Path) -> None:
+    """PX4/Hawkeye issue 52: such logs often begin in the air."""
+    path = tmp_path / "flight.ulg"
+    logs.ulog(path, frame="global")
+    with opened(path) as source:
+        (chunk,) = tlog_reader.read(source.path).chunks()
+    places = chunk.table("GLOBAL_POSITION_INT")
+    assert len(places) == len(list(logs.moments()))
+    assert set(places["alt"].tolist()) == {round(1e3 * (logs.ALT_M + logs.HEIGHT_M))}
+    played = gcs("replay", str(path), "--json")
+    last = json.loads(played.stdout.splitlines()[-1])["vehicles"][0]
+    assert last["trouble"] == []
+    at = places[-1]
+    origin = [line["origin"] for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "session"][-1]
+    assert origin[2] == pytest.approx(logs.ALT_M + logs.HEIGHT_M, abs=0.01)
+    there = pymap3d.geodetic2ned(1e-7 * at["lat"], 1e-7 * at["lon"], 1e-3 * at["alt"], *origin)
+    assert last["p_ned"] == pytest.approx([float(axis) for axis in there], abs=0.01)
 
 
 def test_a_ulogs_parameters_keep_their_values_and_types(tmp_path: Path) -> None:

@@ -1,5 +1,5 @@
 """Files that commands open: their own package, what they are given, and nothing that lies in the current folder or in a
-cache, whoever put it there; and they leave none."""
+cache, of any owner; and they leave none."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ class ListedMission:
         self._items: dict[int, dict[str, Any]] = {}
 
     def messages(self, row: Any) -> Iterator[tuple[str, dict[str, Any]]]:
-        """Names and fields of the messages that a CMD row gives; a mission that has changed is told anew."""
+        """Names and fields of the messages that a CMD row gives; a changed mission begins with its count again."""
         of_old = mav.MAV_FRAME_GLOBAL_RELATIVE_ALT if row.CNum else mav.MAV_FRAME_GLOBAL
         frame = getattr(row, "Frame", of_old)
         params = tuple(getattr(row, f"Prm{k}", 0.0) for k in range(1, 5))

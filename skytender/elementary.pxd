@@ -1,5 +1,8 @@
 cimport cython
 
+cdef enum:
+    TOGETHER = 4  # numbers of `pow_of_each`
+
 cdef long long _FRACTION, _ONE, _FIRST_BITS
 cdef double _LEAST_NORMAL, _ROUND, _FAR, _STEPS, _TWO_OVER_PI, _STEPS_OVER_LN_2, _LN_2, _INVERSE_LN_2, _TWO_PI, _PI, _PI_REST
 cdef double _PI_HALVES_1, _PI_HALVES_2, _PI_HALVES_3, _LN_2_1, _LN_2_2, _STEP_1, _STEP_2
@@ -26,6 +29,7 @@ cpdef double exp(double x) noexcept nogil
 cpdef double expm1(double x) noexcept nogil
 cpdef double log(double x) noexcept nogil
 cpdef double pow(double x, double y) noexcept nogil
+cdef void pow_of_each(const double* x, const double* y, double* made) noexcept nogil
 cdef double _limit_of_pow(double x, double y) noexcept nogil
 cpdef double atan2(double y, double x) noexcept nogil
 cpdef double atan(double x) noexcept nogil

@@ -21,7 +21,7 @@ or cosine below 10⁻¹⁵ and of tan, 2 of the others.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import cython
 from cython.cimports.libc import math
@@ -34,6 +34,7 @@ from cython.cimports.skytender.elementary import (
     _LOG_REST,
     _POWER,
     _POWER_REST,
+    TOGETHER,
 )
 
 from skytender import elementary_tables as tables
@@ -157,14 +158,24 @@ def _grown(u: float) -> float:
     return u + w * ((0.5 + u * (1.0 / 6.0)) + w * (1.0 / 24.0 + u * (1.0 / 120.0)))
 
 
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns(cython.double)
+@cython.locals(exponent=cython.longlong)
+def _power_of_2(exponent: int) -> float:
+    """2^exponent where that is a normal number."""
+    bits = cython.declare(cython.longlong, (exponent + 1023) << 52)
+    power = cython.declare(cython.double)
+    memcpy(cython.address(power), cython.address(bits), 8)
+    return power
+
+
 def _scaled(x: float, exponent: int) -> float:
     """x·2^exponent."""
-    bits = cython.declare(cython.longlong)
-    power = cython.declare(cython.double)
     if -1022 <= exponent <= 1023:
-        bits = (exponent + 1023) << 52
-        memcpy(cython.address(power), cython.address(bits), 8)
-        return x * power
+        return x * _power_of_2(exponent)
     return math.ldexp(x, cython.cast(cython.int, exponent))
 
 
@@ -192,25 +203,47 @@ def expm1(x: float) -> float:
 @cython.inline
 @cython.nogil
 @cython.exceptval(check=False)
-@cython.returns((cython.double, cython.double, cython.double))
-@cython.locals(x=cython.double, at=cython.int, exponent=cython.longlong, less=cython.longlong)
-def _log2(x: float) -> tuple[float, float, float]:
-    """(a, b, c), log2 x = a + b + c/ln 2 with a of 26 bits, of a positive finite number."""
+@cython.returns((cython.double, cython.int, cython.int))
+@cython.locals(x=cython.double, at=cython.int, exponent=cython.int)
+def _significand(x: float) -> tuple[float, int, int]:
+    """(z, m, exponent), x = z·2^exponent, of a normal positive number; z, from 1 to 2, is nearest to 1 + m/128."""
     bits = cython.declare(cython.longlong)
     z = cython.declare(cython.double)
-    less = 1023
-    if x < _LEAST_NORMAL:
-        x *= 2.0**54
-        less += 54
     memcpy(cython.address(bits), cython.address(x), 8)
     at = ((bits >> 44 & 255) + 1) >> 1
-    exponent = (bits >> 52) - less
+    exponent = (bits >> 52) - 1023
     bits = bits & _FRACTION | _ONE
     memcpy(cython.address(z), cython.address(bits), 8)
+    return z, at, exponent
+
+
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns((cython.double, cython.double, cython.double))
+@cython.locals(z=cython.double, at=cython.int, exponent=cython.int, r=cython.double)
+def _log2_of(z: float, at: int, exponent: int) -> tuple[float, float, float]:
+    """`_log2` of a number that has been taken apart."""
     r = (z - (1.0 + at * 0.0078125)) * _INVERSE[at]
     w = r * r
     series = (0.5 - r * (1.0 / 3.0)) + w * ((0.25 - r * 0.2) + w * (1.0 / 6.0 - r * (1.0 / 7.0)))
     return exponent + _LOG[at], _LOG_REST[at], r - w * series
+
+
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns((cython.double, cython.double, cython.double))
+@cython.locals(x=cython.double, at=cython.int, exponent=cython.int)
+def _log2(x: float) -> tuple[float, float, float]:
+    """(a, b, c), log2 x = a + b + c/ln 2 with a of 26 bits, of a positive finite number."""
+    if x < _LEAST_NORMAL:
+        z, at, exponent = _significand(x * 2.0**54)
+        return _log2_of(z, at, exponent - 54)
+    z, at, exponent = _significand(x)
+    return _log2_of(z, at, exponent)
 
 
 def log(x: float) -> float:
@@ -221,25 +254,63 @@ def log(x: float) -> float:
     return a * _LN_2_1 + (a * _LN_2_2 + (b * _LN_2 + c))
 
 
-def pow(x: float, y: float) -> float:
-    """x^y of x not below 0."""
-    if not (0.0 < x < math.INFINITY and math.fabs(y) < math.INFINITY):
-        return _limit_of_pow(x, y)
-    a, b, c = _log2(x)
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns((cython.double, cython.double))
+@cython.locals(a=cython.double, b=cython.double, c=cython.double, y=cython.double)
+def _times(a: float, b: float, c: float, y: float) -> tuple[float, float]:
+    """y (a + b + c/ln 2) in two parts."""
     bits = cython.declare(cython.longlong)
     first = cython.declare(cython.double)
     memcpy(cython.address(bits), cython.address(y), 8)
     bits &= _FIRST_BITS
     memcpy(cython.address(first), cython.address(bits), 8)
-    whole = first * a  # exact: 26 bits each
-    rest = (y - first) * a + y * (b + c * _INVERSE_LN_2)
+    return first * a, (y - first) * a + y * (b + c * _INVERSE_LN_2)  # the first is exact: 26 bits each
+
+
+def pow(x: float, y: float) -> float:
+    """x^y of x not below 0."""
+    if not (0.0 < x < math.INFINITY and math.fabs(y) < math.INFINITY):
+        return _limit_of_pow(x, y)
+    a, b, c = _log2(x)
+    whole, rest = _times(a, b, c, y)
     n = ((whole + rest) * _STEPS + _ROUND) - _ROUND
     if not math.fabs(n) < 1075.0 * _STEPS:
         return math.INFINITY if n > 0.0 else 0.0
-    steps = cython.cast(cython.longlong, n)
+    steps = cython.cast(cython.int, n)
     step = _POWER[steps & 127]
     more = _POWER_REST[steps & 127] + _grown(((whole - n * 0.0078125) + rest) * _LN_2)
     return _scaled(step + step * more, steps >> 7)
+
+
+def pow_of_each(x: Any, y: Any, made: Any) -> None:
+    """`pow` of TOGETHER pairs into `made`. All of them are carried from part to part, so that the processor works on
+    all at once."""
+    at = cython.declare(cython.int[TOGETHER])
+    exponent = cython.declare(cython.int[TOGETHER])
+    z = cython.declare(cython.double[TOGETHER])
+    n = cython.declare(cython.double[TOGETHER])
+    u = cython.declare(cython.double[TOGETHER])
+    ordinary = cython.declare(cython.bint, True)
+    for i in range(TOGETHER):
+        z[i], at[i], exponent[i] = _significand(x[i])
+        ordinary &= (x[i] >= _LEAST_NORMAL) & (x[i] < math.INFINITY)
+    for i in range(TOGETHER):
+        a, b, c = _log2_of(z[i], at[i], exponent[i])
+        whole, rest = _times(a, b, c, y[i])
+        n[i] = ((whole + rest) * _STEPS + _ROUND) - _ROUND
+        u[i] = ((whole - n[i] * 0.0078125) + rest) * _LN_2
+        ordinary &= math.fabs(n[i]) < 1022.0 * _STEPS
+    if not ordinary:
+        for i in range(TOGETHER):
+            made[i] = pow(x[i], y[i])
+        return
+    for i in range(TOGETHER):
+        steps = cython.cast(cython.int, n[i])
+        step = _POWER[steps & 127]
+        made[i] = (step + step * (_POWER_REST[steps & 127] + _grown(u[i]))) * _power_of_2(steps >> 7)
 
 
 def _limit_of_pow(x: float, y: float) -> float:

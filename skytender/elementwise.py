@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.skytender.elementwise import _COS, _EXP, _LOG, _POW, _SIN
+from cython.cimports.skytender.elementary import TOGETHER
+from cython.cimports.skytender.elementwise import _COS, _EXP, _LOG, _SIN
 from numpy.typing import ArrayLike, NDArray
 
 
@@ -30,10 +32,31 @@ def logarithms(x: ArrayLike) -> NDArray[np.float64]:
 
 def powers(x: ArrayLike, y: float) -> NDArray[np.float64]:
     """x^y of each number of an array, none below 0."""
-    return _of_each(_POW, x, y)
+    made = np.array(x, dtype=np.float64, order="C")
+    _raise(made.reshape(-1), y)
+    return made
 
 
-def _of_each(function: int, x: ArrayLike, y: float = 0.0) -> NDArray[np.float64]:
+def _raise(row: NDArray[np.float64], y: float) -> None:
+    """Raise the numbers of a row (n,) to the power of y, in place."""
+    bases = cython.declare(cython.double[TOGETHER])
+    exponents = cython.declare(cython.double[TOGETHER])
+    made = cython.declare(cython.double[TOGETHER])
+    n = row.shape[0]
+    for i in range(TOGETHER):
+        bases[i], exponents[i] = 1.0, y
+    k = 0
+    while k < n:
+        count = min(n - k, TOGETHER)
+        for i in range(count):
+            bases[i] = row[k + i]
+        elementary.pow_of_each(bases, exponents, made)
+        for i in range(count):
+            row[k + i] = made[i]
+        k += count
+
+
+def _of_each(function: int, x: ArrayLike) -> NDArray[np.float64]:
     made = np.array(x, dtype=np.float64, order="C")
     row = made.reshape(-1)
     for k in range(row.shape[0]):
@@ -43,8 +66,6 @@ def _of_each(function: int, x: ArrayLike, y: float = 0.0) -> NDArray[np.float64]
             row[k] = elementary.cos(row[k])
         elif function == _EXP:
             row[k] = elementary.exp(row[k])
-        elif function == _LOG:
-            row[k] = elementary.log(row[k])
         else:
-            row[k] = elementary.pow(row[k], y)
+            row[k] = elementary.log(row[k])
     return made

@@ -16,10 +16,14 @@ more than `tolerance` rad/s², and makes that correction: what remains is of the
 
 from __future__ import annotations
 
+from typing import Any
+
 import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
+from cython.cimports.simvehicle.law.differentiator import BOTH
+from cython.cimports.skytender.elementary import TOGETHER
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import SOLVE_TOLERANCE
@@ -31,63 +35,71 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
-@cython.cfunc
-@cython.inline
-@cython.nogil
-@cython.exceptval(check=False)
-@cython.returns((cython.double, cython.double, cython.double, cython.double, cython.bint))
-@cython.locals(
-    s=cython.double, low=cython.double, high=cython.double, width=cython.double, evaluations=cython.int,
-    x1=cython.double, x2=cython.double, x3=cython.double, signal=cython.double, dt=cython.double,
-    epsilon=cython.double, stiffness=cython.double, tolerance=cython.double,
-)  # fmt: skip
-def _improve(
-    s: float, low: float, high: float, width: float, evaluations: int,
-    x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, stiffness: float, tolerance: float,
-) -> tuple[float, float, float, float, bool]:  # fmt: skip
-    """Evaluate G at s: the next s, the bracket of the root, the bracket's width as it was before, and whether s is it.
-
-    `evaluations`: their number, this one counted; `stiffness`: h/ε³.
-    """
+def _evaluate(
+    s: Any, x1: Any, x2: Any, x3: Any, signals: Any, dt: float, epsilon: float, stiffness: float, g: Any, g_slope: Any,
+    a_slope: Any,
+) -> None:  # fmt: skip
+    """G, G' and A' at s, (BOTH,) each; stiffness: h/ε³."""
     k_angle = _K_ANGLE * stiffness
     k_acceleration = _K_ACCELERATION * stiffness
-    x2_next = x2 + dt * s
-    speed = epsilon * x2_next
-    power = elementary.pow(max(math.fabs(speed), _TINY), 2.0 / 7.0)
-    a = x1 + dt * x2_next - signal + speed * power
-    a_slope = dt * dt + 9.0 / 7.0 * epsilon * dt * power
-    size = max(math.fabs(s) * epsilon * epsilon, _TINY)
-    root = elementary.pow(size, 0.6)
-    b = (s - x3 + k_acceleration * math.copysign(root, s)) / k_angle
-    b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
-    g = a + b * b * b
-    following = s - g / (a_slope + 3.0 * b * b * b_slope)
-    if math.fabs(g) <= tolerance * a_slope:
-        return following, low, high, width, True
-    # A' >= h² bounds the distance of the root, so the bracket is finite from the first evaluation on.
-    if g > 0.0:
-        high = s
-        low = max(low, s - g / (dt * dt))
-    else:
-        low = s
-        high = min(high, s - g / (dt * dt))
-    if not low < following < high or (high - low > 0.5 * width and evaluations % 4 == 0):
-        following = 0.5 * (low + high)
-    return following, low, high, high - low, following == s
+    bases = cython.declare(cython.double[TOGETHER])
+    exponents = cython.declare(cython.double[TOGETHER])
+    powers = cython.declare(cython.double[TOGETHER])
+    for i in range(BOTH):
+        bases[i] = max(math.fabs(epsilon * (x2[i] + dt * s[i])), _TINY)
+        bases[BOTH + i] = max(math.fabs(s[i]) * epsilon * epsilon, _TINY)
+        exponents[i], exponents[BOTH + i] = 2.0 / 7.0, 0.6
+    elementary.pow_of_each(bases, exponents, powers)
+    for i in range(BOTH):
+        power, size, root = powers[i], bases[BOTH + i], powers[BOTH + i]
+        x2_next = x2[i] + dt * s[i]
+        a = x1[i] + dt * x2_next - signals[i] + epsilon * x2_next * power
+        a_slope[i] = dt * dt + 9.0 / 7.0 * epsilon * dt * power
+        b = (s[i] - x3[i] + k_acceleration * math.copysign(root, s[i])) / k_angle
+        b_slope = (1.0 + k_acceleration * 0.6 * epsilon * epsilon * root / size) / k_angle
+        g[i] = a + b * b * b
+        g_slope[i] = a_slope[i] + 3.0 * b * b * b_slope
+
+
+def _solve(x1: Any, x2: Any, x3: Any, signals: Any, dt: float, epsilon: float, tolerance: float, s: Any) -> int:
+    """X3+ of two differentiators, (BOTH,), into s; evaluations of G. Neither waits for the other, so that the processor
+    works on both at once."""
+    low = cython.declare(cython.double[BOTH])
+    high = cython.declare(cython.double[BOTH])
+    width = cython.declare(cython.double[BOTH])
+    done = cython.declare(cython.bint[BOTH])
+    g = cython.declare(cython.double[BOTH])
+    g_slope = cython.declare(cython.double[BOTH])
+    a_slope = cython.declare(cython.double[BOTH])
+    for i in range(BOTH):
+        s[i], low[i], high[i], width[i], done[i] = x3[i], -math.INFINITY, math.INFINITY, math.INFINITY, False
+    stiffness = dt / (epsilon * epsilon * epsilon)
+    evaluations = 0
+    while not (done[0] and done[1]) and evaluations < _MOST_EVALUATIONS:
+        evaluations += 1
+        _evaluate(s, x1, x2, x3, signals, dt, epsilon, stiffness, g, g_slope, a_slope)
+        for i in range(BOTH):
+            if done[i]:
+                continue
+            following = s[i] - g[i] / g_slope[i]
+            if math.fabs(g[i]) <= tolerance * a_slope[i]:
+                s[i], done[i] = following, True
+                continue
+            # A' >= h²: the root lies between s and this, so the bracket is finite from the first evaluation on.
+            beyond = s[i] - g[i] / (dt * dt)
+            low[i], high[i] = max(low[i], min(s[i], beyond)), min(high[i], max(s[i], beyond))
+            narrowed = high[i] - low[i]
+            if not low[i] < following < high[i] or (narrowed > 0.5 * width[i] and evaluations % 4 == 0):
+                following = 0.5 * (low[i] + high[i])
+            s[i], width[i], done[i] = following, narrowed, following == s[i]
+    return evaluations
 
 
 def solve(
     x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float, tolerance: float
 ) -> tuple[float, float, float, int]:
     """One implicit step: (X1+, X2+, X3+, evaluations of G)."""
-    s, low, high, width, done = x3, -math.INFINITY, math.INFINITY, math.INFINITY, False
-    stiffness = dt / (epsilon * epsilon * epsilon)
-    evaluations = 0
-    while not done and evaluations < _MOST_EVALUATIONS:
-        evaluations += 1
-        s, low, high, width, done = _improve(
-            s, low, high, width, evaluations, x1, x2, x3, signal, dt, epsilon, stiffness, tolerance
-        )
+    s, _, evaluations = solve_two(x1, x2, x3, signal, x1, x2, x3, signal, dt, epsilon, tolerance)
     x2_next = x2 + dt * s
     return x1 + dt * x2_next, x2_next, s, evaluations
 
@@ -95,24 +107,17 @@ def solve(
 def solve_two(
     x1: float, x2: float, x3: float, x: float, y1: float, y2: float, y3: float, y: float,
     dt: float, epsilon: float, tolerance: float,
-) -> tuple[float, float]:  # fmt: skip
-    """X3+ of two differentiators with signals x and y, each as `solve` finds it. Evaluations take turns: neither waits
-    for the other, so that the processor works on both at once."""
-    s, low, high, width, done = x3, -math.INFINITY, math.INFINITY, math.INFINITY, False
-    s_y, low_y, high_y, width_y, done_y = y3, -math.INFINITY, math.INFINITY, math.INFINITY, False
-    stiffness = dt / (epsilon * epsilon * epsilon)
-    evaluations = 0
-    while not (done and done_y) and evaluations < _MOST_EVALUATIONS:
-        evaluations += 1
-        if not done:
-            s, low, high, width, done = _improve(
-                s, low, high, width, evaluations, x1, x2, x3, x, dt, epsilon, stiffness, tolerance
-            )
-        if not done_y:
-            s_y, low_y, high_y, width_y, done_y = _improve(
-                s_y, low_y, high_y, width_y, evaluations, y1, y2, y3, y, dt, epsilon, stiffness, tolerance
-            )
-    return s, s_y
+) -> tuple[float, float, int]:  # fmt: skip
+    """X3+ of two differentiators with signals x and y, each as `solve` finds it, and evaluations of G."""
+    first = cython.declare(cython.double[BOTH])
+    second = cython.declare(cython.double[BOTH])
+    third = cython.declare(cython.double[BOTH])
+    signals = cython.declare(cython.double[BOTH])
+    s = cython.declare(cython.double[BOTH])
+    first[0], second[0], third[0], signals[0] = x1, x2, x3, x
+    first[1], second[1], third[1], signals[1] = y1, y2, y3, y
+    evaluations = _solve(first, second, third, signals, dt, epsilon, tolerance, s)
+    return s[0], s[1], evaluations
 
 
 @cython.wraparound(True)

@@ -123,7 +123,7 @@ def control(s: Any, c: Any, p: Any, dt: float) -> tuple[float, float, float, flo
         if p.bumpless != 0.0:
             s.diff_roll[0], s.diff_pitch[0] = roll_d, pitch_d
     roll, pitch = s.diff_roll, s.diff_pitch
-    roll[2], pitch[2] = differentiator.solve_two(
+    roll[2], pitch[2], _ = differentiator.solve_two(
         roll[0], roll[1], roll[2], roll_d, pitch[0], pitch[1], pitch[2], pitch_d, dt, p.epsilon, p.tolerance
     )
     roll[1] += dt * roll[2]

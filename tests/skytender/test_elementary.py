@@ -143,6 +143,15 @@ def test_arrays_hold_what_numbers_give() -> None:
     assert elementwise.powers(x, 1.7).tolist() == [[elementary.pow(a, 1.7) for a in row] for row in x.tolist()]
 
 
+@pytest.mark.parametrize("y", [2.0 / 7.0, 0.6, -1.5, 37.3, 900.0, 0.0, math.inf, -math.inf, math.nan])
+def test_powers_of_many_are_those_of_each(y: float) -> None:
+    special = [0.0, 5e-324, 1e-310, 2.0**-1022, 1.0, 1.0 + 2.0**-52, 1.8e308, math.inf, math.nan]
+    for x in (special, [*positive(-300, 300)], [7.0, *special, 0.3]):
+        alone = np.array([elementary.pow(a, y) for a in x])
+        for count in range(len(x) - 8, len(x) + 1):
+            assert elementwise.powers(x[:count], y).tobytes() == alone[:count].tobytes()
+
+
 def test_lengths() -> None:
     assert elementary.hypot(3.0, 4.0) == elementary.norm((3.0, 4.0)) == elementary.distance((1, 1), [4, 5]) == 5.0
     assert elementary.norm(np.array([2.0, 3.0, 6.0])) == 7.0

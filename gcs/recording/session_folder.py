@@ -240,9 +240,17 @@ class Gathering:
         bins = second // recorded.traffic_bin_s
         sysids = heads[:, tlog_reader.SYSID]
         lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
-        for sysid, own in rows_of(sysids.astype(np.uint8)).items():
-            for table, values in ((recorded.traffic_count, new), (recorded.traffic_lost, lost)):
-                table[sysid] = _added(table.get(sysid), bins[own], values[own])
+        begin, end = (int(bins.min()), int(bins.max()) + 1) if len(bins) else (0, 0)
+        shape = STATION[0], end - begin
+        cells = sysids * shape[1] + (bins - begin)
+        frames, counts, losses = (
+            np.bincount(cells, weights, minlength=shape[0] * shape[1]).astype(np.int32).reshape(shape)
+            for weights in (None, new, lost)
+        )
+        for sysid in np.flatnonzero(frames.any(axis=1)).tolist():
+            last = int(np.flatnonzero(frames[sysid])[-1]) + 1
+            for table, values in ((recorded.traffic_count, counts), (recorded.traffic_lost, losses)):
+                table[sysid] = _added(table.get(sysid), begin, values[sysid, :last])
 
 
 def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
@@ -253,14 +261,14 @@ def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
     return {int(keys[rows[0]]): rows for rows in parts if len(rows)}
 
 
-def _added(table: NDArray[np.int32] | None, bins: NDArray[np.int64], values: NDArray[Any]) -> NDArray[np.int32]:
-    """The table (n,), made longer where need be, with these values added in these bins."""
-    length = int(bins.max()) + 1
-    if table is None or length > len(table):
-        longer = np.zeros(length, dtype=np.int32)
+def _added(table: NDArray[np.int32] | None, begin: int, values: NDArray[np.int32]) -> NDArray[np.int32]:
+    """The table (n,), made longer where need be, with these values added from this bin on."""
+    end = begin + len(values)
+    if table is None or end > len(table):
+        longer = np.zeros(end, dtype=np.int32)
         longer[: 0 if table is None else len(table)] = () if table is None else table
         table = longer
-    np.add.at(table, bins, values.astype(np.int32))
+    table[begin:end] += values
     return table
 
 

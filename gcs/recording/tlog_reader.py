@@ -8,14 +8,17 @@ gigabyte takes seconds.
     log.problems                        # what could not be read, a sentence each, once all of it has been walked
 
 Nothing in a file makes reading raise. A cut end, and bytes that are no frame, are passed over and counted. Times are
-judged over the whole file (recorded_clock.py) before the first frame is handed out.
+judged over the whole file (recorded_clock.py) before the first frame is handed out; a file of
+less than a chunk is walked once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -44,6 +47,15 @@ CHUNK_BYTES = 1 << 24
 LARGEST = codec.LARGEST_FRAME
 
 
+class _Found(NamedTuple):
+    """What a walk over a whole recording has come across, and how many bytes are left behind its last frame."""
+
+    frames: int
+    gaps: int
+    skipped_bytes: int
+    left_bytes: int
+
+
 class Tlog:
     """A recording; walking it again begins anew. Walking raises OSError where the file cannot be read.
 
@@ -59,7 +71,7 @@ class Tlog:
         """None until the file is first walked"""
         self._session = session
         self._chunk_bytes = max(chunk_bytes, 2 * (LARGEST + TIME_BYTES))
-        self.problems: list[str] = []
+        self._found: _Found | None = None
 
     def __iter__(self) -> Iterator[tuple[int, Frame]]:
         for chunk in self.chunks():
@@ -70,11 +82,28 @@ class Tlog:
 
         The next one is read and walked beside whoever takes this one in, for both hardly need the interpreter.
         """
+        walk: Callable[[], Iterable[Chunk]] = partial(self._read_ahead, begin)
         if self.times is None:
-            self.times = tlog_times.judge(lambda: self._read_ahead(0), session=self._session)
-        for chunk in self._read_ahead(begin):
+            whole = self._whole()
+            self.times = tlog_times.judge(whole, session=self._session)
+            walk = walk if begin else whole
+        for chunk in walk():
             self.times.correct(chunk)
             yield chunk
+
+    @property
+    def problems(self) -> list[str]:
+        """What could not be read, a sentence each, once all of it has been walked."""
+        if self._found is None:
+            return []
+        return list(_problems(self.path.name, self._found, [] if self.times is None else self.times.notes))
+
+    def _whole(self) -> Callable[[], Iterable[Chunk]]:
+        """The walk over all of it, to be made again and again. Less than a chunk is kept from the first time on."""
+        if rotation.size(self.path) >= self._chunk_bytes:
+            return partial(self._read_ahead, 0)
+        chunks = list(self._walked(0))
+        return lambda: chunks
 
     def _read_ahead(self, begin: int) -> Iterator[Chunk]:
         walked = self._walked(begin)
@@ -85,7 +114,7 @@ class Tlog:
                 yield chunk
 
     def _walked(self, begin: int) -> Iterator[Chunk]:
-        self.problems = []
+        self._found = None
         carried = np.empty(0, dtype=np.uint8)
         room = np.empty((0, COLUMNS), dtype=np.int64)
         done = begin
@@ -114,9 +143,7 @@ class Tlog:
                 keep = max(last_end, look_at - TIME_BYTES)
                 carried = octets[keep:].copy()
                 last_end, look_at = last_end - keep, look_at - keep
-        left = len(octets) - last_end
-        notes = self.times.notes if self.times is not None else []
-        self.problems = list(_problems(self.path.name, frames, gaps, skipped, notes, left))
+        self._found = _Found(frames, gaps, skipped, len(octets) - last_end)
 
 
 def read(path: Path, *, session: bool = False) -> Tlog:
@@ -125,12 +152,13 @@ def read(path: Path, *, session: bool = False) -> Tlog:
         return Tlog(path, session=session)
 
 
-def _problems(name: str, frames: int, gaps: int, skipped: int, notes: list[str], left: int) -> Iterator[str]:
-    if not frames:
+def _problems(name: str, found: _Found, notes: list[str]) -> Iterator[str]:
+    left = found.left_bytes
+    if not found.frames:
         yield f"{name} is empty." if not left else f"{name} holds no MAVLink frame: it is no tlog."
         return
-    if gaps:
-        times = "one place" if gaps == 1 else f"{gaps} places"
+    if found.gaps:
+        skipped, times = found.skipped_bytes, "one place" if found.gaps == 1 else f"{found.gaps} places"
         yield f"{name} holds {skipped} bytes in {times} that belong to no MAVLink frame; they were passed over."
     yield from (f"{name}: {note}." for note in notes)
     if 0 < left < TIME_BYTES + LARGEST:

@@ -103,10 +103,15 @@ class Flown:
 def answers() -> list[list[bytes]]:
     """Ticks of the full fleet: each vehicle's answer of the six hot messages and SYSTEM_TIME, one datagram."""
     hot = [codec.split(frame).frames[0] for frame in hot_frames()]
-    messages = [codec.Message(frame.msgid, tuple(codec.fields(frame))) for frame in hot]
+    said = [(frame.msgid, codec.fields(frame)) for frame in hot]
     ticks = []
     for tick in range(TICKS):
-        end = codec.Message(codec.msgid("SYSTEM_TIME"), (0, PERIOD_MS * (tick + 1)))
+        now = {"time_boot_ms": PERIOD_MS * (tick + 1)}
+        messages = [
+            codec.Message(msgid, tuple(fields._replace(**now) if now.keys() <= set(fields._fields) else fields))
+            for msgid, fields in said
+        ]
+        end = codec.Message(codec.msgid("SYSTEM_TIME"), (0, now["time_boot_ms"]))
         first = 2 + 7 * tick
         ticks.append(
             [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -45,7 +45,7 @@ class TlogTimes(NamedTuple):
 AS_STAMPED = TlogTimes(np.empty(0, np.int64), np.empty(0, np.int64), [])
 
 
-def judge(walk: Callable[[], Iterator[Chunk]], *, session: bool = False) -> TlogTimes:
+def judge(walk: Callable[[], Iterable[Chunk]], *, session: bool = False) -> TlogTimes:
     """Corrections for the recording that `walk` walks, each time from its beginning, with stamps as they are.
 
     session: as of `recorded_clock.judged`.
@@ -93,12 +93,13 @@ class _Said:
         clock_us = _numbers(chunk, heads[rows, AT], offsets[msgids], usec)
         clock_us[~usec] *= 1000
         clock = (heads[rows, SYSID] << 8 | heads[rows, COMPID]) << 16 | np.where(usec, msgids, 0)
-        for key in np.unique(clock).tolist():
-            mine = np.flatnonzero((clock == key) & (clock_us > 0) & (clock_us < LATEST_US))
-            if self._thinned:
-                second = clock_us[mine] // SECOND_US
-                mine = mine[np.diff(second, prepend=second[:1] - 1) != 0]
-            self._parts[key].append((self._count + rows[mine], clock_us[mine]))
+        possible = np.flatnonzero((clock_us > 0) & (clock_us < LATEST_US))
+        by_clock = possible[np.argsort(clock[possible], kind="stable")]
+        if self._thinned:
+            by_clock = by_clock[_changes(clock[by_clock]) | _changes(clock_us[by_clock] // SECOND_US)]
+        for mine in np.split(by_clock, np.flatnonzero(_changes(clock[by_clock]))[1:]):
+            if len(mine):
+                self._parts[int(clock[mine[0]])].append((self._count + rows[mine], clock_us[mine]))
         beats = chunk.table("HEARTBEAT")
         beats = beats[beats["type"] == mav.MAV_TYPE_GCS]
         self._stations.update((beats["sysid"].astype(np.int64) << 8 | beats["compid"]).tolist())
@@ -116,6 +117,13 @@ class _Said:
     def _whole(self, key: int) -> tuple[IntArray, IntArray]:
         rows, clock_us = zip(*self._parts[key], strict=True)
         return np.concatenate(rows), np.concatenate(clock_us)
+
+
+def _changes(values: IntArray) -> NDArray[np.bool_]:
+    """(n,) whether each is the first of all or another than the one before."""
+    changes = np.ones(len(values), dtype=np.bool_)
+    changes[1:] = values[1:] != values[:-1]
+    return changes
 
 
 def _numbers(chunk: Chunk, at: IntArray, offsets: IntArray, wide: NDArray[np.bool_]) -> IntArray:

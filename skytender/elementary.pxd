@@ -1,7 +1,7 @@
 cimport cython
 
 cdef enum:
-    TOGETHER = 4  # numbers of `pow_of_each`
+    TOGETHER = 4  # numbers of `sin_cos_of_each` and `pow_of_each`
 
 cdef long long _FRACTION, _ONE, _FIRST_BITS
 cdef double _LEAST_NORMAL, _ROUND, _FAR, _STEPS, _TWO_OVER_PI, _STEPS_OVER_LN_2, _LN_2, _INVERSE_LN_2, _TWO_PI, _PI, _PI_REST
@@ -20,6 +20,7 @@ cdef (double, double, int) _reduced(double x) noexcept nogil
 cdef double _sine_near_0(double r, double rest) noexcept nogil
 cdef double _cosine_near_0(double r, double rest) noexcept nogil
 cpdef (double, double) sin_cos(double x) noexcept nogil
+cdef void sin_cos_of_each(const double* x, double* sines, double* cosines) noexcept nogil
 cpdef double sin(double x) noexcept nogil
 cpdef double cos(double x) noexcept nogil
 cpdef double tan(double x) noexcept nogil

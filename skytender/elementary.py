@@ -132,6 +132,18 @@ def sin_cos(x: float) -> tuple[float, float]:
     return s, c
 
 
+def sin_cos_of_each(x: Any, sines: Any, cosines: Any) -> None:
+    """`sin_cos` of TOGETHER angles. The processor works on all at once where they are small, and need no reduction."""
+    small = cython.declare(cython.bint, True)
+    for i in range(TOGETHER):
+        small &= math.fabs(x[i]) <= 0.25 * _PI
+    for i in range(TOGETHER):
+        if small:
+            sines[i], cosines[i] = _sine_near_0(x[i], 0.0), _cosine_near_0(x[i], 0.0)
+        else:
+            sines[i], cosines[i] = sin_cos(x[i])
+
+
 def sin(x: float) -> float:
     """Sine."""
     r, rest, quarter = _reduced(x)

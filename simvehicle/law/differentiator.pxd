@@ -4,9 +4,6 @@ cdef enum:
 cdef double _K_ANGLE, _K_ACCELERATION, _TINY
 cdef int _MOST_EVALUATIONS
 
-cdef void _evaluate(
-    const double* s, const double* x1, const double* x2, const double* x3, const double* signals, double dt,
-    double epsilon, double stiffness, double* g, double* g_slope, double* a_slope) noexcept nogil
 cdef int _solve(
     const double* x1, const double* x2, const double* x3, const double* signals, double dt, double epsilon,
     double tolerance, double* s) noexcept nogil

@@ -35,6 +35,16 @@ _TINY = 1e-200
 _MOST_EVALUATIONS = 200
 
 
+@cython.cfunc
+@cython.inline
+@cython.nogil
+@cython.exceptval(check=False)
+@cython.returns(cython.void)
+@cython.locals(
+    s="const double*", x1="const double*", x2="const double*", x3="const double*", signals="const double*",
+    dt=cython.double, epsilon=cython.double, stiffness=cython.double, g=cython.p_double, g_slope=cython.p_double,
+    a_slope=cython.p_double,
+)  # fmt: skip
 def _evaluate(
     s: Any, x1: Any, x2: Any, x3: Any, signals: Any, dt: float, epsilon: float, stiffness: float, g: Any, g_slope: Any,
     a_slope: Any,

@@ -1,5 +1,10 @@
-cdef (double, double) _sine_and_cosine(double angle, double known, double sine, double cosine) noexcept nogil
-cdef (double, double, double) _thrust_towards(double roll, double pitch, double sin_yaw, double cos_yaw) noexcept nogil
+from skytender.elementary cimport TOGETHER
+
+cdef enum:
+    STAGES = TOGETHER  # of RK4
+
+cdef (double, double, double) _thrust_towards(
+    double sin_roll, double cos_roll, double sin_pitch, double cos_pitch, double sin_yaw, double cos_yaw) noexcept nogil
 cpdef (double, double, double) thrust_direction(double roll, double pitch, double yaw) noexcept nogil
 cpdef (double, double, double, double, double) rk4_axis(
     double x, double v, double a1, double a2, double a3, double a4, double drag, double dt) noexcept nogil

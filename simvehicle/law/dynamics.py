@@ -13,6 +13,7 @@ import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.libc import math
+from cython.cimports.simvehicle.law.dynamics import STAGES
 from numpy.typing import ArrayLike, NDArray
 
 from simvehicle.law.params import Airframe
@@ -26,20 +27,15 @@ INPUT_SIZE = 4
 
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
     """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
-    sine, cosine = elementary.sin_cos(yaw)
-    return _thrust_towards(roll, pitch, sine, cosine)
-
-
-def _sine_and_cosine(angle: float, known: float, sine: float, cosine: float) -> tuple[float, float]:
-    """Of an angle; those of a known one are not computed again, and most vehicles seldom turn."""
-    if angle == known:
-        return sine, cosine
-    return elementary.sin_cos(angle)
-
-
-def _thrust_towards(roll: float, pitch: float, sin_yaw: float, cos_yaw: float) -> tuple[float, float, float]:
     sin_roll, cos_roll = elementary.sin_cos(roll)
     sin_pitch, cos_pitch = elementary.sin_cos(pitch)
+    sin_yaw, cos_yaw = elementary.sin_cos(yaw)
+    return _thrust_towards(sin_roll, cos_roll, sin_pitch, cos_pitch, sin_yaw, cos_yaw)
+
+
+def _thrust_towards(
+    sin_roll: float, cos_roll: float, sin_pitch: float, cos_pitch: float, sin_yaw: float, cos_yaw: float
+) -> tuple[float, float, float]:
     return (
         cos_roll * sin_pitch * cos_yaw + sin_roll * sin_yaw,
         cos_roll * sin_pitch * sin_yaw - sin_roll * cos_yaw,
@@ -72,22 +68,36 @@ def fly_plant(
     dt: float,
 ) -> None:  # fmt: skip
     """One RK4 step of the plant over dt seconds with its inputs held; the 12 numbers at s change in place."""
-    roll2, roll3, roll4, roll, s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
-    pitch2, pitch3, pitch4, pitch, s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
-    yaw2, yaw3, yaw4, yaw, s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
-    sine, cosine = elementary.sin_cos(s[8])
-    sine2, cosine2 = _sine_and_cosine(yaw2, s[8], sine, cosine)
-    sine3, cosine3 = _sine_and_cosine(yaw3, s[8], sine, cosine)
-    sine4, cosine4 = _sine_and_cosine(yaw4, s[8], sine, cosine)
-    x1, y1, z1 = _thrust_towards(s[6], s[7], sine, cosine)
-    x2, y2, z2 = _thrust_towards(roll2, pitch2, sine2, cosine2)
-    x3, y3, z3 = _thrust_towards(roll3, pitch3, sine3, cosine3)
-    x4, y4, z4 = _thrust_towards(roll4, pitch4, sine4, cosine4)
+    roll = cython.declare(cython.double[STAGES])
+    pitch = cython.declare(cython.double[STAGES])
+    yaw = cython.declare(cython.double[STAGES])
+    sin_roll = cython.declare(cython.double[STAGES])
+    cos_roll = cython.declare(cython.double[STAGES])
+    sin_pitch = cython.declare(cython.double[STAGES])
+    cos_pitch = cython.declare(cython.double[STAGES])
+    sin_yaw = cython.declare(cython.double[STAGES])
+    cos_yaw = cython.declare(cython.double[STAGES])
+    x = cython.declare(cython.double[STAGES])
+    y = cython.declare(cython.double[STAGES])
+    z = cython.declare(cython.double[STAGES])
+    roll[0], pitch[0], yaw[0] = s[6], s[7], s[8]
+    roll[1], roll[2], roll[3], s[6], s[9] = rk4_axis(s[6], s[9], tau2, tau2, tau2, tau2, rotational_drag, dt)
+    pitch[1], pitch[2], pitch[3], s[7], s[10] = rk4_axis(s[7], s[10], tau3, tau3, tau3, tau3, rotational_drag, dt)
+    yaw[1], yaw[2], yaw[3], s[8], s[11] = rk4_axis(s[8], s[11], tau4, tau4, tau4, tau4, rotational_drag, dt)
+    elementary.sin_cos_of_each(roll, sin_roll, cos_roll)
+    elementary.sin_cos_of_each(pitch, sin_pitch, cos_pitch)
+    if yaw[0] == yaw[1] == yaw[2] == yaw[3]:  # most vehicles seldom turn
+        sin_yaw[0], cos_yaw[0] = elementary.sin_cos(yaw[0])
+        for k in range(1, STAGES):
+            sin_yaw[k], cos_yaw[k] = sin_yaw[0], cos_yaw[0]
+    else:
+        elementary.sin_cos_of_each(yaw, sin_yaw, cos_yaw)
+    for k in range(STAGES):
+        x[k], y[k], z[k] = _thrust_towards(sin_roll[k], cos_roll[k], sin_pitch[k], cos_pitch[k], sin_yaw[k], cos_yaw[k])
     g = gravity
-    _, _, _, s[0], s[3] = rk4_axis(s[0], s[3], u1 * x1, u1 * x2, u1 * x3, u1 * x4, drag, dt)
-    _, _, _, s[1], s[4] = rk4_axis(s[1], s[4], u1 * y1, u1 * y2, u1 * y3, u1 * y4, drag, dt)
-    _, _, _, s[2], s[5] = rk4_axis(s[2], s[5], u1 * z1 - g, u1 * z2 - g, u1 * z3 - g, u1 * z4 - g, drag, dt)
-    s[6], s[7], s[8] = roll, pitch, yaw
+    _, _, _, s[0], s[3] = rk4_axis(s[0], s[3], u1 * x[0], u1 * x[1], u1 * x[2], u1 * x[3], drag, dt)
+    _, _, _, s[1], s[4] = rk4_axis(s[1], s[4], u1 * y[0], u1 * y[1], u1 * y[2], u1 * y[3], drag, dt)
+    _, _, _, s[2], s[5] = rk4_axis(s[2], s[5], u1 * z[0] - g, u1 * z[1] - g, u1 * z[2] - g, u1 * z[3] - g, drag, dt)
 
 
 def plant_step(

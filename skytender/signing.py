@@ -24,6 +24,7 @@ SIGNED = 0x01
 """Incompatibility flag of a signed frame."""
 CHECKSUM_BYTES, SIGNATURE_BYTES = 2, 13
 _STAMP_BYTES, _HASH_BYTES = 6, 6
+_SIGNED_BYTE = bytes((SIGNED,))
 LAST_STAMP = (1 << 48) - 1
 """A time stamp has 48 bits; after the last one it is repeated, and no receiver accepts it twice."""
 _TAIL = struct.Struct("<HBIH").pack
@@ -73,10 +74,11 @@ class Signing:
 
     def sign(self, raw: bytes, seed: bytes, link_id: int, now_ticks: int) -> bytes:
         """An unsigned frame, signed; `seed`: the byte by which its message's checksum begins."""
-        self.latest = min(max(self.latest + 1, now_ticks), LAST_STAMP)
-        body = raw[:2] + bytes((SIGNED,)) + raw[3:-CHECKSUM_BYTES]
+        latest = now_ticks if now_ticks > self.latest else self.latest + 1
+        self.latest = latest = latest if latest < LAST_STAMP else LAST_STAMP
+        body = raw[:2] + _SIGNED_BYTE + raw[3:-CHECKSUM_BYTES]
         crc = mcrf4xx(body[1:] + seed)
-        stamped = body + _TAIL(crc, link_id, self.latest & 0xFFFF_FFFF, self.latest >> 32)
+        stamped = body + _TAIL(crc, link_id, latest & 0xFFFF_FFFF, latest >> 32)
         return stamped + self._signature(stamped)
 
     def judge(self, raw: bytes, msgid: int, now_ticks: int) -> SignatureVerdict:

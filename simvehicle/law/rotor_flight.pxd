@@ -17,7 +17,8 @@ cdef double _draw(
 @cython.locals(running=cython.bint, stood=cython.bint)
 cdef double _step(
     RotorState* s, const Command* c, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
-    Py_ssize_t count, const double* noise, const double* decays, double t, double dt) noexcept nogil
+    Py_ssize_t count, const double* noise, const double* decays, (double, double) spin, double t,
+    double dt) noexcept nogil
 cdef void fly_row(
     RotorState* s, const Command* c, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
     Py_ssize_t count, const double* noise, double t, double dt, Py_ssize_t steps, double* thrust) noexcept nogil

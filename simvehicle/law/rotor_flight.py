@@ -137,8 +137,9 @@ def _draw(s: Any, p: Any, a: Any, w: Any, dt: float) -> float:
 
 
 def _step(
-    s: Any, c: Any, p: Any, a: Any, w: Any, gusts: Any, count: int, noise: Any, decays: Any, t: float, dt: float
-) -> float:
+    s: Any, c: Any, p: Any, a: Any, w: Any, gusts: Any, count: int, noise: Any, decays: Any, spin: tuple[float, float],
+    t: float, dt: float,
+) -> float:  # fmt: skip
     """One step from t to t + dt; returns the thrust per mass at its end."""
     known, body = cython.address(s.known), cython.address(s.body)
     wanted = cython.declare(cython.double[4])
@@ -158,7 +159,7 @@ def _step(
             wanted[i] = 0.0
     _observe(s, p, u1, dt)
     _blow(s, w, gusts, count, noise, t, dt)
-    rotors.step_body(body, wanted, s.wind, a, dt)
+    rotors.step_body(body, wanted, s.wind, a, spin, dt)
     known.contact = 1.0 if c.ground != 0.0 and rotors.land_body(body, x, y, stood) else 0.0
     step_errors(s.error, noise + GUST_NOISE, w.deviation, decays)
     _see(s, s.error)
@@ -178,10 +179,11 @@ def fly_row(
     decays = cython.declare(cython.double[4])
     for i in range(4):
         decays[i] = elementary.exp(-dt / w.time_s[i])
+    spin = rotors.spin_up(a, dt)
     known = cython.address(s.known)
     step.take_command(known, c, t)
     for k in range(steps):
-        thrust[k] = _step(s, c, p, a, w, gusts, count, noise + k * NOISE_SIZE, decays, t + k * dt, dt)
+        thrust[k] = _step(s, c, p, a, w, gusts, count, noise + k * NOISE_SIZE, decays, spin, t + k * dt, dt)
     if known.started != 0.0:
         step.set_reference(known, c, p, t + steps * dt)
 
@@ -259,7 +261,7 @@ def turn_row(
     for i in range(ERROR_SIZE):
         none[i] = 0.0
     _blow(s, w, gusts_at(gusts), gusts.shape[0], cython.address(noise[0]), t, dt)
-    rotors.step_body(body, cython.address(wanted[0]), s.wind, a, dt)
+    rotors.step_body(body, cython.address(wanted[0]), s.wind, a, rotors.spin_up(a, dt), dt)
     known.contact = 1.0 if rotors.land_body(body, x, y, stood) else 0.0
     _see(s, none)
     _draw(s, p, a, w, dt)

@@ -25,8 +25,10 @@ cdef (double, double, double, double, double, double) wrench(
     const Body* at, const Sums* sums, const double* wind, const AirframeRow* a) noexcept nogil
 cdef void _slope(
     const Body* at, const Sums* sums, const double* wind, const AirframeRow* a, double* out) noexcept nogil
+cdef (double, double) spin_up(const AirframeRow* a, double dt) noexcept nogil
 cdef void step_body(
-    Body* body, const double* wanted, const double* wind, const AirframeRow* a, double dt) noexcept nogil
+    Body* body, const double* wanted, const double* wind, const AirframeRow* a, (double, double) spin,
+    double dt) noexcept nogil
 cdef void _normalise(Body* body) noexcept nogil
 cdef bint land_body(Body* body, double x, double y, bint stood) noexcept nogil
 cdef (double, double, double) euler_of(const double* q) noexcept nogil

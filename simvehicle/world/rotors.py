@@ -86,8 +86,14 @@ def _slope(at: Any, sums: Any, wind: Any, a: Any, out: Any) -> None:
     out[12] = (mz - (iy - ix) * p * q_rate) / iz
 
 
-def step_body(body: Any, wanted: Any, wind: Any, a: Any, dt: float) -> None:
-    """One step of dt seconds in place, towards wanted rotor speeds (4,) rad/s, in a held wind (3,) nwu, m/s."""
+def spin_up(a: Any, dt: float) -> tuple[float, float]:
+    """Shares of what rotors lack of their wanted speeds that half a step of dt seconds and a whole one make good."""
+    return 1.0 - elementary.exp(-0.5 * dt / a.lag), 1.0 - elementary.exp(-dt / a.lag)
+
+
+def step_body(body: Any, wanted: Any, wind: Any, a: Any, spin: tuple[float, float], dt: float) -> None:
+    """One step of dt seconds in place, towards wanted rotor speeds (4,) rad/s, in a held wind (3,) nwu, m/s; spin:
+    `spin_up` of dt."""
     at = cython.declare(Body)
     begin = cython.declare(Sums)
     middle = cython.declare(Sums)
@@ -96,8 +102,7 @@ def step_body(body: Any, wanted: Any, wind: Any, a: Any, dt: float) -> None:
     k2 = cython.declare(cython.double[MOVING])
     k3 = cython.declare(cython.double[MOVING])
     k4 = cython.declare(cython.double[MOVING])
-    half = 1.0 - elementary.exp(-0.5 * dt / a.lag)
-    whole = 1.0 - elementary.exp(-dt / a.lag)
+    half, whole = spin
     rotor_sums(body, wanted, 0.0, a, cython.address(begin))
     rotor_sums(body, wanted, half, a, cython.address(middle))
     rotor_sums(body, wanted, whole, a, cython.address(end))
@@ -241,7 +246,8 @@ def moments_of(
 
 def body_step(body: Row, wanted: Row, wind: Row, airframe: Row, dt: float) -> None:
     """`step_body`."""
-    step_body(body_at(body), cython.address(wanted[0]), cython.address(wind[0]), airframe_at(airframe), dt)
+    a = airframe_at(airframe)
+    step_body(body_at(body), cython.address(wanted[0]), cython.address(wind[0]), a, spin_up(a, dt), dt)
 
 
 def meet_ground(body: Row, x: float, y: float, stood: bool) -> bool:

@@ -6,8 +6,8 @@ cdef inline const Gust* gusts_at(const double[:, ::1] table) noexcept nogil:
     return <const Gust*>&table[0, 0]
 
 cpdef (double, double, double, double) dryden_scales(double height_m, double w20_m_s) noexcept nogil
-cdef double _first_order(double z, double h, double noise) noexcept nogil
-cdef double _second_order(double* g, int i, double h, double n1, double n2) noexcept nogil
+cdef double _first_order(double z, double a, double noise) noexcept nogil
+cdef double _second_order(double* g, int i, double h, double a, double n1, double n2) noexcept nogil
 cdef (double, double, double) blow(
     double* gust, const double* noise, double height_m, double air_speed_m_s, double w20_m_s, double dt) noexcept nogil
 cpdef (double, double, double) turbulence(

@@ -33,15 +33,14 @@ def dryden_scales(height_m: float, w20_m_s: float) -> tuple[float, float, float,
     return sigma_w / elementary.pow(d, 0.4), sigma_w, h / elementary.pow(d, 1.2) * _FOOT_M, h * _FOOT_M
 
 
-def _first_order(z: float, h: float, noise: float) -> float:
-    """x of unit variance, correlated over a time of which a step is the share h."""
-    a = elementary.exp(-h)
+def _first_order(z: float, a: float, noise: float) -> float:
+    """x of unit variance, of which a step leaves the share a."""
     return a * z + math.sqrt(max(1.0 - a * a, 0.0)) * noise
 
 
-def _second_order(g: Any, i: int, h: float, n1: float, n2: float) -> float:
-    """(1 + √3 T s)/(1 + T s)² of white noise, of unit variance: √3 y1 + (1 - √3) y2 of two lags in a row, exactly."""
-    a = elementary.exp(-h)
+def _second_order(g: Any, i: int, h: float, a: float, n1: float, n2: float) -> float:
+    """(1 + √3 T s)/(1 + T s)² of white noise, of unit variance: √3 y1 + (1 - √3) y2 of two lags in a row, exactly.
+    A step is the share h of T, and a = e^-h."""
     if h < _SMALL:
         q11, q12, q22 = h, 0.5 * h * h, h * h * h / 3.0
     else:
@@ -65,9 +64,10 @@ def blow(
     sigma, sigma_w, length, length_w = dryden_scales(height_m, w20_m_s)
     speed = max(air_speed_m_s, _LEAST_AIR_SPEED_M_S)
     h, h_w = dt * speed / length, dt * speed / length_w
-    gust[0] = _first_order(gust[0], h, noise[0])
-    v = _second_order(gust, 1, h, noise[1], noise[2])
-    w = _second_order(gust, 3, h_w, noise[3], noise[4])
+    a = elementary.exp(-h)
+    gust[0] = _first_order(gust[0], a, noise[0])
+    v = _second_order(gust, 1, h, a, noise[1], noise[2])
+    w = _second_order(gust, 3, h_w, elementary.exp(-h_w), noise[3], noise[4])
     return sigma * gust[0], sigma * v, sigma_w * w
 
 

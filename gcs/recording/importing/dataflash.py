@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 from pymavlink import DFReader
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
+from gcs.mavlink.battery import cells_mv
 from gcs.recording.importing import dataflash_plans
 from gcs.recording.importing.dataflash_places import Places
 from gcs.recording.importing.sample import ImportFailed, Sample, chunks
@@ -220,7 +221,7 @@ def _battery(row: Any) -> dict[str, Any]:
         "battery_function": mav.MAV_BATTERY_FUNCTION_UNKNOWN,
         "type": mav.MAV_BATTERY_TYPE_UNKNOWN,
         "temperature": 32767,
-        "voltages": [round(1e3 * volts) if 0.0 < volts < 65.0 else 65535] + [65535] * 9,
+        "voltages": cells_mv(volts),
         "current_battery": round(_CENTI * amperes) if abs(amperes) < 327.0 else -1,
         "current_consumed": round(row.CurrTot),
         "energy_consumed": -1 if energy_wh is None else round(36.0 * energy_wh),

@@ -75,12 +75,12 @@ def sys_statuses(rows: NDArray[Any]) -> BatteryReports:
 
 def cells_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
     """(n,) V of each row of BATTERY_STATUS, as `voltage_v`; 0 where not known."""
-    return 1e-3 * _cells_total_mv(rows)
+    return 1e-3 * _cells_total_mv(rows).astype(np.float64)
 
 
 def status_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
     """(n,) V of each row of SYS_STATUS; 0 where not known."""
-    return 1e-3 * _status_total_mv(rows)
+    return 1e-3 * _status_total_mv(rows).astype(np.float64)
 
 
 def _cells_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:

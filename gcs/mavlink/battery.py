@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 HECTOJOULE = 100.0
+CELLS = 10
 NO_CELL = 65535
+MOST_OF_A_CELL = NO_CELL - 1
 NO_CURRENT = frozenset({-1, -100})
 """Value of a current that is not measured: -1 by the protocol; PX4 sends its own -1 A of the same meaning in cA."""
 
@@ -24,6 +26,18 @@ def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | N
     else:
         total_mv += sum(more_mv)
     return 1e-3 * total_mv if total_mv else None
+
+
+def cells_mv(volts: float) -> list[int]:
+    """The ten cells of BATTERY_STATUS for a battery of which only the whole voltage is known, by the message's
+    definition: in cell 0, what it cannot hold in those after it, 65535 in all others."""
+    left_mv = round(1e3 * volts) if 0.0 < volts < 1e-3 * CELLS * MOST_OF_A_CELL else 0
+    cells = [NO_CELL] * CELLS
+    for k in range(CELLS):
+        if left_mv > 0:
+            cells[k] = min(left_mv, MOST_OF_A_CELL)
+            left_mv -= cells[k]
+    return cells
 
 
 def battery_status(content: Any, time_s: float) -> BatteryReport:
@@ -49,19 +63,36 @@ def sys_status(content: Any, time_s: float) -> BatteryReport:
 
 def battery_statuses(rows: NDArray[Any]) -> BatteryReports:
     """As `battery_status` of each row, with its fields and `t_s`, the session time in s."""
-    cells_mv = rows["voltages"].astype(np.int64)
-    beyond = np.logical_or.accumulate(cells_mv == NO_CELL, axis=1)
-    more_mv = np.where(beyond[:, -1], 0, rows["voltages_ext"].sum(axis=1, dtype=np.int64))
     consumed_hj = rows["energy_consumed"]
     consumed_j = np.where(consumed_hj < 0, np.nan, HECTOJOULE * consumed_hj)
-    return _reports(rows, consumed_j, np.where(beyond, 0, cells_mv).sum(axis=1) + more_mv, second_hand=False)
+    return _reports(rows, consumed_j, _cells_total_mv(rows), second_hand=False)
 
 
 def sys_statuses(rows: NDArray[Any]) -> BatteryReports:
     """As `sys_status` of each row, likewise."""
+    return _reports(rows, np.full(len(rows), np.nan), _status_total_mv(rows), second_hand=True)
+
+
+def cells_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
+    """(n,) V of each row of BATTERY_STATUS, as `voltage_v`; 0 where not known."""
+    return 1e-3 * _cells_total_mv(rows).astype(np.float64)
+
+
+def status_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
+    """(n,) V of each row of SYS_STATUS; 0 where not known."""
+    return 1e-3 * _status_total_mv(rows).astype(np.float64)
+
+
+def _cells_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:
+    each_mv, more_mv = (rows[name].astype(np.int64) for name in ("voltages", "voltages_ext"))
+    beyond = np.logical_or.accumulate(each_mv == NO_CELL, axis=1)
+    rest_mv = np.where(beyond[:, -1], 0, more_mv.sum(axis=1))
+    return np.where(beyond, 0, each_mv).sum(axis=1) + rest_mv
+
+
+def _status_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:
     total_mv = rows["voltage_battery"].astype(np.int64)
-    unknown_j = np.full(len(rows), np.nan)
-    return _reports(rows, unknown_j, np.where(total_mv == NO_CELL, 0, total_mv), second_hand=True)
+    return np.where(total_mv == NO_CELL, 0, total_mv)
 
 
 def _reports(

@@ -31,6 +31,7 @@ from gcs.recording.tlog_walk import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntAr
 from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.telemetry.voltage_watch import VoltageWatches
 
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16
@@ -63,10 +64,10 @@ def export(source: Path, tables: Tables, progress: Progress = lambda _: None) ->
     if not source.exists():
         raise ExportError(f"{source} does not exist; give a session's folder or a .tlog file.")
     log = tlog_reader.read(source)
-    _export_frames(log, tables, None, progress)
+    noticed = _export_frames(log, tables, None, progress)
     if not tables.rows:
         raise ExportError(" ".join(log.problems) or f"{source} holds no MAVLink frame.")
-    return log.problems
+    return log.problems + noticed
 
 
 def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[str]:
@@ -94,8 +95,8 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
         log = tlog_reader.read(frames, session=True)
-        _export_frames(log, tables, epoch_us, part(frames), session=True)
-        problems += log.problems
+        noticed = _export_frames(log, tables, epoch_us, part(frames), session=True)
+        problems += log.problems + noticed
         done += rotation.size(frames)
     if decisions in present:
         problems += _export_decisions(decisions, tables, part(decisions))
@@ -121,7 +122,10 @@ def _without_truth(folder: Path, scenario: Scenario, found: Collection[str]) -> 
 
 def _export_frames(
     log: tlog_reader.Tlog, tables: Tables, epoch_us: int | None, progress: Progress, *, session: bool = False
-) -> None:
+) -> list[str]:
+    """Sentences on what the frames say that is not as it should be."""
+    noticed: list[str] = []
+    voltages = VoltageWatches()
     stations = np.zeros(1 << 16, dtype=np.bool_)
     if session:
         stations[_sender(*STATION)] = True
@@ -147,7 +151,14 @@ def _export_frames(
             if shape.name in recorded.CARRIERS:
                 columns[recorded.FIELD] = encodings.numbers(shape.name, rows)
             tables.append(shape.name, columns)
+        told = [
+            (rows, (rows["t_us"] - (epoch_us or 0)) / 1e6)
+            for rows in (chunk.table("SYS_STATUS"), chunk.table("BATTERY_STATUS"))
+        ]
+        for sysid, t_s, note in voltages.take(*told[0], *told[1]):
+            noticed.append(f"Vehicle {sysid} at {t_s:.1f} s: {note}.")
         progress(chunk.read_share)
+    return noticed
 
 
 def _own_columns(heads: IntArray, sent: NDArray[np.bool_], epoch_us: int) -> dict[str, Column]:

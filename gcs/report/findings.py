@@ -20,6 +20,7 @@ from gcs.scenario.goal import Judgement, Measured, Nearest
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import ServedRow
+from gcs.telemetry.voltage_watch import VoltageWatches
 
 Level = Literal["bad", "warn", "note"]
 FEW = 8
@@ -232,6 +233,7 @@ class Findings:
             if part.met is False:
                 yield SessionProblem("bad", f"Not reached: {part.wanted} ({part.reached}).")
         yield from self._said()
+        yield from self._voltages()
         yield from self._too_near()
         yield from self._services_cut_short()
         failed: dict[str, list[dict[str, Any]]] = {}
@@ -261,6 +263,13 @@ class Findings:
             level: Level = "bad" if severity <= CRITICAL else "warn"
             plural = "vehicle" if len(who) == 1 else f"{len(who)} vehicles:"
             yield SessionProblem(level, f"“{text}” said by {plural} {few(who)} ({_times(len(said), said[0][0])}).")
+
+    def _voltages(self) -> Iterator[SessionProblem]:
+        tables = self.recorded.tables
+        if "SYS_STATUS" in tables and "BATTERY_STATUS" in tables:
+            statuses, batteries = tables["SYS_STATUS"], tables["BATTERY_STATUS"]
+            for sysid, t_s, note in VoltageWatches().take(statuses, statuses["t_s"], batteries, batteries["t_s"]):
+                yield SessionProblem("warn", f"Vehicle {sysid}: {note} ({t_s:.1f} s).")
 
     def _too_near(self) -> Iterator[SessionProblem]:
         for part in ("separation", "clearance", "traffic", "ground"):

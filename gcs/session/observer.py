@@ -170,6 +170,8 @@ class Observer:
             self.fleet.ingest(frame, t_s)
         else:
             adapter.receive(frame, t_s)
+            self._events += [Event(t_s, frame.sysid, "warning", note, "link") for note in adapter.notes]
+            adapter.notes.clear()
             self._place_common_frame(adapter, frame.msgid, t_s)
             adapter.feed(self.fleet, frame, t_s, framed=self._zero.origin is not None)
         if frame.msgid == _TARGET:

@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
-from gcs.mavlink.battery import sys_status
+from gcs.mavlink.battery import sys_status, voltage_v
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.telemetry import place_claims
@@ -25,6 +25,7 @@ from gcs.telemetry.batteries import Batteries
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.place_claims import PlaceClaims
 from gcs.telemetry.state import VehicleView
+from gcs.telemetry.voltage_watch import VoltageWatch
 
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _STATE = codec.msgid("EXTENDED_SYS_STATE")
@@ -47,6 +48,9 @@ class TelemetryAdapter:
         self.batteries = Batteries()
         """also those that other components report"""
         self.claims = PlaceClaims()
+        self.notes: list[str] = []
+        """sentences on the vehicle that a person should see, without its name; taken by the reader"""
+        self._voltages = VoltageWatch()
         self._system_status = mav.MAV_STATE_UNINIT
         self._state_reported = False
         self._names_place = False
@@ -75,7 +79,10 @@ class TelemetryAdapter:
 
     def receive_battery(self, frame: Frame, t_s: float) -> None:
         """Take in BATTERY_STATUS, from any component of the vehicle."""
-        self.batteries.add(frame.compid, codec.fields(frame), t_s)
+        content = codec.fields(frame)
+        self.batteries.add(frame.compid, content, t_s)
+        if frame.compid == self.compid:
+            self._voltages.take_battery(content.id, voltage_v(content.voltages, content.voltages_ext) or 0.0, t_s)
         share, power_w = self.batteries.share(t_s), self.batteries.power_w(t_s)
         self.share = self.share if share is None else share
         self.power_w = self.power_w if power_w is None else power_w
@@ -114,6 +121,8 @@ class TelemetryAdapter:
 
     def _receive_status(self, content: Any, t_s: float) -> None:
         """SYS_STATUS, which speaks of one battery, counts where no battery speaks for itself."""
+        if (note := self._voltages.take_status(voltage_v((content.voltage_battery,)) or 0.0, t_s)) is not None:
+            self.notes.append(note)
         report = sys_status(content, t_s)
         if report.remaining is not None and self.batteries.share(t_s) is None:
             self.share = report.remaining

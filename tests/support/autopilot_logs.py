@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 LAT_DEG, LON_DEG, ALT_M = 47.397742, 8.545594, 488.0
@@ -15,6 +16,7 @@ SECONDS, RATE_HZ = 12, 10
 START_US = 40_000_000
 """since the autopilot's start"""
 UTC_US = 1_767_225_600_000_000
+RATES_RAD_S = (0.01, -0.02, SPEED_M_S / RADIUS_M)
 LONG_TEXT = "PreArm: battery 1 below minimum arming voltage, compasses off"
 
 
@@ -50,8 +52,14 @@ _DATAFLASH = {
     "GPS": (135, "QBBIHBcLLeffffB", "TimeUS,I,Status,GMS,GWk,NSats,HDop,Lat,Lng,Alt,Spd,GCrs,VZ,Yaw,U"),
     "ORGN": (153, "QBLLe", "TimeUS,Type,Lat,Lng,Alt"),
     "XKF1": (200, "QBffffff", "TimeUS,C,PN,PE,PD,VN,VE,VD"),
+    "XKF4": (203, "QBb", "TimeUS,C,PI"),
+    "NKF1": (204, "Qffffff", "TimeUS,PN,PE,PD,VN,VE,VD"),
+    "NKF4": (205, "Qb", "TimeUS,PI"),
+    "NKF6": (206, "Qffffff", "TimeUS,PN,PE,PD,VN,VE,VD"),
+    "SIM2": (207, "Qffffff", "TimeUS,PN,PE,PD,VN,VE,VD"),
     "POS": (202, "QLLef", "TimeUS,Lat,Lng,Alt,RelAlt"),
     "ATT": (201, "QccC", "TimeUS,Roll,Pitch,Yaw"),
+    "IMU": (208, "QBfff", "TimeUS,I,GyrX,GyrY,GyrZ"),
     "CMD": (93, "QHHHffffLLfB", "TimeUS,CTot,CNum,CId,Prm1,Prm2,Prm3,Prm4,Lat,Lng,Alt,Frame"),
     "MISE": (94, "QHHHffffLLfB", "TimeUS,CTot,CNum,CId,Prm1,Prm2,Prm3,Prm4,Lat,Lng,Alt,Frame"),
     "FNCE": (95, "QBBBLLBf", "TimeUS,Tot,Seq,Type,Lat,Lng,Count,Radius"),
@@ -59,12 +67,13 @@ _DATAFLASH = {
     "BAT": (160, "QBffffB", "TimeUS,Inst,Volt,Curr,CurrTot,EnrgTot,RemPct"),
 }
 _C = {"Q": "Q", "B": "B", "M": "B", "I": "I", "H": "H", "f": "f", "n": "4s", "N": "16s", "Z": "64s", "c": "h", "C": "H",
-      "L": "i", "e": "i", "h": "h"}  # fmt: skip
+      "b": "b", "L": "i", "e": "i", "h": "h"}  # fmt: skip
 _SCALE = {"c": 100.0, "C": 100.0, "e": 100.0, "L": 1e7}
 
 
-def _row(name: str, *values: object) -> bytes:
+def _row(name: str, *values: object, more: str = "") -> bytes:
     number, form, _ = _DATAFLASH[name]
+    form += more
     sent = [
         value.encode() if isinstance(value, str) else round(value * _SCALE[kind]) if kind in _SCALE else value  # type: ignore[operator]
         for kind, value in zip(form, values, strict=True)
@@ -91,6 +100,23 @@ def _sent_later(items: Sequence[int], count: int) -> Iterator[bytes]:
         yield _row("CMD", START_US + number, count, number, 16, 0.0, 0.0, 0.0, 0.0, LAT_DEG, LON_DEG, 30.0 + number, 3)
 
 
+class Estimate(NamedTuple):
+    """A row of an estimate: its core, where the row says it, and whether it tells the flight or another place."""
+
+    row: str
+    core: int | None = None
+    right: bool = False
+
+    def told(self, at: Moment) -> bytes:
+        place = at.p_ned if self.right else (900.0, 900.0, 0.0)
+        speed = at.v_ned if self.right else (50.0, 0.0, 0.0)
+        return _row(self.row, at.t_us, *(() if self.core is None else (self.core,)), *place, *speed)
+
+
+def _estimates(_: int) -> tuple[Sequence[Estimate], Mapping[str, int]]:
+    return (Estimate("XKF1", 0, right=True), Estimate("XKF1", 1)), {}
+
+
 def dataflash(
     path: Path,
     *,
@@ -101,15 +127,26 @@ def dataflash(
     mode: int = 4,
     events: Sequence[int] = (10, 28),
     later: tuple[Sequence[int], int] | None = None,
+    active: int | None = 3,
+    estimates: Callable[[int], tuple[Sequence[Estimate], Mapping[str, int]]] = _estimates,
+    globe: bool = True,
+    parameters: Mapping[str, float] = MappingProxyType({}),
 ) -> None:
+    """`active` is ATT's AEKF; `estimates` gives each moment's rows, and the primary core by XKF4 or NKF4."""
     out = []
-    for name, (number, form, columns) in _DATAFLASH.items():
+    formats = dict(_DATAFLASH)
+    if active is not None:
+        number, form, columns = formats["ATT"]
+        formats["ATT"] = (number, form + "B", columns + ",AEKF")
+    for name, (number, form, columns) in formats.items():
         length = 3 + struct.calcsize("<" + "".join(_C[kind] for kind in form))
         out.append(_row("FMT", number, length, name, form, columns))
     out.append(_row("PARM", START_US, "SYSID_THISMAV", float(sysid)))
+    out += [_row("PARM", START_US, name, value) for name, value in parameters.items()]
     out.append(_row("MSG", START_US, f"{program} V4.6.0 (12345678)"))
     out.append(_row("MSG", START_US, LONG_TEXT))
-    out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
+    if globe:
+        out.append(_row("ORGN", START_US, 0, LAT_DEG, LON_DEG, ALT_M))
     out += [_row("MODE", START_US, mode, mode, 1), *(_row("EV", START_US, event) for event in events)]
     out += _listed() if mission else ()
     out += _sent_later(*later) if later else ()
@@ -119,12 +156,16 @@ def dataflash(
         if k % 2 == 0:
             gps = (at.t_us, 0, 3, ms + since_ms, week, 12, 0.8, LAT_DEG, LON_DEG, ALT_M + HEIGHT_M)
             if satellites:
-                out.append(_row("GPS", *gps, SPEED_M_S, 0.0, 0.0, 0.0, 1))
+                course_deg = math.degrees(math.atan2(at.v_ned[1], at.v_ned[0])) % 360.0
+                out.append(_row("GPS", *gps, SPEED_M_S, course_deg, 0.0, 0.0, 1))
             out.append(_row("BAT", at.t_us, 0, 16.0, 20.0, 10.0 * k, 0.16 * k, 100 - k // 10))
-        out.append(_row("XKF1", at.t_us, 0, *at.p_ned, *at.v_ned))
-        out.append(_row("XKF1", at.t_us, 1, 900.0, 900.0, 0.0, 0.0, 0.0, 0.0))
-        out.append(_row("POS", at.t_us, *_globe(at.p_ned), ALT_M + HEIGHT_M, HEIGHT_M))
-        out.append(_row("ATT", at.t_us, 2.0, -3.0, math.degrees(at.yaw_rad) % 360.0))
+        rows, primary = estimates(k)
+        out += [_row(name, at.t_us, *((0,) if name == "XKF4" else ()), core) for name, core in primary.items()]
+        out += [estimate.told(at) for estimate in rows]
+        out += [_row("POS", at.t_us, *_globe(at.p_ned), ALT_M + HEIGHT_M, HEIGHT_M)] if globe else []
+        out += [_row("IMU", at.t_us, number, *rates) for number, rates in enumerate((RATES_RAD_S, (9.0, 9.0, 9.0)))]
+        attitude = (at.t_us, 2.0, -3.0, math.degrees(at.yaw_rad) % 360.0)
+        out.append(_row("ATT", *attitude) if active is None else _row("ATT", *attitude, active, more="B"))
     path.write_bytes(b"".join(out))
 
 

@@ -1,7 +1,7 @@
 """ArduPilot's DataFlash log as the messages that the vehicle would have sent.
 
 pymavlink's DFReader reads the log and sets its times by the GPS. Names of messages and fields are ArduPilot's
-(libraries/AP_Logger/LogStructure.h); EKF1, NKF1 and XKF1 are the estimators of three generations.
+(libraries/AP_Logger/LogStructure.h).
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from typing import Any, NamedTuple
 from pymavlink import DFReader
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
+from gcs.mavlink.battery import cells_mv
 from gcs.recording.importing import dataflash_plans
+from gcs.recording.importing.dataflash_places import Places
 from gcs.recording.importing.sample import ImportFailed, Sample, chunks
 
 TYPES = {
@@ -42,8 +44,7 @@ def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
     with _opened(path) as reader:
         if "TIME" in reader.name_to_id:
             raise ImportFailed(f"{path} is a PX4 log of before ULog (sdlog2), which is not read.")
-        vehicle = _Vehicle(_identity(reader))
-        reader.rewind()
+        vehicle = _Vehicle(_identity(reader), Places(reader))
         begin_s: float | None = None
         read = _Read()
         while (row := reader.recv_msg()) is not None:
@@ -116,6 +117,7 @@ def _identity(reader: Any) -> _Identity:
             modes += [] if modes else [_mode(row)]
         elif row.Name in SYSID_NAMES and 1 <= row.Value <= 254:
             sysid = int(row.Value)
+    reader.rewind()
     return _Identity(sysid, kinds[0] if kinds else mav.MAV_TYPE_GENERIC, modes[0] if modes else 0)
 
 
@@ -126,15 +128,14 @@ def _mode(row: Any) -> int:
 class _Vehicle:
     """The vehicle as its log has told of it so far."""
 
-    def __init__(self, identity: _Identity) -> None:
+    def __init__(self, identity: _Identity, places: Places) -> None:
         self._sysid, self._type = identity.sysid, identity.kind
         self._mode, self._armed, self._landed = identity.mode, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US
         self._texts = 0
         self._mission = dataflash_plans.ListedMission()
-        self._core = 0
-        """which of the estimator's cores it flies on; a row without C is of the only one"""
-        self._v_ned = (0.0, 0.0, 0.0)
+        self._places = places
+        self._rates = (math.nan,) * 3
 
     def read(self, t_us: int, boot_ms: int, row: Any) -> Iterator[Sample]:
         """Messages that one row of the log gives."""
@@ -143,19 +144,14 @@ class _Vehicle:
             self._beat_us = t_us
             yield self._sample(t_us, "HEARTBEAT", self._heartbeat())
             yield self._sample(t_us, "EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": self._landed})
-        if name in ("XKF4", "NKF4"):
-            self._core = getattr(row, "PI", 0)
-        elif name in ("XKF1", "NKF1", "EKF1") and getattr(row, "C", self._core) == self._core:
-            self._v_ned = (row.VN, row.VE, row.VD)
-            place = dict(zip("xyz", (row.PN, row.PE, row.PD), strict=True))
-            speed = dict(zip(("vx", "vy", "vz"), self._v_ned, strict=True))
-            yield self._sample(t_us, "LOCAL_POSITION_NED", {**boot, **place, **speed})
-        elif name == "POS" and (row.Lat, row.Lng) != (0.0, 0.0):
-            yield self._sample(t_us, "GLOBAL_POSITION_INT", {**boot, **self._global(row)})
+        for message, fields in self._places.read(boot["time_boot_ms"], row):
+            yield self._sample(t_us, message, fields)
+        if name == "IMU" and not getattr(row, "I", 0):
+            self._rates = (row.GyrX, row.GyrY, row.GyrZ)
         elif name == "ATT":
             angles = {"roll": row.Roll, "pitch": row.Pitch, "yaw": math.remainder(row.Yaw, 360.0)}
             angles = {axis: math.radians(degrees) for axis, degrees in angles.items()}
-            yield self._sample(t_us, "ATTITUDE", {**boot, **angles, **dict.fromkeys(_RATES, 0.0)})
+            yield self._sample(t_us, "ATTITUDE", {**boot, **angles, **dict(zip(_RATES, self._rates, strict=True))})
         elif name == "ORGN":
             yield from self._origin(t_us, row)
         elif name in ("BAT", "CURR"):
@@ -204,17 +200,6 @@ class _Vehicle:
             "mavlink_version": 3,
         }
 
-    def _global(self, row: Any) -> dict[str, int]:
-        speed = (round(_CENTI * axis) for axis in self._v_ned)
-        return {
-            "lat": round(1e7 * row.Lat),
-            "lon": round(1e7 * row.Lng),
-            "alt": round(1e3 * row.Alt),
-            "relative_alt": round(1e3 * getattr(row, "RelHomeAlt", getattr(row, "RelAlt", 0.0))),
-            **dict(zip(("vx", "vy", "vz"), speed, strict=True)),
-            "hdg": 65535,
-        }
-
     def _origin(self, t_us: int, row: Any) -> Iterator[Sample]:
         at = {"latitude": round(1e7 * row.Lat), "longitude": round(1e7 * row.Lng), "altitude": round(1e3 * row.Alt)}
         if row.Type == 0:
@@ -236,7 +221,7 @@ def _battery(row: Any) -> dict[str, Any]:
         "battery_function": mav.MAV_BATTERY_FUNCTION_UNKNOWN,
         "type": mav.MAV_BATTERY_TYPE_UNKNOWN,
         "temperature": 32767,
-        "voltages": [round(1e3 * volts) if 0.0 < volts < 65.0 else 65535] + [65535] * 9,
+        "voltages": cells_mv(volts),
         "current_battery": round(_CENTI * amperes) if abs(amperes) < 327.0 else -1,
         "current_consumed": round(row.CurrTot),
         "energy_consumed": -1 if energy_wh is None else round(36.0 * energy_wh),

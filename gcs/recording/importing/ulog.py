@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from pyulog import ULog
 
+from gcs.mavlink.battery import cells_mv
 from gcs.mavlink.parameters.value import ParameterValue, to_wire
 from gcs.recording.importing.sample import Sample, chunks
 
@@ -211,7 +212,7 @@ def _battery(row: SimpleNamespace, number: int) -> _Made:
             "battery_function": mav.MAV_BATTERY_FUNCTION_UNKNOWN,
             "type": mav.MAV_BATTERY_TYPE_UNKNOWN,
             "temperature": 32767,
-            "voltages": [round(1e3 * volts) if 0.0 < volts < 65.0 else 65535] + [65535] * 9,
+            "voltages": cells_mv(volts),
             "current_battery": round(100.0 * amperes) if 0.0 <= amperes < 327.0 else -1,
             "current_consumed": round(row.discharged_mah) if row.discharged_mah >= 0.0 else -1,
             "energy_consumed": -1,

@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
@@ -31,6 +30,7 @@ from gcs.recording.tlog_walk import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntAr
 from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from skytender import mavlink as mav
 
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16

@@ -73,8 +73,9 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	@echo "[2/3] installing what compiles Skytender"
 	@$(INSTALL) setuptools cython
 	@echo "[3/3] compiling Skytender, and installing what it needs beside that (half a minute)"
-	@$(VENV)/bin/python setup.py --quiet build_ext --inplace & compiling=$$!; \
-	  $(VENV)/bin/python .ci/needs $(EXTRAS) | $(INSTALL) -r /dev/stdin && wait $$compiling
+	@$(VENV)/bin/python setup.py --quiet build_ext --inplace >$(VENV)/compile.log & compiling=$$!; \
+	  $(VENV)/bin/python .ci/needs $(EXTRAS) | $(INSTALL) -r /dev/stdin; installed=$$?; \
+	  wait $$compiling && exit $$installed
 	@$(INSTALL) --no-build-isolation --no-deps -e .
 	@touch $@
 

@@ -19,9 +19,9 @@ SIMPLER = {
 
 
 def flown(scenario: str, out: Path, environment: dict[str, str]) -> str:
-    command = [*GCS, "run", scenario, "--lockstep", "--quiet", "--no-report", "--out", str(out)]
+    command = [*GCS, "run", scenario, "--lockstep", "--quiet", "--no-report", "--out", str(out / "flown")]
     subprocess.run(command, env={**os.environ, **environment}, check=True, capture_output=True)
-    digest: str = json.loads((out / "summary.json").read_text())["digest"]
+    digest: str = json.loads((out / "flown" / "summary.json").read_text())["digest"]
     return digest.removeprefix("sha256:")[:8]
 
 

@@ -29,13 +29,15 @@ build: $(READY)
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@touch $(BUILT)
 
-# Beside mypy the tests are imported once, and what is compiled then is kept: else each worker would compile all of it.
-# Many tests wait for real time: four workers for each of two processors keep those busy.
+# The tests are imported once before they run, and what is compiled then is kept: else each worker would compile all of
+# it. Many tests wait for real time: four workers for each of two processors keep those busy. mypy runs beside them.
 test: $(DEV_READY) $(PEERS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
-	@$(VENV)/bin/python -m pytest --collect-only -qq >/dev/null & $(VENV)/bin/mypy && wait
-	@$(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder
+	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \
+	  $(VENV)/bin/python -m pytest --collect-only -qq >/dev/null; \
+	  $(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder; tested=$$?; \
+	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks
@@ -68,20 +70,24 @@ $(READY): pyproject.toml $(CONSTRAINTS)
 	@.ci/compiler $(PYTHON)
 	@echo "[1/3] making the environment in $(VENV)"
 	@$(PYTHON) -m venv $(VENV)
-	@echo "[2/3] installing what Skytender needs (half a minute)"
+	@echo "[2/3] installing what compiles Skytender"
 	@$(INSTALL) setuptools cython
-	@echo "[3/3] compiling and installing Skytender (half a minute)"
-	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
-	@$(INSTALL) --no-build-isolation -e .
+	@echo "[3/3] compiling Skytender, and installing what it needs beside that (half a minute)"
+	@$(VENV)/bin/python setup.py --quiet build_ext --inplace >$(VENV)/compile.log & compiling=$$!; \
+	  $(VENV)/bin/python .ci/needs $(EXTRAS) | $(INSTALL) -r /dev/stdin; installed=$$?; \
+	  wait $$compiling && exit $$installed
+	@$(INSTALL) --no-build-isolation --no-deps -e .
 	@touch $@
 
 $(BUILT): $(READY) setup.py $(DECLARED) $(wildcard $(DECLARED:.pxd=.py))
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@touch $@
 
+# Of an environment that is made for these, all is installed at once: prerequisites know the extras too.
+$(DEV_READY): EXTRAS := dev
 $(DEV_READY): $(READY) $(BUILT)
 	@echo "[tests] installing what only tests, benchmarks and documentation need"
-	@$(INSTALL) --no-build-isolation -e '.[dev]'
+	@$(VENV)/bin/python .ci/needs $(EXTRAS) | $(INSTALL) -r /dev/stdin
 	@touch $@
 
 # MAVSDK and MAVProxy, which only tests/peers run; without MAVProxy's graphical part, whole it is 1.2 GB. Where they cannot
@@ -90,7 +96,7 @@ $(PEERS_READY): tests/peers/constraints.txt
 	@echo "[peers] installing MAVSDK and MAVProxy for the tests in $(PEERS)"
 	@rm -rf $(PEERS)
 	@$(PYTHON) -m venv $(PEERS)
-	@if $(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --no-deps -r $< 2>$(PEERS)/pip.log; \
+	@if $(PEERS)/bin/python -m pip install --quiet --disable-pip-version-check --no-compile --no-deps -r $< 2>$(PEERS)/pip.log; \
 	  then touch $@; \
 	  else { echo "MAVSDK and MAVProxy could not be installed:"; tail -n 1 $(PEERS)/pip.log; } | tee $(PEERS)/missing; fi
 

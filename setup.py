@@ -61,6 +61,8 @@ class BuildExtensions(build_ext):
     it has compiled, by which a start knows old code."""
 
     def run(self) -> None:
+        if self.editable_mode:  # pip gives a folder of its own, in which all would be compiled once more
+            self.build_lib, self.build_temp = FOLDERS["build_lib"], FOLDERS["build_temp"]
         listed = {package: listing(ROOT, package) for package in PACKAGES}  # a source may change meanwhile
         self._write_c()
         super().run()

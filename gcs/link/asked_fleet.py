@@ -8,8 +8,6 @@ from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any, Protocol
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.link.listener import Listener
 from gcs.link.socket import Where
 from gcs.mavlink import codec
@@ -19,6 +17,7 @@ from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import sequence_numbers
 from gcs.scenario.endpoint import Endpoint
+from skytender import mavlink as mav
 
 POLL_S = 0.02
 HEARTBEAT_EVERY_S = 1.0

@@ -15,8 +15,6 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.link.door import Door, open_door, radio_in_words
 from gcs.link.external_peer import ExternalPeer, PeerLink
 from gcs.link.keys import KeyRefused
@@ -27,6 +25,7 @@ from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.scenario.external import External
+from skytender import mavlink as mav
 from skytender.signing import SignatureVerdict
 
 ANNOUNCE_EVERY_S = 1.0

@@ -9,10 +9,9 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Literal
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.parameters import renames
 from gcs.mavlink.parameters.value import ParameterValue, from_wire
+from skytender import mavlink as mav
 
 
 class FlightMode(StrEnum):

@@ -1,9 +1,9 @@
 """MAVLink frames ↔ messages: one decoder and one encoder, both driven by a table.
 
-The table comes from pymavlink's generated message classes (gcs/mavlink/dialect.py: id, CRC seed, wire format, field
-names) and is built per message when it is first met. Frames are those of MAVLink 2; what comes in MAVLink 1 is read in
-that form. A message is a named tuple with its fields in *wire order*, values in MAVLink's own units: arrays are tuples,
-character arrays are str, of UTF-8 up to the first NUL. Nothing that a network sends makes `split` raise.
+The table comes from MAVLink's definitions (skytender/mavlink.py: id, CRC seed, wire format, field names) and is built
+per message when it is first met. Frames are those of MAVLink 2; what comes in MAVLink 1 is read in that form. A message
+is a named tuple with its fields in *wire order*, values in MAVLink's own units: arrays are tuples, character arrays are
+str, of UTF-8 up to the first NUL. Nothing that a network sends makes `split` raise.
 """
 
 from __future__ import annotations
@@ -17,10 +17,11 @@ from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
 from fastcrc.crc16 import mcrf4xx
-from pymavlink.dialects.v20 import ardupilotmega
 
 from gcs.mavlink import dialect
-from gcs.mavlink.dialect import CLASSES, CRC_TERMS
+from gcs.mavlink.dialect import CRC_TERMS
+from skytender import mavlink
+from skytender.mavlink import MESSAGES
 
 MARKER, HEADER_BYTES, CRC_BYTES = dialect.MARKER, dialect.HEADER_BYTES, dialect.CRC_BYTES
 SIGNED = 0x01
@@ -38,9 +39,9 @@ _ANY_MARKER = re.compile(rb"[\xFD\xFE]").search
 _SMALLEST_FRAME = HEADER_BYTES + CRC_BYTES
 _new = tuple.__new__  # fills a named tuple from a tuple without the detour over its constructor
 
-_IDS: dict[str, int] = {cls.msgname: msgid for msgid, cls in CLASSES.items()}
+_IDS: dict[str, int] = {known.name: msgid for msgid, known in MESSAGES.items()}
 # The id as it stands in a frame → the id, and the seed that its checksum ends with.
-_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([cls.crc_extra])) for msgid, cls in CLASSES.items()}
+_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([known.seed])) for msgid, known in MESSAGES.items()}
 _UNKNOWN = (None, b"")
 _SEED_TERMS = frozenset(CRC_TERMS)
 
@@ -109,7 +110,7 @@ class WireFloat(float):
         return number
 
 
-_BYTEWISE = {ardupilotmega.MAVLINK_MSG_ID_PARAM_VALUE, ardupilotmega.MAVLINK_MSG_ID_PARAM_SET}
+_BYTEWISE = {mavlink.MAVLINK_MSG_ID_PARAM_VALUE, mavlink.MAVLINK_MSG_ID_PARAM_SET}
 """Messages whose floats may be the bytes of integers."""
 
 
@@ -137,22 +138,17 @@ class _Table(dict[int, Any]):
 
 
 def _layout(msgid: int) -> WireLayout:
-    cls = CLASSES.get(msgid)
-    if cls is None:
+    known = MESSAGES.get(msgid)
+    if known is None:
         raise ValueError(
             f"message id {msgid} is not in the MAVLink dialect '{dialect.NAME}': it cannot be read or sent"
         )
-    formats = tuple(
-        f"{length or 1}s" if code == "c" else f"{length or ''}{code}"
-        for code, length in zip(cls.native_format.decode()[1:], cls.array_lengths, strict=True)
-    )
-    # Extension fields are the constructor's optional arguments; the protocol's own version is 3 throughout MAVLink 2.
-    optional = cls.__init__.__defaults__ or ()
-    defaults = dict(zip(cls.fieldnames[len(cls.fieldnames) - len(optional) :], optional, strict=True))
-    if "mavlink_version" in cls.fieldnames:
-        defaults["mavlink_version"] = 3
-    record = namedtuple(cls.msgname, cls.ordered_fieldnames)  # type: ignore[misc]
-    return WireLayout(cls.id, cls.msgname, record, formats, defaults)
+    formats = tuple(field.form for field in known.wire)
+    defaults = {field.name: field.unset for field in known.extensions}
+    if "mavlink_version" in (names := [field.name for field in known.wire]):
+        defaults["mavlink_version"] = 3  # throughout MAVLink 2
+    record = namedtuple(known.name, names)  # type: ignore[misc]
+    return WireLayout(msgid, known.name, record, formats, defaults)
 
 
 def _is_array(form: str) -> bool:
@@ -198,8 +194,8 @@ def layout(message: int | str) -> WireLayout:
 
 def name(msgid: int) -> str:
     """The message's name; `UNKNOWN_<id>` for an id that the dialect lacks."""
-    cls = CLASSES.get(msgid)
-    return f"UNKNOWN_{msgid}" if cls is None else str(cls.msgname)
+    known = MESSAGES.get(msgid)
+    return f"UNKNOWN_{msgid}" if known is None else known.name
 
 
 def msgid(message: str) -> int:

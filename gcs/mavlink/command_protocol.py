@@ -17,10 +17,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
+from skytender import mavlink as mav
 
 ARMING, OPERATOR = "pilot", "operator"
 """First words of commands' tokens: the part of the supervisor that sends them."""
@@ -37,8 +36,7 @@ IN_PROGRESS: int = mav.MAV_RESULT_IN_PROGRESS
 
 def result_name(result: int) -> str:
     """MAV_RESULT's own name: `TEMPORARILY_REJECTED`."""
-    entry = mav.enums["MAV_RESULT"].get(result)
-    return entry.name.removeprefix("MAV_RESULT_") if entry is not None else f"result {result}"
+    return mav.ENUMS["MAV_RESULT"].get(result, f"result {result}").removeprefix("MAV_RESULT_")
 
 
 def result_in_words(result: int) -> str:

@@ -1,5 +1,4 @@
-"""The one table of messages, pymavlink's `ardupilotmega`: MAVLink's common messages and ArduPilot's own, for MAVLink 1
-and 2, on the air and in recordings; and the two forms of a frame, one turned into the other.
+"""The two forms of a frame, of MAVLink 1 and 2, one turned into the other.
 
 Old autopilots, radio modems and many a script still send MAVLink 1. Its frames are read in the form of MAVLink 2. Both
 sum a frame alike, header and payload without the marker, and end with a seed of the message's own, so that a checksum
@@ -9,16 +8,13 @@ tells the seed of a message that the table lacks.
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from fastcrc.crc16 import mcrf4xx
-from pymavlink.dialects.v20 import ardupilotmega
 
-MODULE: Any = ardupilotmega
-NAME: str = MODULE.DIALECT
-CLASSES: Mapping[int, Any] = MODULE.mavlink_map
-"""pymavlink's message classes by id."""
+from skytender.mavlink import MESSAGES, Definition
+
+NAME = "ardupilotmega"
 MARKER, HEADER_BYTES = 0xFD, 10
 MARKER_1, HEADER_1_BYTES = 0xFE, 6
 CRC_BYTES = 2
@@ -60,12 +56,12 @@ def older_frame(data: bytes, at: int) -> OlderFrame | None:
         return None
     crc = int.from_bytes(data[body_end:end], "little")
     seed = seed_that_explains(mcrf4xx(data[at + 1 : body_end]), crc)
-    cls = CLASSES.get(msgid)
-    if seed is None or (cls is not None and seed != cls.crc_extra):
+    known = MESSAGES.get(msgid)
+    if seed is None or (known is not None and seed != known.seed):
         return None
     body = bytes([length, 0, 0, seq, sysid, compid, msgid, 0, 0]) + data[at + HEADER_1_BYTES : body_end]
     raw = bytes([MARKER]) + body + mcrf4xx(body + bytes([seed])).to_bytes(CRC_BYTES, "little")
-    return OlderFrame(raw, end, cls is not None)
+    return OlderFrame(raw, end, known is not None)
 
 
 def older_form(raw: bytes) -> bytes:
@@ -74,18 +70,15 @@ def older_form(raw: bytes) -> bytes:
     Raises ValueError for a message that the table, or MAVLink 1, lacks.
     """
     msgid = int.from_bytes(raw[7:10], "little")
-    cls = CLASSES.get(msgid)
-    if cls is None or msgid >= IDS_1:
-        raise ValueError(f"{msgid if cls is None else cls.msgname} cannot be sent in MAVLink 1")
-    size = base_bytes(cls)
+    known = MESSAGES.get(msgid)
+    if known is None or msgid >= IDS_1:
+        raise ValueError(f"{msgid if known is None else known.name} cannot be sent in MAVLink 1")
+    size = base_bytes(known)
     payload = raw[HEADER_BYTES : HEADER_BYTES + raw[1]][:size].ljust(size, b"\0")
     body = bytes([size]) + raw[4:8] + payload
-    return bytes([MARKER_1]) + body + mcrf4xx(body + bytes([cls.crc_extra])).to_bytes(CRC_BYTES, "little")
+    return bytes([MARKER_1]) + body + mcrf4xx(body + bytes([known.seed])).to_bytes(CRC_BYTES, "little")
 
 
-def base_bytes(cls: Any) -> int:
+def base_bytes(message: Definition) -> int:
     """Length of a message's payload without extension fields, which stand at its end: all of it in MAVLink 1."""
-    codes = cls.native_format.decode()[1:]
-    counts = [length or 1 for length in cls.array_lengths]
-    base = len(codes) - len(cls.__init__.__defaults__ or ())
-    return struct.calcsize("<" + "".join(f"{n}{code}" for n, code in zip(counts[:base], codes[:base], strict=True)))
+    return struct.calcsize("<" + "".join(field.form for field in message.base))

@@ -1,6 +1,6 @@
 """Names, units and frames of a message's fields as columns of a table: MAVLink's own units in, SI out.
 
-The units are those that MAVLink's definitions give (pymavlink's classes carry them). A conversion is one division or
+The units are those that MAVLink's definitions give. A conversion is one division or
 multiplication of the number that was sent, so that a decimal stays one: 473977420 degE7 is 47.397742. Angles are in
 rad; latitude and longitude stay in degrees, temperatures in °C, shares in percent, and nanoseconds whole numbers. What
 MAVLink sends for "not known" (65535 mV, -1 %, 255 satellites) is NaN, or masked.
@@ -16,15 +16,14 @@ import math
 import re
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from typing import Any, Literal, NamedTuple, TypeVar
-from xml.etree import ElementTree
 
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.mavlink import codec, dialect
-from gcs.mavlink.dialect import CLASSES
+from gcs.mavlink import codec
+from skytender import mavlink
+from skytender.mavlink import MESSAGES
 
 T = TypeVar("T")
 STANDARD_GRAVITY_M_S2 = 9.80665
@@ -126,8 +125,8 @@ def _sent_value(text: str) -> float:
     if limit := _LIMIT.fullmatch(text):
         info = np.iinfo(f"{limit[1].lower()}int{limit[2]}")
         return int(info.max if limit[3] == "MAX" else info.min)
-    if hasattr(dialect.MODULE, text):
-        return int(getattr(dialect.MODULE, text))
+    if hasattr(mavlink, text):
+        return int(getattr(mavlink, text))
     return int(text, 0) if re.fullmatch(r"-?\d+|0[xX][0-9a-fA-F]+", text) else float(text)
 
 
@@ -145,26 +144,6 @@ def unknown_of(invalid: str) -> Unknown | None:
     if inner:
         of = "array by its first" if inner[2] else "element" if value else "array"
     return None if math.isnan(value) and of == "element" else Unknown(value, of)
-
-
-@cache
-def _unknown() -> Mapping[tuple[str, str], Unknown]:
-    """By (message, field), from the definitions that pymavlink ships."""
-    found: dict[tuple[str, str], Unknown] = {}
-    folder, waiting, read = resources.files("pymavlink.dialects.v20"), [f"{dialect.NAME}.xml"], set[str]()
-    while waiting:
-        name = waiting.pop()
-        if name in read:
-            continue
-        read.add(name)
-        root = ElementTree.fromstring(folder.joinpath(name).read_bytes())
-        waiting += [include.text or "" for include in root.iter("include")]
-        for message in root.iter("message"):
-            for field in message.findall("field"):
-                with contextlib.suppress(ValueError):  # a notation to come: the field is as it was sent
-                    if unknown := unknown_of(field.get("invalid", "")):
-                        found[message.get("name", ""), field.get("name", "")] = unknown
-    return found
 
 
 _NED = {
@@ -233,18 +212,19 @@ class MessageTable(NamedTuple):
 
 @cache
 def layout(msgid: int) -> MessageTable | None:
-    """The table of a message; None for an id that is in no dialect that pymavlink ships."""
-    cls = CLASSES.get(msgid)
-    if cls is None:
+    """The table of a message; None for an id that the dialect lacks."""
+    known = MESSAGES.get(msgid)
+    if known is None:
         return None
     wire = codec.layout(msgid)
     form = dict(zip(wire.record._fields, wire.formats, strict=True))
     columns: list[FieldColumn] = []
     taken = set(OWN)
-    for name in cls.fieldnames:
-        scale = _scale(cls.fieldunits_by_name.get(name, ""))
-        unknown = _unknown().get((cls.msgname, name))
-        title = _title(cls.msgname, name, scale, taken)
+    for field in (*known.base, *known.extensions):
+        name, scale, unknown = field.name, _scale(field.units), None
+        with contextlib.suppress(ValueError):  # a notation to come: the field is as it was sent
+            unknown = unknown_of(field.invalid)
+        title = _title(known.name, name, scale, taken)
         taken.add(title)
         elements = int(form[name][:-1] or 1) if form[name][-1] != "s" and len(form[name]) > 1 else 0
         if form[name][-1] == "s":
@@ -261,7 +241,7 @@ def layout(msgid: int) -> MessageTable | None:
             ]
         else:
             columns.append(FieldColumn(title, name, None, scale, unknown, "number"))
-    return MessageTable(cls.msgname, tuple(columns))
+    return MessageTable(known.name, tuple(columns))
 
 
 def _scale(unit: str) -> Scale | None:

@@ -1,8 +1,7 @@
 """MAVLink ids of ground station, autopilot and traffic reporter, and the station's own HEARTBEAT."""
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
+from skytender import mavlink as mav
 
 OUR_HEARTBEAT = codec.message(
     "HEARTBEAT",

@@ -17,10 +17,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Literal, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
+from skytender import mavlink as mav
 
 REPEAT_S = 1.5
 TRIES = 6
@@ -158,7 +157,7 @@ class PlanClient:
         self._writing, self._read, self._tries = False, None, 0
 
     def _refused(self, result: int, now_s: float) -> None:
-        self.why = f"it answered {mav.enums['MAV_MISSION_RESULT'][result].name}" if result in _RESULTS else "it refused"
+        self.why = f"it answered {_RESULTS[result]}" if result in _RESULTS else "it refused"
         if result == mav.MAV_MISSION_UNSUPPORTED:
             self._end("unsupported", self.why)
         elif result not in _PASSING or self._refusals >= TRIES:
@@ -176,5 +175,5 @@ class PlanClient:
         self._out.append(codec.message(name, **to, **values))
 
 
-_RESULTS = mav.enums["MAV_MISSION_RESULT"]
+_RESULTS = mav.ENUMS["MAV_MISSION_RESULT"]
 _PASSING = frozenset({mav.MAV_MISSION_ERROR, mav.MAV_MISSION_INVALID_SEQUENCE, mav.MAV_MISSION_OPERATION_CANCELLED})

@@ -7,12 +7,12 @@ from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.common_frame import Vec3, turned
 from gcs.mavlink.ids import AUTOPILOT
+from skytender import mavlink as mav
 
 POSITION_AND_VELOCITY = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE

@@ -17,12 +17,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
+from skytender import mavlink as mav
 
 STALE_S = 5.0
 """Time after which it counts as silent, and between two requests."""

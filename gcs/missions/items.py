@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
+from skytender import mavlink as mav
 
 Above = Literal["sea", "home", "terrain"]
 LatLon = tuple[float, float]
@@ -41,7 +41,6 @@ _POLYGONS = {
     mav.MAV_CMD_NAV_FENCE_POLYGON_VERTEX_EXCLUSION: False,
 }
 _CIRCLES = {mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION: True, mav.MAV_CMD_NAV_FENCE_CIRCLE_EXCLUSION: False}
-_COMMANDS, _FRAMES = mav.enums["MAV_CMD"], mav.enums["MAV_FRAME"]
 
 
 class ItemError(ValueError):
@@ -82,19 +81,18 @@ class MissionItem(NamedTuple):
     @property
     def name(self) -> str:
         """`NAV_WAYPOINT`; `command 31010` for one that the dialect lacks."""
-        known = _COMMANDS.get(self.command)
-        return known.name.removeprefix("MAV_CMD_") if known else f"command {self.command}"
+        return mav.command_name(self.command)
 
     @property
     def frame_name(self) -> str:
         """`GLOBAL_RELATIVE_ALT`; `frame 30` for one that the dialect lacks."""
-        known = _FRAMES.get(self.frame)
-        return known.name.removeprefix("MAV_FRAME_") if known else f"frame {self.frame}"
+        return mav.ENUMS["MAV_FRAME"].get(self.frame, f"frame {self.frame}").removeprefix("MAV_FRAME_")
 
     @property
     def about(self) -> str:
         """Parameters that are given and not 0, by the dialect's names: `Hold 5, Accept Radius 2`."""
-        named = getattr(_COMMANDS.get(self.command), "label", {})
+        known = mav.COMMANDS.get(self.command)
+        named = known.labels if known else {}
         shown = range(4 if self.place is not None else 7)
         given = [(named.get(k + 1, f"p{k + 1}"), self.params[k]) for k in shown]
         return ", ".join(f"{name} {value:.9g}" for name, value in given if value and not math.isnan(value))
@@ -109,7 +107,8 @@ class MissionItem(NamedTuple):
         """Its place; None for a command without one, for 0, 0 and NaN (wherever the vehicle is then), and in frames
         that begin at the vehicle."""
         x, y, z = self.params[4:]
-        if not getattr(_COMMANDS.get(self.command), "has_location", True) or math.isnan(x) or math.isnan(y):
+        known = mav.COMMANDS.get(self.command)
+        if (known and not known.has_place) or math.isnan(x) or math.isnan(y):
             return None
         if self.frame in GLOBAL:
             return None if x == y == 0.0 else GlobalPlace(x, y, z, GLOBAL[self.frame])

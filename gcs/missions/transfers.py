@@ -11,9 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.missions.items import GLOBAL, LOCAL, ItemError, MissionItem, MissionPlan, sorted_out
+from skytender import mavlink as mav
 
 ALL, MISSION = int(mav.MAV_MISSION_TYPE_ALL), int(mav.MAV_MISSION_TYPE_MISSION)
 KINDS = (MISSION, int(mav.MAV_MISSION_TYPE_FENCE), int(mav.MAV_MISSION_TYPE_RALLY))

@@ -11,10 +11,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.missions.errors import MissionFileError
 from gcs.missions.items import ItemError, MissionItem, MissionPlan, sorted_out
+from skytender import mavlink as mav
 
 BEGIN = "QGC WPL"
 _HOME_FIRST = {"110": True, "120": False}

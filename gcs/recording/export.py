@@ -16,7 +16,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import field_units
 from gcs.mavlink.ids import STATION
@@ -32,6 +31,7 @@ from gcs.recording.truth import record_places
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.telemetry.voltage_watch import VoltageWatches
+from skytender import mavlink as mav
 
 Progress = Callable[[float], None]
 LINES_AT_ONCE = 1 << 16

@@ -8,7 +8,6 @@ from collections.abc import Set as AbstractSet
 from typing import Any, NamedTuple
 
 import numpy as np
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
@@ -17,6 +16,7 @@ from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.missions.items import MissionPlan, joined
 from gcs.missions.transfers import MESSAGES, Held, Transfers, plan_of
 from gcs.recording.tlog_walk import COMPID, MSGID, SYSID, Chunk, raw_at
+from skytender import mavlink as mav
 
 _HEARTBEAT, _HOME = codec.msgid("HEARTBEAT"), codec.msgid("HOME_POSITION")
 _WANTED = np.array([_HOME, *map(codec.msgid, MESSAGES)])

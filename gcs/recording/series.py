@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymap3d
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import statustext
 from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
@@ -30,6 +29,7 @@ from gcs.telemetry.batteries import together
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, BatteryAccount
 from gcs.telemetry.plausibility import FARTHEST_M, FASTEST_M_S
 from gcs.telemetry.state import STALE_S
+from skytender import mavlink as mav
 
 Floats = NDArray[np.float64]
 PARALLEL_M = 1.0

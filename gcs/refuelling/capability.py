@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import ServiceRequests
 from gcs.telemetry.state import FleetSnapshot
+from skytender import mavlink as mav
 
 ASK_WITHIN_S = 10.0
 """Time after its first message within which a vehicle must send its parameters."""

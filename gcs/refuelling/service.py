@@ -8,11 +8,10 @@ from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.telemetry.state import Vec3, VehicleView
+from skytender import mavlink as mav
 
 
 class Phase(StrEnum):

@@ -14,8 +14,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.service import Phase, Service, TransferRole, token, unfit
@@ -23,6 +21,7 @@ from gcs.refuelling.settlement import EndedTransfer, ServiceSteps
 from gcs.scenario.model import Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
+from skytender import mavlink as mav
 
 CATCH_UP_S = 1.0
 COUNTER_SETTLES_S = 0.5

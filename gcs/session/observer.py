@@ -13,7 +13,6 @@ from typing import Any, Literal
 
 import msgspec
 from msgspec import UNSET
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
@@ -43,6 +42,7 @@ from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
+from skytender import mavlink as mav
 
 Kind = Literal["monitor", "replay"]
 UNKNOWN_CAPACITY_J = math.nan
@@ -366,11 +366,8 @@ class Observer:
         accepted = ack.result in (mav.MAV_RESULT_ACCEPTED, mav.MAV_RESULT_IN_PROGRESS)
         if accepted and self._source == "replay":
             return
-        command = mav.enums["MAV_CMD"].get(ack.command)
-        what = command.name.removeprefix("MAV_CMD_") if command else f"command {ack.command}"
-        self._events.append(
-            Event(t_s, sysid, "info" if accepted else "warning", f"{what}: {result_in_words(ack.result)}", "ack")
-        )
+        said = f"{mav.command_name(ack.command)}: {result_in_words(ack.result)}"
+        self._events.append(Event(t_s, sysid, "info" if accepted else "warning", said, "ack"))
 
     def _rows(self, snapshot: FleetSnapshot) -> list[VehicleRow]:
         rows = []

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
@@ -21,6 +20,7 @@ from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.frame_heads import frame_keys, last_of_each
 from gcs.recording.tlog_walk import AT, COMPID, MSGID, SEQ, SYSID, T_US, IntArray
+from skytender import mavlink as mav
 
 BLOCK_BYTES = 1 << 19
 MOST_BLOCKS = 256

@@ -17,13 +17,12 @@ from __future__ import annotations
 import math
 from enum import StrEnum
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
 from gcs.mavlink.command_protocol import ARMING, OPERATOR, CommandRequest
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS
 from gcs.telemetry.state import VehicleView
+from skytender import mavlink as mav
 
 RETRY_S = 1.0
 SELDOM_S = 32.0

@@ -19,8 +19,6 @@ from __future__ import annotations
 
 import math
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandRequest
@@ -28,6 +26,7 @@ from gcs.scenario.external import External
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
+from skytender import mavlink as mav
 
 FAR_M = 100e3
 """No origin is farther from the scenario's: the common frame is a plane (gcs/mavlink/common_frame.py)."""

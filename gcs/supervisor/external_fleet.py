@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_in_words
@@ -20,6 +18,7 @@ from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
+from skytender import mavlink as mav
 
 LOST_S = 10.0
 """A vehicle that has been silent for so long is counted as lost, until it reports again."""

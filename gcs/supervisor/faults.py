@@ -11,8 +11,6 @@ import math
 from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.link.impairment import Burst
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTarget
@@ -21,6 +19,7 @@ from gcs.scenario.faults import COMMANDED, Injection
 from gcs.scenario.goal import Loss
 from gcs.scenario.model import Scenario
 from skytender import elementary
+from skytender import mavlink as mav
 
 OUT_OF_ORDER = "out of order"
 INJECTED = "(injected)"

@@ -13,8 +13,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import STATION
@@ -23,6 +21,7 @@ from gcs.supervisor.arming import ArmingSequence
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
+from skytender import mavlink as mav
 
 if TYPE_CHECKING:  # most sessions have none
     from gcs.link.forwarder import FromStation
@@ -93,8 +92,7 @@ def passed(
     if frame.msgid in _COMMANDS:
         if content.command in _STOPPED_COMMANDS:
             return None
-        known = mav.enums["MAV_CMD"].get(content.command)
-        name = known.name.removeprefix("MAV_CMD_") if known is not None else f"command {content.command}"
+        name = mav.command_name(content.command)
         asks = content.command in _ASKING_COMMANDS
     elif frame.msgid == mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL:
         asks = content.payload[_FTP_OPCODE] in _FTP_ASKS

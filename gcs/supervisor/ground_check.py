@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.link.external import ExternalLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -24,6 +22,7 @@ from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.preflight import CheckItem, Preflight
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
+from skytender import mavlink as mav
 
 HEARTBEAT_EVERY_S = 1.0
 STREAMS_S = CHECK_S + 1.0

@@ -15,8 +15,6 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec, plan_client
 from gcs.mavlink.autopilots import SPEED_SETTINGS
 from gcs.mavlink.boot_clock import CLOCKS
@@ -28,6 +26,7 @@ from gcs.scenario.model import Scenario
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
 from skytender import geodesy
+from skytender import mavlink as mav
 
 CLOCK_OFF_S = 10.0
 """[choice] Logs and signatures of a vehicle whose clock is farther off belong to another time."""

@@ -26,6 +26,7 @@ from gcs.recording.summary import (
     VehicleSummary,
 )
 from gcs.scenario.goal import Nearest
+from skytender.mavlink import PYMAVLINK
 
 if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
     from gcs.link.link import Link
@@ -157,6 +158,6 @@ def load() -> None:
 
 @functools.cache
 def versions() -> dict[str, str]:
-    """Versions on which a session's digest depends, by package."""
-    names = ("skytender", "pymavlink", "numpy")
-    return {"python": platform.python_version(), **{name: version(name) for name in names}}
+    """Versions on which a session's digest depends, by package; pymavlink's is of its definitions."""
+    ours = {"python": platform.python_version(), "skytender": version("skytender")}
+    return {**ours, "pymavlink": PYMAVLINK, "numpy": version("numpy")}

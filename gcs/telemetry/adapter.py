@@ -13,8 +13,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import profile_of
 from gcs.mavlink.battery import sys_status, voltage_v
@@ -26,6 +24,7 @@ from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.place_claims import PlaceClaims
 from gcs.telemetry.state import VehicleView
 from gcs.telemetry.voltage_watch import VoltageWatch
+from skytender import mavlink as mav
 
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _STATE = codec.msgid("EXTENDED_SYS_STATE")

@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.battery import BatteryReport, BatteryReports, battery_status, voltage_v
+from skytender import mavlink as mav
 
 FUNCTIONS = {
     mav.MAV_BATTERY_FUNCTION_UNKNOWN: "",

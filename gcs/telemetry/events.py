@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
+from skytender import mavlink as mav
 
 Level = Literal["info", "warning", "critical"]
 Kind = Literal[

@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
@@ -62,6 +61,7 @@ from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
 from gcs.telemetry.traffic import KnownTraffic
 from skytender import elementary, geodesy
+from skytender import mavlink as mav
 
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""

@@ -26,8 +26,6 @@ from dataclasses import astuple
 from enum import IntEnum
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
@@ -35,6 +33,7 @@ from gcs.telemetry import plausibility
 from gcs.telemetry.fleet import GlobalOrigin
 from gcs.telemetry.state import Vec3
 from skytender import elementary
+from skytender import mavlink as mav
 
 TOGETHER_S = 1.0
 """A local and a global position that came within this time are held against each other."""

@@ -56,9 +56,9 @@ from cython.cimports.gcs.telemetry.readings import (
 )
 from cython.cimports.libc.math import INFINITY, M_PI, NAN, fabs, isfinite, isnan, sqrt
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.battery import HECTOJOULE
+from skytender import mavlink as mav
 
 __all__ = [
     "AUTOPILOT", "BASE_MODE", "BATTERY", "CLOCK_S", "CUSTOM_MODE", "DOWN", "EAST", "EFFORT", "EFFORT_S", "ELSEWHERE",

@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.autopilots import GENERIC, STEERABLE, FlightMode, Profile, profile_of
 from gcs.mavlink.common_frame import turned
@@ -35,6 +34,7 @@ from gcs.telemetry.readings import (
 )
 from gcs.telemetry.state import Vec3, VehicleView
 from skytender import elementary
+from skytender import mavlink as mav
 
 _FAILSAFE = frozenset({mav.MAV_STATE_CRITICAL, mav.MAV_STATE_EMERGENCY})
 _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)

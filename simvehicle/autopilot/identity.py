@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.modes import Mode
+from skytender import mavlink as mav
 
 
 def _px4(main: int, sub: int = 0) -> int:

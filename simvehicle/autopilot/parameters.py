@@ -13,9 +13,8 @@ from dataclasses import replace
 from difflib import get_close_matches
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.law.params import NAMED, BatteryParams, Gains, Limits, VehicleParams
+from skytender import mavlink as mav
 
 UNKNOWN: int = mav.MAV_PARAM_ERROR_DOES_NOT_EXIST
 OUT_OF_RANGE: int = mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE

@@ -1,7 +1,8 @@
 """MAVLink 2 frames: bytes to messages and back, driven by one table.
 
-The table (ids, CRC seeds, field order, types) is taken from pymavlink's `common` dialect, a message at a time, when it
-is first needed. A message is a named tuple whose fields stand in wire order, so that packing is one `struct` call.
+The table (ids, CRC seeds, field order, types) is taken from MAVLink's definitions of the common messages, a message at
+a time, when it is first needed. A message is a named tuple whose fields stand in wire order, so that packing is one
+`struct` call.
 """
 
 from __future__ import annotations
@@ -13,7 +14,9 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from fastcrc.crc16 import mcrf4xx
-from pymavlink.dialects.v20 import common
+
+from skytender import mavlink
+from skytender.mavlink import MESSAGES, Definition
 
 MAGIC, MAGIC_1 = 0xFD, 0xFE
 HEADER_1_BYTES = 6
@@ -61,39 +64,30 @@ _tuple_class: Any = namedtuple  # the fields come from the table, where no type 
 def schema(msgid: int) -> Schema | None:
     """The table's row of a message id; None where the dialect has none, of which nothing is kept."""
     row = _rows.get(msgid)
-    if row is None and msgid in common.mavlink_map:
-        row = _rows[msgid] = _row(msgid)
+    if row is None and (known := MESSAGES.get(msgid)) is not None and known.common:
+        row = _rows[msgid] = _row(known)
     return row
 
 
 _rows: dict[int, Schema] = {}
 
 
-def _row(msgid: int) -> Schema:
-    definition = common.mavlink_map[msgid]
-    kinds = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
-    wire_order = zip(definition.ordered_fieldnames, definition.array_lengths, strict=True)
-    arrays: list[tuple[int, int]] = []
-    text: list[int] = []
-    unset: list[Any] = []
-    for slot, (name, length) in enumerate(wire_order):
-        if kinds[name] == "char":
-            text.append(slot)
-        elif length > 0:
-            arrays.append((slot, length))
-        unset.append("" if kinds[name] == "char" else (0,) * length or 0)
-    make: Any = _tuple_class(definition.msgname, definition.ordered_fieldnames, defaults=unset)
-    packer = definition.unpacker
-    seed = bytes((definition.crc_extra,))
-    encoder = _encoder(msgid, seed, packer, tuple(arrays), tuple(text))
-    row = make.SCHEMA = Schema(msgid, seed, packer, tuple(arrays), tuple(text), make, encoder)
+def _row(definition: Definition) -> Schema:
+    wire = definition.wire
+    text = tuple(slot for slot, field in enumerate(wire) if field.kind == "char")
+    arrays = tuple((slot, field.length) for slot, field in enumerate(wire) if field.length and slot not in text)
+    make: Any = _tuple_class(definition.name, [field.name for field in wire], defaults=[field.unset for field in wire])
+    packer = struct.Struct("<" + "".join(field.form for field in wire))
+    seed = bytes((definition.seed,))
+    encoder = _encoder(definition.id, seed, packer, arrays, text)
+    row = make.SCHEMA = Schema(definition.id, seed, packer, arrays, text, make, encoder)
     return row
 
 
 @cache
 def message(name: str) -> Any:
     """The named-tuple class of a message by its MAVLink name, e.g. `message("ATTITUDE")`; 0 is what is not given."""
-    row = schema(getattr(common, f"MAVLINK_MSG_ID_{name}"))
+    row = schema(getattr(mavlink, f"MAVLINK_MSG_ID_{name}"))
     assert row is not None
     return row.make
 

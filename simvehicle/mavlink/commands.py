@@ -9,10 +9,9 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.energy_transfer import TransferOrder, TransferSide
 from simvehicle.mavlink.codec import message
+from skytender import mavlink as mav
 
 ACCEPTED: int = mav.MAV_RESULT_ACCEPTED
 TEMPORARILY_REJECTED: int = mav.MAV_RESULT_TEMPORARILY_REJECTED

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
@@ -31,6 +29,7 @@ from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 from simvehicle.mavlink.fleet_messages import FleetService
+from skytender import mavlink as mav
 
 COMPID = 1
 TRANSFER_RATE_HZ = 10.0

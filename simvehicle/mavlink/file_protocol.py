@@ -13,12 +13,11 @@ from __future__ import annotations
 import struct
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call
 from simvehicle.mavlink.log_protocol import PIECES_A_TICK, Log
+from skytender import mavlink as mav
 
 MESSAGE = mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL
 PIECE_BYTES = 239

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.member import FleetMember
 from simvehicle.fleet.peers import PeerReport, ServiceReport, report_of, row_of
@@ -14,6 +12,7 @@ from simvehicle.fleet.receiver import OrderToPeer
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
 from simvehicle.mavlink.commands import ACCEPTED, command_long
+from skytender import mavlink as mav
 
 PEER, SERVICE = "Peer", "Service"
 FORMAT = 1

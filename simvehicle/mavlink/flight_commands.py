@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.modes import Mode, Severity, Trigger
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.mavlink.commands import (
@@ -18,6 +16,7 @@ from simvehicle.mavlink.commands import (
 )
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
+from skytender import mavlink as mav
 
 FORCE_ARM = (21196, 2989)
 FASTEST_M_S = 1e3

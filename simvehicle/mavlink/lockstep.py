@@ -16,10 +16,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message, split
 from simvehicle.mavlink.connection import Connection, pack
+from skytender import mavlink as mav
 
 SUPERVISOR = (255, 190)
 FRAMES_A_TICK = 127

@@ -12,12 +12,11 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call
 from simvehicle.mavlink.lockstep import FRAMES_A_TICK
+from skytender import mavlink as mav
 
 PIECE_BYTES = 90
 PIECES_A_TICK = FRAMES_A_TICK // 4

@@ -5,8 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.maneuvers import AT_REST
 from simvehicle.autopilot.modes import Severity
@@ -16,6 +14,7 @@ from simvehicle.mavlink.commands import ACCEPTED, DENIED, IN_PROGRESS, TEMPORARI
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import CommandHandler, ServiceContext
 from skytender import elementary
+from skytender import mavlink as mav
 
 REBOOT_S = 1.0
 REBOOT = 1

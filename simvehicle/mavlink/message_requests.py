@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
 from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
+from skytender import mavlink as mav
 
 FASTEST_HZ = 250
 _POSITION = ("LOCAL_POSITION_NED", "GLOBAL_POSITION_INT")

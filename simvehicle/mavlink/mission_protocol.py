@@ -14,10 +14,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.plan_items import MOST_ITEMS, Item, PlanError, item_from
+from skytender import mavlink as mav
 
 RETRY_S = 0.5
 MOST_RETRIES = 5

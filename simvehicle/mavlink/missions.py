@@ -6,13 +6,12 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Iterable
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.modes import Severity
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, ServiceContext
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
 from simvehicle.mavlink.plan_items import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
+from skytender import mavlink as mav
 
 GUIDED_ITEM = 2
 """MISSION_ITEM.current of an item that is no part of a mission: fly there now."""

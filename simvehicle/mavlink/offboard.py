@@ -6,14 +6,13 @@ import math
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.energy_transfer import Neighbour
 from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.mavlink.commands import RELATIVE_FRAMES
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 from skytender import elementary
+from skytender import mavlink as mav
 
 _NEVER_FLOWN = (
     mav.POSITION_TARGET_TYPEMASK_AX_IGNORE

@@ -6,12 +6,11 @@ from __future__ import annotations
 import struct
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot import parameters
 from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, ParameterRow
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
+from skytender import mavlink as mav
 
 NO_INDEX = -1
 CAPACITY = "SIM_BAT_CAP_J"

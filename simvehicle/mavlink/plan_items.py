@@ -11,13 +11,12 @@ import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Circle, Fence, Point, Polygon
 from simvehicle.autopilot.mission import Kind, Leg, Place
 from simvehicle.mavlink.commands import RELATIVE_FRAMES
 from skytender import elementary
+from skytender import mavlink as mav
 
 Vec3 = tuple[float, float, float]
 MOST_ITEMS = 1000

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.telemetry import TELEMETRY, Stream
+from skytender import mavlink as mav
 
 FASTEST_MS = 4
 SLOWEST_MS = 2_000_000

@@ -9,14 +9,13 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
 from simvehicle.mavlink import motion_frames
 from simvehicle.mavlink.codec import message
 from skytender import elementary
+from skytender import mavlink as mav
 
 __all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
 

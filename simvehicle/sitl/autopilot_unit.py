@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import Vec3
@@ -35,6 +34,7 @@ from simvehicle.sitl.truth import head_line
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
 from skytender import elementary
+from skytender import mavlink as mav
 
 Quaternion = tuple[float, float, float, float]
 BOOTS_WITHIN_S = 120.0

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
@@ -24,6 +23,7 @@ from simvehicle.world.airframes import GRAVITY_M_S2, SEA_LEVEL_KG_M3
 from simvehicle.world.atmosphere import air_at
 from simvehicle.world.magnetic_field import field_ned_t
 from simvehicle.world.sensors import SensorNoise
+from skytender import mavlink as mav
 
 STEP_MS = 4
 """[choice] Of 200, 250 and 400 Hz it does not fly at the last."""

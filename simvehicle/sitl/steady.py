@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.snapshot import Vec3
@@ -30,6 +29,7 @@ from simvehicle.mavlink.telemetry import TELEMETRY
 from simvehicle.sitl import steady_loop
 from simvehicle.sitl.link import SUPERVISED_BYTES, SupervisedLink
 from simvehicle.sitl.truth import FIXED_NUMBERS, TruthWriter
+from skytender import mavlink as mav
 
 STEPS_AHEAD = steady_loop.DATAGRAMS * MOST_STEPS
 """For so many steps noise is drawn in advance: those of one call of the loop."""

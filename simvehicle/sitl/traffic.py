@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.mavlink.codec import ReceivedFrame, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.telemetry import Vec3
 from skytender import elementary
+from skytender import mavlink as mav
 
 SYSID, COMPID = 255, 156
 REPORT_EVERY_MS = 100

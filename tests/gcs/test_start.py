@@ -12,6 +12,7 @@ LATER = {
     "matplotlib",
     "pandas",
     "pyarrow",
+    "pymavlink",
     "rich",
     "scipy.linalg",
     "scipy.ndimage",
@@ -23,9 +24,7 @@ LATER = {
     "uvicorn",
     "xml.etree.ElementTree",
 }
-OTHER_DIALECT = {"gcs": "pymavlink.dialects.v20.common", "simvehicle": "pymavlink.dialects.v20.ardupilotmega"}
-"""One table of messages is enough for a program."""
-FLIGHT = {"numpy", "pymavlink"}
+FLIGHT = {"numpy", "skytender.mavlink"}
 MODELS = {"pydantic", "yaml"}
 
 LISTED = """
@@ -77,13 +76,13 @@ def test_gcs_run_leaves_the_flight_to_its_supervisor(run: list[set[str]]) -> Non
 def test_the_supervisor_loads_nothing_that_only_others_need(run: list[set[str]]) -> None:
     _, supervisor = run
     assert supervisor >= FLIGHT
-    assert not supervisor & (LATER | {OTHER_DIALECT["gcs"]})
+    assert not supervisor & LATER
 
 
 def test_the_vehicles_host_loads_nothing_that_only_others_need(tmp_path: Path) -> None:
     (host,) = loaded(tmp_path / "host", "simvehicle", "hatch")
     assert host >= FLIGHT
-    assert not host & (LATER | {"pydantic", OTHER_DIALECT["simvehicle"]})
+    assert not host & (LATER | {"pydantic"})
 
 
 def test_help_loads_neither_models_nor_what_flies(tmp_path: Path) -> None:

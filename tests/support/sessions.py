@@ -25,6 +25,14 @@ from pymavlink import mavutil
 GCS = [sys.executable, "-m", "gcs"]
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE_S = 90.0
+DIGESTS = {
+    "paper/example1": "1c04dd1c",
+    "paper/example2": "5e9963ac",
+    "paper/example3": "c7d0a668",
+    "paper/example4": "e3d5d00d",
+    "demo": "a158562a",
+}
+"""First digits of the digests of shipped scenarios; the changelog names each change."""
 STATE = 12
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from zipfile import ZipFile
 
 import pytest
-from sessions import GCS, ROOT
+from sessions import DIGESTS, ROOT
 
 from skytender.compiled import PACKAGES, compiled_sources
 
@@ -81,8 +81,7 @@ def test_programs_scenarios_schemas_and_types_are_in_it(installed: Path, tmp_pat
 
 
 def test_the_demo_flies_in_it_as_in_the_checkout(installed: Path, tmp_path: Path) -> None:
-    words = ["run", "demo", "--lockstep", "--quiet", "--no-report", "--out"]
-    run(installed / "gcs", *words, "wheel", cwd=tmp_path)
-    subprocess.run([*GCS, *words, "checkout"], cwd=tmp_path, check=True, capture_output=True)
-    summaries = [json.loads((tmp_path / name / "summary.json").read_text()) for name in ("wheel", "checkout")]
-    assert summaries[0]["digest"] == summaries[1]["digest"]
+    """With all of the processor's instructions; tests/system/test_digests.py flies it with fewer."""
+    run(installed / "gcs", "run", "demo", "--lockstep", "--quiet", "--no-report", "--out", "wheel", cwd=tmp_path)
+    digest = json.loads((tmp_path / "wheel" / "summary.json").read_text())["digest"]
+    assert digest.removeprefix("sha256:").startswith(DIGESTS["demo"])

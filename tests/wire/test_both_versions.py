@@ -15,6 +15,7 @@ import pytest
 from oracle import same
 from pymavlink.dialects.v10 import all as every1
 from pymavlink.dialects.v20 import all as every2
+from pymavlink.dialects.v20 import ardupilotmega
 
 from gcs.link.listener import Listener
 from gcs.mavlink import codec, dialect, field_units
@@ -69,7 +70,7 @@ def assert_all_read(version: int, frames: list[Frame], kept_out: tuple[str, ...]
     assert gaps.lost == len(spoken(version)) - len(sent)
     unread = set()
     for frame, (name, raw) in zip(frames, sent, strict=True):
-        if frame.msgid not in dialect.CLASSES:
+        if frame.msgid not in ardupilotmega.mavlink_map:
             unread.add(name)
             continue
         assert codec.name(frame.msgid) == name
@@ -78,15 +79,15 @@ def assert_all_read(version: int, frames: list[Frame], kept_out: tuple[str, ...]
             assert same(content.pop(field), tuple(value) if isinstance(value, list) else value), (name, field)
         for value in content.values():  # of extension fields, which MAVLink 1 lacks
             assert not any(value) if isinstance(value, tuple) else not value, name
-    known = {cls.msgname for cls in dialect.CLASSES.values()}
+    known = {cls.msgname for cls in ardupilotmega.mavlink_map.values()}
     assert unread == {name for name, _ in sent} - known
 
 
 def test_both_dialects_are_in_the_table() -> None:
     assert {"AHRS", "EKF_STATUS_REPORT", "MEMINFO", "HEARTBEAT", "OPEN_DRONE_ID_LOCATION"} <= {
-        cls.msgname for cls in dialect.CLASSES.values()
+        cls.msgname for cls in ardupilotmega.mavlink_map.values()
     }
-    assert max(dialect.CLASSES) < 1 << 16  # as tables by message id hold
+    assert max(ardupilotmega.mavlink_map) < 1 << 16  # as tables by message id hold
 
 
 @pytest.mark.parametrize("version", VERSIONS)
@@ -150,10 +151,10 @@ def test_exported(version: int, tmp_path: Path) -> None:
     assert export.export(source, written) == []
     written.close()
     named = {name for name, _ in spoken(version)}
-    known = {cls.msgname for cls in dialect.CLASSES.values()} & named
+    known = {cls.msgname for cls in ardupilotmega.mavlink_map.values()} & named
     assert known <= written.rows.keys() <= known | {"UNKNOWN"}
     assert sum(written.rows.values()) == len(spoken(version))
-    for cls in dialect.CLASSES.values():
+    for cls in ardupilotmega.mavlink_map.values():
         if cls.msgname in known:
             shape = field_units.layout(cls.id)
             assert shape is not None
@@ -177,7 +178,7 @@ def test_extension_fields_and_a_signature_are_left_out_in_mavlink_1() -> None:
     sender = every2.MAVLink(None, srcSystem=SYSID, srcComponent=1)
     sender.signing.secret_key, sender.signing.sign_outgoing = b"k" * 32, True
     for cls in every2.mavlink_map.values():
-        if cls.id >= 256 or cls.id not in dialect.CLASSES:
+        if cls.id >= 256 or cls.id not in ardupilotmega.mavlink_map:
             continue
         (old,) = (other for other in every1.mavlink_map.values() if other.id == cls.id)
         plain = every1.MAVLink(None, srcSystem=SYSID, srcComponent=1)

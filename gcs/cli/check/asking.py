@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import acknowledged
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
+from skytender import mavlink as mav
 
 MAVSDK, QGC, MAVPROXY = "MAVSDK", "QGroundControl", "MAVProxy"
 PEERS = (MAVSDK, QGC, MAVPROXY)

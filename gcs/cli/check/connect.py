@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import (
     MAVPROXY,
     MAVSDK,
@@ -21,6 +19,7 @@ from gcs.cli.check.asking import (
 from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.judges import OK, always, answered, leaves_alone, refuses
 from gcs.mavlink.codec import Message, message
+from skytender import mavlink as mav
 
 UNKNOWN_COMMAND = 65000
 OPEN_FILE, RESET_SESSIONS, FTP_ACK, FTP_NAK = 4, 2, 128, 129

@@ -11,13 +11,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.statustext import chunk_of, recorded
+from skytender import mavlink as mav
 
 HEARTBEAT_EVERY_S = 1.0
 FIND_WITHIN_S = 10.0
@@ -26,7 +25,7 @@ TRIES = 3
 STREAM_EVERY_S = 0.05
 
 Outcome = Literal["ok", "late", "missing", "wrong", "skipped"]
-VEHICLE_TYPES = frozenset(range(mav.MAV_TYPE_ENUM_END)) - {
+VEHICLE_TYPES = mav.ENUMS["MAV_TYPE"].keys() - {
     mav.MAV_TYPE_GCS,
     mav.MAV_TYPE_ADSB,
     mav.MAV_TYPE_GIMBAL,
@@ -161,8 +160,7 @@ class CheckFinding:
 
 def command_name(command: int) -> str:
     """A command's name in MAVLink, else its number."""
-    known = mav.enums["MAV_CMD"].get(command)
-    return known.name if known is not None else str(command)
+    return mav.ENUMS["MAV_CMD"].get(command, str(command))
 
 
 def _fields(message: Message) -> Any:

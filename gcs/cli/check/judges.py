@@ -6,10 +6,9 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.dialogue import CheckedVehicle, Judge, ReceivedMessage, Verdict, texts
 from gcs.mavlink.command_protocol import result_name
+from skytender import mavlink as mav
 
 Fault = Callable[[CheckedVehicle, Any], str]
 """Fault of a message's fields; empty without one."""

@@ -6,12 +6,11 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, answered
 from gcs.mavlink.codec import Message
+from skytender import mavlink as mav
 
 LIST_S = 10.0
 UNKNOWN_PARAMETER = "NO_SUCH_PARAM"

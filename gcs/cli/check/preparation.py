@@ -6,13 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, commanded, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, answered
 from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
+from skytender import mavlink as mav
 
 
 def _set_hold(vehicle: CheckedVehicle) -> Sequence[Message]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, steady, streamed
 from gcs.mavlink.codec import Message
+from skytender import mavlink as mav
 
 LISTEN_S = 4.0
 MAVSDK_LOSES_S = 3.0
@@ -33,27 +32,8 @@ def _heartbeat_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> V
 
 def _mode_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     number = vehicle.of("HEARTBEAT").custom_mode
-    known = {mode for modes in mav_mode_names(vehicle).values() for mode in modes}
-    return OK if number in known else Verdict("wrong", f"custom_mode {number} is none of {vehicle.profile.name}'s")
-
-
-def mav_mode_names(vehicle: CheckedVehicle) -> dict[str, set[int]]:
-    """The autopilot's modes, by pymavlink's tables, which MAVProxy shows."""
-    from pymavlink import mavutil  # noqa: PLC0415 - reads the environment when it is imported
-
-    table = {
-        "copter": mavutil.mode_mapping_acm,
-        "plane": mavutil.mode_mapping_apm,
-        "rover": mavutil.mode_mapping_rover,
-        "sub": mavutil.mode_mapping_sub,
-        "blimp": mavutil.mode_mapping_blimp,
-    }.get(vehicle.profile.mode_table)
-    if table is not None:
-        return {name: {number} for number, name in table.items()}
-    found: dict[str, set[int]] = {}
-    for name, (_, main, sub) in mavutil.px4_map.items():
-        found.setdefault(name, set()).add(main << 16 | sub << 24)
-    return found | {"OFFBOARD": {6 << 16}}
+    known = number in mav.MODES[vehicle.profile.mode_table].values()
+    return OK if known else Verdict("wrong", f"custom_mode {number} is none of {vehicle.profile.name}'s")
 
 
 def _autopilot_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import command_long, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict, texts
 from gcs.cli.check.judges import OK
 from gcs.mavlink.codec import Message
+from skytender import mavlink as mav
 
 EVERY_US = 500_000.0
 PLACE = "LOCAL_POSITION_NED"

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, judged, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.judges import OK, always, answered, leaves_alone
 from gcs.supervisor.preflight import CLOCK_OFF_S, NO_TIME_BEFORE_S
+from skytender import mavlink as mav
 
 
 def _logs_kept_back(vehicle: CheckedVehicle) -> str:

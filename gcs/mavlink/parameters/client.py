@@ -16,8 +16,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile
 from gcs.mavlink.codec import Message
@@ -27,6 +25,7 @@ from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.parameters import pack, value
 from gcs.mavlink.parameters.renames import unknown_name
 from gcs.mavlink.parameters.value import ParameterValue, same
+from skytender import mavlink as mav
 
 REPEAT_S = 0.7
 TRIES = 5

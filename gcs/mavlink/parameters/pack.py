@@ -13,9 +13,8 @@ from __future__ import annotations
 
 import struct
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.parameters.value import ParameterValue
+from skytender import mavlink as mav
 
 MAGIC, MAGIC_WITH_DEFAULTS = 0x671B, 0x671C
 _HEAD = struct.Struct("<HHH")

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink.autopilots import GENERIC, in_table, profile_of
 from gcs.mavlink.codec import WireFloat
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.parameters.value import TYPE_NAMES, WIRE_BYTES, from_wire
+from skytender import mavlink as mav
 
 FIELD = "param_value"
 _ADDRESSES = {"PARAM_VALUE": ("sysid", "compid"), "PARAM_SET": ("target_system", "target_component")}

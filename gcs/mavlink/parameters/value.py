@@ -15,9 +15,8 @@ import struct
 from ctypes import c_float
 from typing import NamedTuple
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.codec import WireFloat
+from skytender import mavlink as mav
 
 REAL32, REAL64 = int(mav.MAV_PARAM_TYPE_REAL32), int(mav.MAV_PARAM_TYPE_REAL64)
 NO_TYPE = 0

@@ -13,13 +13,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from pymavlink import DFReader
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
+from gcs import extras
 from gcs.mavlink.battery import cells_mv
 from gcs.recording.importing import dataflash_plans
 from gcs.recording.importing.dataflash_places import Places
 from gcs.recording.importing.sample import ImportFailed, Sample, chunks
+from skytender import mavlink as mav
 
 TYPES = {
     "Copter": mav.MAV_TYPE_QUADROTOR,
@@ -88,6 +87,9 @@ class _Read:
 @contextlib.contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     """pymavlink's reader of a log, which prints where it is broken, and closes nothing by itself."""
+    extras.require("it", {"pymavlink": "pymavlink"}, "dataflash")
+    from pymavlink import DFReader  # noqa: PLC0415 - an extra
+
     reader: Any = DFReader.DFReader_binary.__new__(DFReader.DFReader_binary)
     reader.init_arrays_fast = reader.init_arrays  # in C it prints to the process's own standard error, and is no faster
     heap = io.StringIO()

@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from pymavlink.dialects.v20 import ardupilotmega as mav
-
 from gcs.mavlink.ids import STATION
+from skytender import mavlink as mav
 
 ROWS = frozenset({"FNCE", "RALY", "MISE"})
 _TO = {"target_system": STATION[0], "target_component": STATION[1]}

@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 from pyulog import ULog
 
 from gcs.mavlink.battery import cells_mv
 from gcs.mavlink.parameters.value import ParameterValue, to_wire
 from gcs.recording.importing.sample import Sample, chunks
+from skytender import mavlink as mav
 
 MODES = {
     0: (1, 0), 1: (2, 0), 2: (3, 0), 3: (4, 4), 4: (4, 3), 5: (4, 5), 6: (3, 2), 8: (11, 0), 10: (5, 0), 12: (4, 6),

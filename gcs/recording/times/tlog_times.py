@@ -9,13 +9,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pymavlink.dialects.v20 import ardupilotmega as mav
 
-from gcs.mavlink import codec, dialect, records
+from gcs.mavlink import codec, records
 from gcs.recording.times import recorded_clock
 from gcs.recording.times.recorded_clock import LATEST_US
 from gcs.recording.times.vehicle_clock import SECOND_US, VehicleClock, disagree
 from gcs.recording.tlog_walk import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
+from skytender import mavlink as mav
+from skytender.mavlink import MESSAGES
 
 BOOT_FIELD, USEC_FIELD = "time_boot_ms", "time_usec"
 _KINDS = {BOOT_FIELD: np.dtype("<u4"), USEC_FIELD: np.dtype("<u8")}
@@ -148,7 +149,7 @@ def _in_order(boot_us: IntArray) -> IntArray:
 def _clock_fields() -> tuple[IntArray, NDArray[np.bool_]]:
     """By message id: where in its payload the sender's time stands, -1 where it has none, and whether it is in µs."""
     offsets, is_usec = np.full(1 << 16, -1, dtype=np.int64), np.zeros(1 << 16, dtype=np.bool_)
-    for msgid in dialect.CLASSES:
+    for msgid in MESSAGES:
         names = codec.layout(msgid).record._fields
         field = next((name for name in (BOOT_FIELD, USEC_FIELD) if name in names), None)
         if field is not None and msgid < len(offsets):

@@ -9,9 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from skytender import mavlink as mav
 
 MARK_V = 30.0
 NEAR_V = 0.5

@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, decode
 from simvehicle.mavlink.commands import command_long
+from skytender import mavlink as mav
 
 ASK_EVERY_S = 0.5
 LAST_REASONS = 3

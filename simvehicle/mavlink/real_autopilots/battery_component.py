@@ -10,14 +10,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferSide
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
 from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from skytender import mavlink as mav
 
 STATUS_EVERY_S, COUNTER_EVERY_S, FAST_EVERY_S = 0.5, 1.0, 0.1
 STAYS_FAST_S = 2.0

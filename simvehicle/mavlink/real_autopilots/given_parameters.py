@@ -10,9 +10,8 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
+from skytender import mavlink as mav
 
 ASK_EVERY_S = 0.5
 TRIES = 6

@@ -6,10 +6,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, decode
 from simvehicle.mavlink.commands import command_long
+from skytender import mavlink as mav
 
 DO_AUX_FUNCTION = 218
 """MAV_CMD_DO_AUX_FUNCTION, of ArduPilot's dialect: the function, and its switch's position."""

@@ -11,10 +11,9 @@ import struct
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.mavlink.codec import ReceivedFrame, message
 from skytender import elementary
+from skytender import mavlink as mav
 
 ACCEL, GYRO, MAG, BARO = 0b111, 0b111 << 3, 0b111 << 6, 0b1101 << 9
 """Bits of HIL_SENSOR's fields_updated: three axes each; pressure, its height and the temperature."""

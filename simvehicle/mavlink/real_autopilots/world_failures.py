@@ -16,12 +16,11 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from pymavlink.dialects.v20 import common as mav
-
 from simvehicle.autopilot.snapshot import Vec3
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode
 from simvehicle.world.airframes import ROTORS
+from skytender import mavlink as mav
 
 FARTHEST_M = 1e5
 NOWHERE: Vec3 = (0.0, 0.0, 0.0)

@@ -165,12 +165,12 @@ def test_duckdb_reads_both(csv: Path, parquet: Path) -> None:
 
 
 def test_every_unit_of_every_message_has_a_conversion() -> None:
-    used = {unit for cls in field_units.CLASSES.values() for unit in cls.fieldunits_by_name.values()}
+    used = {unit for cls in mav.mavlink_map.values() for unit in cls.fieldunits_by_name.values()}
     assert used <= field_units.UNITS.keys()
 
 
 def test_no_column_has_the_name_of_another() -> None:
-    for msgid in field_units.CLASSES:
+    for msgid in mav.mavlink_map:
         shape = field_units.layout(msgid)
         assert shape is not None
         names = [*field_units.OWN, *(column.name for column in shape.columns)]

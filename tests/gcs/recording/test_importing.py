@@ -8,6 +8,7 @@ import gzip
 import json
 import math
 import struct
+import sys
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -236,6 +237,13 @@ def test_a_broken_log_gives_what_it_holds_or_a_sentence(
     path.write_bytes(content[: data.draw(st.integers(8, len(content)))])
     with contextlib.suppress(ImportFailed), opened(path) as source:
         assert all(codec.name(frame.msgid) for _, frame in tlog_reader.read(source.path))
+
+
+def test_without_pymavlink_the_extra_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    logs.dataflash(tmp_path / "flight.BIN")
+    monkeypatch.setitem(sys.modules, "pymavlink", None)
+    with pytest.raises(ImportFailed, match=r"pymavlink, which is not installed: pip install '\.\[dataflash\]'"):
+        opened(tmp_path / "flight.BIN").__enter__()
 
 
 def test_a_log_without_satellites_begins_with_its_first_row(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import select
 import shutil
 import socket
@@ -91,6 +92,9 @@ class ForkServer:
     @classmethod
     def started(cls, start: Callable[..., subprocess.Popen[bytes]]) -> Self:
         """Start one by a function with the arguments of subprocess.Popen. Raises OSError."""
+        while (unused := os.open(os.devnull, os.O_RDWR)) <= 2:
+            pass  # a closed standard stream: a socket in its place would be the server's own too
+        os.close(unused)
         ours, theirs = socket.socketpair()
         with theirs:
             try:

@@ -59,7 +59,7 @@ def serve(prepare: Prepare) -> int:
     copied.
     """
     getproctitle()  # makes room for titles: here once, and not in each child
-    null = os.open(os.devnull, os.O_RDONLY | os.O_CLOEXEC)
+    null = os.open(os.devnull, os.O_RDWR | os.O_CLOEXEC)  # takes the place of standard error where that is closed
     children: dict[int, tuple[int, Child]] = {}
     pending, given = b"", []
     _report({"ready": True})

@@ -48,7 +48,8 @@ def fork(
     It has a POSIX session of its own. What `run` raises is a traceback on its standard error and an exit status.
     """
     parent = os.getpid()
-    for stream in (sys.stdout, sys.stderr):
+    streams_used = [stream for stream in (sys.stdout, sys.stderr) if stream is not None]  # None: closed at the start
+    for stream in streams_used:
         stream.flush()
     pid = os.fork()
     if pid:
@@ -71,7 +72,7 @@ def fork(
         with contextlib.suppress(OSError):  # a full disk takes no traceback either
             traceback.print_exc()
     finally:
-        for stream in (sys.stdout, sys.stderr):
+        for stream in streams_used:
             with contextlib.suppress(OSError, ValueError):  # the reader may be gone
                 stream.flush()
         os._exit(status)

@@ -20,17 +20,11 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from skytender.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
+    from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
 
-    def run() -> None:
-        with uncollected():
-            from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
-
-        sys.unraisablehook = raise_again
-        signal.signal(signal.SIGINT, handler)
-        command_line()
-
-    with_room(run)
+    sys.unraisablehook = raise_again
+    signal.signal(signal.SIGINT, handler)
+    command_line()
 
 
 def raise_again(lost: UnraisableHookArgs) -> None:

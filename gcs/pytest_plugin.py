@@ -30,7 +30,7 @@ from typing import Any
 
 import pytest
 
-from gcs.processes.forked import await_end
+from gcs.processes.forked import end
 from gcs.processes.python import start_python
 
 READY_WITHIN_S = 120.0
@@ -157,7 +157,7 @@ def _started(what: int | str | os.PathLike[str], *, trust: bool) -> Iterator[Fly
                 yield FlyingFleet([_vehicle(entry) for entry in json.loads(line)["vehicles"]])
             finally:
                 process.stdin.close()
-                await_end(process, GONE_WITHIN_S)
+                end(process, GONE_WITHIN_S)
                 process.stdout.close()
 
 

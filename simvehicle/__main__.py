@@ -13,16 +13,10 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from skytender.loading import uncollected, with_room  # noqa: PLC0415 - what takes long
+    from simvehicle import cli  # noqa: PLC0415 - what takes long
 
-    def run() -> None:
-        with uncollected():
-            from simvehicle import cli  # noqa: PLC0415 - what takes long
-
-        signal.signal(signal.SIGINT, handler)
-        cli.main()
-
-    with_room(run)
+    signal.signal(signal.SIGINT, handler)
+    cli.main()
 
 
 if __name__ == "__main__":

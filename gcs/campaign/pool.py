@@ -3,26 +3,25 @@ can reach them."""
 
 from __future__ import annotations
 
-import ctypes
 import multiprocessing
 import os
 import signal
 import sys
 from collections import deque
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
 from gcs.campaign import worker
 from gcs.campaign.plan import Plan, PlannedRow
 from gcs.processes.python import safe_path
+from skytender.processes import end_with
 
 DEATHS = 5
 """Number of times that a row's worker may die before the row is an error."""
 AHEAD = 2
 """Rows of each worker: the one in the air, and the next."""
-PR_SET_PDEATHSIG = 1
 
 
 class WorkerPool:
@@ -127,11 +126,15 @@ class _Worker:
 
 
 def _serve(pipe: Connection, plan: Plan, core: int | None, parent: int) -> None:
-    """Fly the rows that come, in the worker; it ends with its parent, or with the pipe."""
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:
-        return
-    worker.take_core(core)
+    """Fly the rows that come, in the worker; it ends with its parent, or with the pipe.
+
+    The processes of a session in lockstep take turns: on one `core` they find its caches full of theirs, and wake each
+    other without waking a core.
+    """
+    end_with(parent)
+    if core is not None:
+        with suppress(OSError):  # it is only slower elsewhere
+            os.sched_setaffinity(0, {core})
     try:
         while True:
             row = pipe.recv()

@@ -13,8 +13,8 @@ from pydantic import ValidationError
 
 from gcs.campaign import measures
 from gcs.campaign.model import Expectation
+from gcs.campaign.spawner import SessionSpawner
 from gcs.scenario.model import Scenario
-from gcs.session.warm import WarmSessions
 
 LISTS = (
     ("vehicles", "pursuers"),
@@ -31,7 +31,7 @@ Fails = Callable[[dict[str, Any]], bool]
 
 
 def failing(
-    sessions: WarmSessions, expect: Mapping[str, Expectation], notify: Callable[[str], object] = lambda _: None
+    sessions: SessionSpawner, expect: Mapping[str, Expectation], notify: Callable[[str], object] = lambda _: None
 ) -> Fails:
     """Whether a scenario, as plain data, can be flown and fails; flights are reported and not repeated."""
     known: dict[str, bool] = {}

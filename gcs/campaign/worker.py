@@ -1,6 +1,6 @@
-"""One row of a campaign flown in this process's warm sessions (gcs/session/warm.py); runs on a campaign's workers.
+"""One row of a campaign, flown by this process's session spawner (gcs/campaign/spawner.py), on a campaign's workers.
 
-A worker thread keeps its warm process from row to row. Whatever goes wrong with a session becomes its row's error.
+A worker thread keeps its spawner from row to row. Whatever goes wrong with a session becomes its row's error.
 """
 
 from __future__ import annotations
@@ -15,15 +15,13 @@ from typing import Any
 
 from gcs.campaign import measures
 from gcs.campaign.plan import Plan, PlannedRow, RowError
+from gcs.campaign.spawner import Flight, SessionSpawner, SpawnError
 from gcs.scenario.model import Scenario
-from gcs.session.warm import Flight, WarmError, WarmSessions
 
 ATTEMPTS = 4
-"""Number of times that a row is flown whose warm process dies."""
+"""Number of times that a row is flown whose spawner dies."""
 _here = threading.local()
-_all: list[WarmSessions] = []
-_own_core: list[int] = []
-"""on which the sessions of this process stay, if on one"""
+_all: list[SessionSpawner] = []
 _lock = threading.Lock()
 
 
@@ -36,7 +34,7 @@ def fly_row(plan: Plan, row: PlannedRow) -> dict[str, Any]:
         return failed(plan, row, str(error))
     try:
         flight = _flown(scenario, f"row-{row.number}", plan)
-    except WarmError as error:
+    except SpawnError as error:
         return {**failed(plan, row, str(error)), **values}
     try:
         # Where a session was broken off is no finding of it: the next flight would end elsewhere.
@@ -81,42 +79,33 @@ def _head(row: PlannedRow) -> dict[str, int]:
 
 
 def close() -> None:
-    """End every warm process of this one."""
+    """End every spawner of this process."""
     with _lock:
         for sessions in _all:
             sessions.close()
         _all.clear()
 
 
-def take_core(core: int | None) -> None:
-    """Let the sessions of this process stay on a core, if on one.
-
-    The processes of a session in lockstep take turns: on one core they find its caches warm, and wake each other
-    without waking a core.
-    """
-    _own_core[:] = [] if core is None else [core]
-
-
 def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:
-    """A flight; a warm process that has died is replaced, ATTEMPTS - 1 times."""
+    """A flight; a spawner that has died is replaced, ATTEMPTS - 1 times."""
     for attempt in range(1, ATTEMPTS + 1):
         try:
             return _sessions().fly(
                 scenario, f"{name}-{attempt}", modules=plan.modules, wall_limit_s=plan.campaign.limits.wall_s
             )
-        except WarmError:
+        except SpawnError:
             _drop()
             if attempt == ATTEMPTS:
                 raise
     raise AssertionError("unreachable")
 
 
-def _sessions() -> WarmSessions:
-    sessions: WarmSessions | None = getattr(_here, "sessions", None)
+def _sessions() -> SessionSpawner:
+    sessions: SessionSpawner | None = getattr(_here, "sessions", None)
     if sessions is None or not sessions.alive:
         if sessions is not None:
             _drop()
-        sessions = _here.sessions = WarmSessions(_own_core[0] if _own_core else None)
+        sessions = _here.sessions = SessionSpawner()
         with _lock:
             if not _all:
                 atexit.register(close)
@@ -125,7 +114,7 @@ def _sessions() -> WarmSessions:
 
 
 def _drop() -> None:
-    sessions: WarmSessions = _here.sessions
+    sessions: SessionSpawner = _here.sessions
     with _lock:
         if sessions in _all:
             _all.remove(sessions)

@@ -331,20 +331,20 @@ def shrink(
       2    it cannot be flown
     """
     from gcs.campaign import shrink as shrinking
+    from gcs.campaign.spawner import SessionSpawner, SpawnError
     from gcs.scenario.file import dump
-    from gcs.session.warm import WarmError, WarmSessions
 
     loaded = load_scenario(scenario, settings, trust=trust, quiet=quiet).flown(lockstep=True)
     wanted = dict(_expectation(text) for text in expect)
     try:
-        with WarmSessions() as sessions:
+        with SessionSpawner() as sessions:
             small = shrinking.shrink(
                 loaded, shrinking.failing(sessions, wanted, (lambda _: None) if quiet else click.echo)
             )
     except ValueError as error:
         click.echo(f"{scenario}: {error}", err=True)
         return NOT_DONE
-    except WarmError as error:
+    except SpawnError as error:
         raise Refused(str(error)) from None
     out.write_text(dump(small), encoding="utf-8")
     if not quiet:

@@ -73,7 +73,7 @@ def words(progress: Progress) -> str:
     if progress.flown:
         parts.append(f"{60.0 * progress.rate:.1f} per minute, {minutes(progress.left_s)} left")
     else:
-        parts.append("workers are getting warm ...")
+        parts.append("workers are starting ...")
     parts += [f"{progress.workers} worker{'s' * (progress.workers != 1)}"] if progress.workers else []
     parts += [f"{progress.failed} failed"] if progress.failed else []
     parts += [f"{progress.errors} with errors"] if progress.errors else []

@@ -19,7 +19,7 @@ from typing import Literal
 
 from gcs.cli.autopilot_programs import REAL_AUTOPILOTS
 from gcs.link.socket import BUFFER_BYTES
-from gcs.processes.hatch import vehicle_program
+from gcs.processes.fork_server import vehicle_program
 
 PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -19,7 +18,6 @@ from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.cli.trust import TRUST
 from skytender.exit import BAD_INPUT, NOT_DONE
-from skytender.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
@@ -91,7 +89,6 @@ if TYPE_CHECKING:
 @click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
 @click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
 @click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
-@uncollected()
 def run(
     scenario: str,
     lockstep: bool,
@@ -162,10 +159,6 @@ def run(
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
     from gcs.processes.forked import can_fork
-    from gcs.processes.hatch import early
-
-    lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
-    hatch = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import named
     from gcs.session.plain_text import logged, mute_stdout
     from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
@@ -211,12 +204,8 @@ def run(
     shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
     fork = None
-    own = bool(resolved.vehicles.launched or resolved.traffic)
-    forks = can_fork() and not any(named(resolved))
-    if hatch is not None and not (own and forks):
-        hatch.discard()
-    if forks:
-        fork = SupervisorFork(folder, resolved, drop_datagrams, hatch if own else None)
+    if can_fork() and not any(named(resolved)):
+        fork = SupervisorFork(folder, resolved, drop_datagrams)
     else:
         write_scenario(folder, resolved)
     if not (strict or quiet):

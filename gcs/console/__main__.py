@@ -7,13 +7,11 @@ It ends by itself when the session does, when its person closes it, and when the
 
 from __future__ import annotations
 
-import ctypes
-import os
 import signal
 import sys
 from pathlib import Path
 
-PR_SET_PDEATHSIG = 1
+from skytender.processes import end_with
 
 
 def main(words: list[str]) -> int:
@@ -21,9 +19,7 @@ def main(words: list[str]) -> int:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is a key of the console
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     folder, title, parent = words
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
-    if os.getppid() != int(parent):
-        return 0
+    end_with(int(parent), signal.SIGTERM)
     from gcs.console.app import show
     from gcs.session.client import SessionSource
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from gcs.console.job import can_suspend
 from gcs.console.text import given_environment
-from gcs.processes.forked import await_end
+from gcs.processes.forked import end
 from gcs.processes.python import start_python
 from gcs.session.plain_text import View
 from skytender.exit import INTERRUPTED
@@ -75,7 +75,7 @@ class ConsoleView(View):
             self._process.terminate()
             with contextlib.suppress(ProcessLookupError):
                 self._process.send_signal(signal.SIGCONT)  # a suspended process cannot end
-            await_end(self._process, ENDS_WITHIN_S)
+            end(self._process, ENDS_WITHIN_S)
             self._ended()
         elif self._over:
             self._plain.close()

@@ -22,13 +22,13 @@ from setproctitle import setproctitle
 
 from gcs.planner.request import GuardedPlanner
 from gcs.processes.plugin_channel import PluginChannel, answer, planner_question, policy_question
-from gcs.processes.python import end_with
 from gcs.scenario import plugins
 from gcs.scenario.document import ScenarioError
 from gcs.scenario.guard import Guard
 from gcs.scenario.model import Scenario
 from gcs.scenario.plugins import PLANNER
 from skytender.exit import DONE, leave
+from skytender.processes import end_with
 
 DUMPS = signal.SIGUSR1
 WORD_EVERY_S = 0.5

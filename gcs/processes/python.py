@@ -7,9 +7,7 @@ that lies there would run, so every one of ours has `-P`, and PYTHONSAFEPATH for
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
@@ -17,8 +15,6 @@ from pathlib import Path
 from typing import Any
 
 SAFE_PATH = "PYTHONSAFEPATH"
-PR_SET_PDEATHSIG = 1
-"""of prctl(2): the signal that the kernel sends a process when its parent dies"""
 
 
 def start_python(
@@ -41,13 +37,6 @@ def safe_path() -> Iterator[None]:
             del os.environ[SAFE_PATH]
         else:
             os.environ[SAFE_PATH] = before
-
-
-def end_with(parent: int) -> None:
-    """Let this process be killed when its parent, a process of that id, dies: at once where it has died already."""
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:
-        os.kill(os.getpid(), signal.SIGKILL)
 
 
 def beside_python(program: str) -> Path:

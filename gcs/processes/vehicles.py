@@ -1,4 +1,4 @@
-"""Vehicles as processes: their command lines, for the hatch (docs/protocol.md#processes)."""
+"""Vehicles as processes: their command lines, for the fork server (docs/protocol.md#processes)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import yaml
 from gcs.mavlink.autopilots import PROFILES, Profile
 from gcs.mavlink.parameters.renames import unknown_name
 from gcs.planner.silence import failsafe_of
-from gcs.processes.hatch import ProcessSpec
+from gcs.processes.fork_server import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase

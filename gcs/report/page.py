@@ -7,9 +7,11 @@ names by hash what may run and fetches nothing.
 
 from __future__ import annotations
 
+import gc
 import math
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from functools import cache
 from html import escape
@@ -24,7 +26,6 @@ from gcs.report.findings import Findings
 from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
-from skytender.loading import uncollected
 
 FILE = "report.html"
 READ, MEASURED = 0.8, 0.9
@@ -79,6 +80,18 @@ LOADER = """(async () => {
 });"""
 
 
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Collect no garbage in this context."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
 def make(source: Path, out: Path | None = None, progress: Callable[[str, float], object] = lambda *_: None) -> Path:
     """Make the report of a session's folder, in it, or of a recording, beside it, or at `out`; where it lies. An older
     one is replaced, whole.
@@ -88,7 +101,7 @@ def make(source: Path, out: Path | None = None, progress: Callable[[str, float],
     alone = source.is_file()
     target = out or (source.with_name(f"{source.name}.html") if alone else source / FILE)
     progress("reading", 0.0)
-    with uncollected():  # what is read stays, and to look through it again and again is a tenth of the time
+    with _uncollected():  # what is read stays, and to look through it again and again is a tenth of the time
 
         def told(share: float) -> None:
             progress("reading", READ * share)

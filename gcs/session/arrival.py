@@ -25,6 +25,13 @@ class BadVehicleError(SessionFailed):
     """A vehicle refused what the scenario gives it."""
 
 
+class ForkServerDied(SessionFailed):
+    """The vehicles' fork server has died."""
+
+    def __init__(self) -> None:
+        super().__init__("the fork server of the vehicles (simvehicle fork-server) has died, and they with it")
+
+
 def arriving(
     scenario: Scenario, labels: Mapping[int, str], link: Link, lockstep: LockstepLink, external: ExternalLink | None
 ) -> Iterator[list[tuple[int, str]]]:

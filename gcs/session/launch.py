@@ -15,7 +15,7 @@ from typing import Any
 
 from gcs.link.router import VehicleRouter
 from gcs.link.socket import AddressRefused
-from gcs.processes.hatch import Hatch, LaunchError
+from gcs.processes.fork_server import ForkServer, LaunchError
 from gcs.processes.vehicles import vehicle_orders
 from gcs.scenario.endpoint import Endpoint
 from gcs.scenario.model import Scenario
@@ -54,10 +54,10 @@ def launch(
         signals = stack.enter_context(Signals())
         orders = vehicle_orders(scenario, folder, connection)
         try:
-            hatch = stack.enter_context(Hatch())
+            server = stack.enter_context(ForkServer.of_vehicles())
         except LaunchError as error:
             raise RunError(str(error)) from error
-        hatch.start(orders)
+        server.start([order.order() for order in orders])
         waiting = {order.sysid: order.log for order in orders}
         labels = {vehicle.sysid: (vehicle.role, vehicle.label) for vehicle in scenario.vehicles.all}
         alive = set(waiting)
@@ -65,7 +65,7 @@ def launch(
         reported = False
         deadline_s = time.monotonic() + STARTED_WITHIN_S
         selector = stack.enter_context(selectors.PollSelector())  # standard input may be a file, or /dev/null
-        selector.register(hatch, selectors.EVENT_READ)
+        selector.register(server, selectors.EVENT_READ)
         selector.register(signals, selectors.EVENT_READ)
         if until_eof:
             selector.register(0, selectors.EVENT_READ)
@@ -81,12 +81,12 @@ def launch(
                 return DONE
             if arrived := signals.pop():
                 return 128 + arrived[0]
-            for ended in hatch.events()[1]:
+            for ended in server.events():
                 alive.discard(ended.sysid)
                 waiting.pop(ended.sysid, None)
                 print(f"gcs: {ended.sentence(labels[ended.sysid][1])}", file=sys.stderr, flush=True)
-            if not hatch.alive:
-                sentence = "the hatch, which makes the vehicles, has ended; all of them ended with it"
+            if not server.alive:
+                sentence = "the fork server of the vehicles has ended, and all of them with it"
                 if not reported:
                     raise RunError(sentence)
                 print(f"gcs: {sentence}", file=sys.stderr)

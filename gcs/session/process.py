@@ -7,29 +7,19 @@ closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcom
 
 from __future__ import annotations
 
-import contextlib
 import os
 import signal
-import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
 import click
 
-from gcs.link.keys import KeyRefused
-from gcs.link.socket import AddressRefused
 from gcs.processes import plugin_process
-from gcs.processes.hatch import Hatch, LaunchError
-from gcs.recording.recorder import RecorderError
+from gcs.processes.fork_server import ForkServer
 from gcs.scenario.file import load
-from gcs.scenario.model import Scenario, ScenarioError
-from gcs.session.arrival import BadVehicleError, SessionFailed
-from gcs.session.ordered import Ordered
-from gcs.session.server import Reader
-from gcs.session.session_process import SessionProcess, say
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE, leave
-
-ELSEWHERE = "Free space there, or give --out another place."
+from gcs.scenario.model import Scenario
+from gcs.session.own_vehicles import OwnVehicles
+from skytender.exit import INTERNAL_ERROR, leave
 
 
 @click.command()
@@ -57,39 +47,37 @@ def fly(
     reader: int | None = None,
     every_ms: int | None = None,
     scenario: Scenario | None = None,
-    hatch: Hatch | None = None,
-    ordered: Ordered | None = None,
+    server: ForkServer | None = None,
 ) -> int:
     """Fly the session in `folder` in this process and say its last word; the exit status.
 
-    scenario: instead of what the folder's scenario.yaml says.
-    hatch: one that is running already and goes on afterwards, instead of one of the session's own.
-    ordered: what that hatch has been told to start already.
+    scenario: instead of what the folder's scenario.yaml says. server: the vehicles' fork server, where one runs.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
     status, outcome, error = INTERNAL_ERROR, "", None
+    vehicles: OwnVehicles | None = None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
+        vehicles = OwnVehicles(scenario, folder, drop, server)
+        from gcs.session.server import Reader  # noqa: PLC0415 - the vehicles come up meanwhile
+        from gcs.session.session_process import SessionProcess  # noqa: PLC0415
+
         with plugin_process.started(scenario, modules, folder, parent=0) as plugins:
-            session = SessionProcess(folder, scenario, drop=drop, hatch=hatch, ordered=ordered, plugins=plugins)
+            session = SessionProcess(folder, scenario, vehicles, plugins=plugins)
             signal.signal(signal.SIGTERM, session.terminate)
             if reader is not None:
                 session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
             status, outcome = session.run()
-    except (ScenarioError, BadVehicleError, AddressRefused, KeyRefused) as problem:
-        status, error = BAD_INPUT, str(problem)
-    except RecorderError as problem:
-        status, error = NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
-    except (SessionFailed, LaunchError) as problem:
-        status, error = NOT_DONE, str(problem)
-    except OSError as problem:
-        status, error = NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"
-    except Exception:
-        log = folder / "supervisor.log"
-        with contextlib.suppress(OSError):
-            log.write_text(traceback.format_exc(), encoding="utf-8")
-        error = f"this is a bug of the supervisor: please report it with {log}"
+    except Exception as problem:
+        from gcs.session.parent import explained  # noqa: PLC0415 - knows the errors of all that flies
+
+        status, error = explained(problem, folder)
+    finally:
+        if vehicles is not None:
+            vehicles.end()
+    from gcs.session.parent import say  # noqa: PLC0415
+
     say({"exit": status, "outcome": outcome, "error": error})
     return status
 

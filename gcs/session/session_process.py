@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import math
 import os
 import signal
-import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +16,7 @@ from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
-from gcs.processes.hatch import Ended, Hatch
+from gcs.processes.fork_server import Ended
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
 from gcs.recording.recorder import Recorder, RecorderError
@@ -27,17 +25,17 @@ from gcs.scenario import goal
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
 from gcs.scenario.plugins import PluginClient
-from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, SessionFailed, arriving
+from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, ForkServerDied, SessionFailed, arriving
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
-from gcs.session.ordered import Ordered, make_link, order, own_keys
+from gcs.session.own_vehicles import OwnVehicles
+from gcs.session.parent import has_gone, say
 from gcs.session.server import Publisher, Reader
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event, Kind, Level
 from skytender.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
-from skytender.loading import loaded
 
 if TYPE_CHECKING:
     from gcs.link.external import ExternalLink
@@ -63,16 +61,13 @@ class SessionProcess:
         self,
         folder: Path,
         scenario: Scenario,
+        vehicles: OwnVehicles,
         *,
-        drop: float = 0.0,
-        hatch: Hatch | None = None,
-        ordered: Ordered | None = None,
         plugins: PluginClient | None = None,
     ) -> None:
-        """ordered: what that hatch has been told to start already, which is all of the session's own. plugins: the
-        process of what the scenario names as its planner and policy. Raises ScenarioError."""
-        self._kept_hatch = hatch
-        self._ordered = ordered
+        """vehicles: those that the scenario launches, which are coming up. plugins: the process of what it names as its
+        planner and policy. Raises ScenarioError."""
+        self._vehicles = vehicles
         self._folder = folder
         self._scenario = scenario
         external = scenario.vehicles.external
@@ -80,7 +75,7 @@ class SessionProcess:
         clock = scenario.clock
         speed = None if clock.mode == "lockstep" else clock.speed
         self._pace = Pace(speed, time.monotonic, keeps_up=bool(external))
-        self._lockstep_link = make_link(scenario, drop) if ordered is None else ordered.link
+        self._lockstep_link = vehicles.link
         self._link: Link = self._lockstep_link
         if external:
             from gcs.link.external import ExternalLink  # noqa: PLC0415 - most sessions have none
@@ -106,13 +101,12 @@ class SessionProcess:
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder, plugins=plugins)
         self._supervisor.faults.signal_process = self._signal
-        self._hatch: Hatch | None = None
         self._unpublished: list[Event] = []
         self.reader: Reader | None = None
         """who is given every snapshot, as a program in Python is; not a client of the socket"""
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
-        self._blocks: dict[int, tuple[int, ...]] = {}
+        self._blocks = {order.sysid: order.sysids for order in vehicles.orders}
         self._killed: set[int] = set()
         """whose process a fault has ended"""
         self._answered_s = self._said_waiting_s = math.inf
@@ -141,13 +135,11 @@ class SessionProcess:
             self._publish()
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
-        except (SessionFailed, RecorderError):
+        except (SessionFailed, RecorderError) as problem:
             if self._begun:
-                died = self._hatch is not None and not self._hatch.alive
+                died = isinstance(problem, ForkServerDied)
                 with contextlib.suppress(OSError):  # a full disk may have no room for it either
-                    why = (
-                        "lost every vehicle: the process that makes them has died" if died else "the session broke off"
-                    )
+                    why = "lost every vehicle: their fork server has died" if died else "the session broke off"
                     self._summarise("lost" if died else goal.INTERRUPTED, f"not met: {why}")
             raise
         finally:
@@ -170,21 +162,17 @@ class SessionProcess:
 
     def _fly_fleet(self) -> bool:
         """The session from its first process to its last; True where it was interrupted."""
-        own = self._scenario.vehicles.launched or self._scenario.traffic
-        with (self._kept_hatch or Hatch()) if own else contextlib.nullcontext() as self._hatch:
-            try:
-                self._start_fleet()
-                self._fly()
-            except _Stopped:
-                self._supervisor.stop()
-                return True
-            finally:
-                self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
-                if self._begun and self._scenario.vehicles.external:
-                    self._hand_back()
-                if self._begun and self._hatch is not None:
-                    self._hatch.dismiss()
-                    summarise.load()  # while the vehicles end
+        try:
+            self._await_fleet()
+            self._fly()
+        except _Stopped:
+            self._supervisor.stop()
+            return True
+        finally:
+            self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
+            if self._begun and self._scenario.vehicles.external:
+                self._hand_back()
+            self._vehicles.end()
         return False
 
     def _hand_back(self) -> None:
@@ -201,14 +189,12 @@ class SessionProcess:
 
     # start
 
-    def _start_fleet(self) -> None:
+    def _await_fleet(self) -> None:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
         vehicles = self._scenario.vehicles.launched
-        ordered = self._ordered or order(self._scenario, self._folder, self._lockstep_link, self._hatch)
-        self._blocks = {spec.sysid: spec.sysids for spec in ordered.orders}
-        self._lockstep_link.expect(own_keys(self._scenario))
+        self._lockstep_link.expect(self._vehicles.keys)
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):
             for sysid, text in notices:
@@ -222,7 +208,6 @@ class SessionProcess:
         self._phase = "flying"
         self._begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
-        loaded()
         if self._scenario.vehicles.external:
             self._begin_on_true_time()
         self._link.begin()
@@ -283,16 +268,16 @@ class SessionProcess:
         self._watched_s = now_s = time.monotonic()
         if away_s := self._suspension.look():
             self._go_on_after(away_s)
-        for end in self._hatch.events()[1] if self._hatch is not None else ():
+        for end in self._vehicles.ended():
             self._lose(end)
-        if self._hatch is not None and not self._hatch.alive:
-            raise SessionFailed("the process that makes the vehicles (simvehicle hatch) has died, and they with it")
+        if self._vehicles.died:
+            raise ForkServerDied
         if now_s - self._said_waiting_s >= SAY_WAITING_EVERY_S and not self._pace.paused:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
         if self._terminated:
             self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
-        if self._clients.serve() or _stdin_closed() or self._terminated:
+        if self._clients.serve() or has_gone() or self._terminated:
             raise _Stopped
         for sysid, level, text in self._notices.poll(now_s, begun=self._begun):
             self._event(sysid, level, text, "link")
@@ -338,11 +323,9 @@ class SessionProcess:
 
     def _signal(self, sysid: int, fault: str) -> None:
         """Let a fault befall a vehicle's process: it is the only one in it."""
-        if self._hatch is None:
-            return
         if fault == "kill":
             self._killed.add(sysid)
-        for pid, first in self._hatch.pids.items():
+        for pid, first in self._vehicles.pids.items():
             if first == sysid:
                 with contextlib.suppress(ProcessLookupError):
                     os.kill(pid, signal.SIGKILL if fault == "kill" else signal.SIGSTOP)
@@ -388,17 +371,3 @@ class SessionProcess:
             refuelled=len(supervisor.schedule.refuelled),
             events=events,
         )
-
-
-def _stdin_closed() -> bool:
-    """Whether the parent has gone: its end of our stdin is closed."""
-    try:
-        return os.read(0, 1) == b""
-    except BlockingIOError:
-        return False
-
-
-def say(content: Mapping[str, Any]) -> None:
-    """Say a line of JSON to whoever started this process."""
-    with contextlib.suppress(BrokenPipeError):
-        print(json.dumps(content), file=sys.__stdout__, flush=True)

@@ -19,8 +19,7 @@ from typing import IO, Any, Self
 
 import click
 
-from gcs.processes.forked import ForkedProcess, await_end
-from gcs.processes.hatch import Hatch, LaunchError
+from gcs.processes.forked import ForkedProcess, end
 from gcs.processes.python import start_python
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
@@ -28,7 +27,6 @@ from gcs.scenario.unplugged import unplugged
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR
-from skytender.loading import loaded, on_one_core, uncollected
 
 SUPERVISOR = "gcs.session.process"
 POLL_S = 0.125
@@ -112,37 +110,24 @@ def write_scenario(folder: Path, scenario: Scenario) -> None:
 
 @dataclass(frozen=True)
 class SupervisorFork:
-    """The supervisor of the session prepared in `folder`, to be run in a fork of this process, with a hatch that
-    has begun already, if there is one."""
+    """The supervisor of the session prepared in `folder`, to be run in a fork of this process."""
 
     folder: Path
     scenario: Scenario
     drop: float
-    hatch: Hatch | None
 
     def start(self, stderr: IO[bytes] | None) -> ForkedProcess:
-        """Fork; the hatch is the fork's from now on."""
-        keep = () if self.hatch is None else self.hatch.descriptors
-        process = ForkedProcess(self._fly, f"{SUPERVISOR} {self.folder}", stderr, keep)
-        if self.hatch is not None:
-            self.hatch.release()
-        return process
+        """Fork."""
+        return ForkedProcess(self._fly, f"{SUPERVISOR} {self.folder}", stderr)
 
     def _fly(self) -> int:
         if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
             del sys.path[0]  # as -P does for the command
-        hatch = self.hatch
-        if hatch is None and (self.scenario.vehicles.launched or self.scenario.traffic):
-            with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
-                hatch = Hatch()
-        on_one_core()
-        with uncollected(), unplugged():
-            from gcs.session import ordered as vehicles  # noqa: PLC0415 - only a supervisor needs it
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here is worth threads
+        with unplugged():
+            from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
-            ordered = None if hatch is None else vehicles.order_early(self.scenario, self.folder, self.drop, hatch)
-            from gcs.session import process  # noqa: PLC0415 - the same; vehicles come up meanwhile
-
-            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, hatch=hatch, ordered=ordered)
+            return process.fly(self.folder, drop=self.drop, scenario=self.scenario)
 
 
 class Supervised:
@@ -196,7 +181,7 @@ class Supervised:
     def __exit__(self, *_: object) -> None:
         with contextlib.suppress(BrokenPipeError):
             self._in.close()
-        await_end(self._process, PATIENCE_S[1])
+        end(self._process, PATIENCE_S[1])
         if self.client is not None:
             self.client.close()
         self._out.close()
@@ -299,7 +284,6 @@ def run(
         Supervised(folder, arguments, stderr=stderr, fork=fork, supervisor=supervisor) as process,
     ):
         begun()
-        loaded()
         try:
             interrupted = _watch(process, signals, view, hurry)
         finally:

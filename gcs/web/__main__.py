@@ -6,25 +6,20 @@ It tells its links on standard output, as one line of JSON, and ends with the se
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import json
-import os
 import signal
 import sys
 from pathlib import Path
 
 from gcs.session.client import SessionSource
 from gcs.web.serve import serve
-
-PR_SET_PDEATHSIG = 1
+from skytender.processes import end_with
 
 
 def main(words: list[str]) -> int:
     """Serve the session in the folder that the first word names; the second is our parent, the third the tiles'."""
     folder, parent, *tiles = words
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
-    if os.getppid() != int(parent):
-        return 0
+    end_with(int(parent), signal.SIGTERM)
     with contextlib.suppress(KeyboardInterrupt):
         serve(SessionSource(Path(folder)), lambda links: print(json.dumps(links), flush=True), *tiles)
     return 0

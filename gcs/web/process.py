@@ -10,7 +10,7 @@ import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
-from gcs.processes.forked import await_end
+from gcs.processes.forked import end
 from gcs.processes.python import start_python
 
 STARTS_WITHIN_S = 30.0
@@ -39,5 +39,5 @@ def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, st
             process.wait(ENDS_WITHIN_S)  # its pages are told how the session ended, and it ends by itself
     finally:
         process.terminate()
-        await_end(process, ENDS_WITHIN_S)
+        end(process, ENDS_WITHIN_S)
         out.close()

@@ -1,4 +1,4 @@
-"""`simvehicle`: one simulated quadrotor on the command line, the hatch that makes many, and traffic."""
+"""`simvehicle`: one simulated quadrotor on the command line, the fork server of many, and traffic."""
 
 from simvehicle.cli.command import cli, main, run_argv
 

@@ -14,8 +14,8 @@ import click
 
 from skytender.exit import BAD_INPUT, INTERRUPTED
 
-COMMANDS = ("ardupilot", "hatch", "paper", "px4", "traffic")
-"""Each in a module of its name."""
+COMMANDS = ("ardupilot", "fork-server", "paper", "px4", "traffic")
+"""Each in a module of its name, with `_` for `-`."""
 _FILE = click.Path(path_type=Path, dir_okay=False)
 
 
@@ -50,7 +50,8 @@ class _LazyCommands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in COMMANDS:
             return None
-        command: click.Command = getattr(import_module(f"simvehicle.cli.{cmd_name}"), cmd_name)
+        name = cmd_name.replace("-", "_")
+        command: click.Command = getattr(import_module(f"simvehicle.cli.{name}"), name)
         return command
 
 

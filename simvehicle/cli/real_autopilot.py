@@ -46,7 +46,7 @@ def fly_autopilot(
     from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
     from simvehicle.sitl.link import AddressError, PlainLink, SupervisedLink, parse_address, parse_supervisor
     from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
-    from simvehicle.sitl.secret import from_hatch
+    from simvehicle.sitl.secret import own_secret
 
     if (supervised is None) == (connect is None):
         raise click.UsageError("give either --supervised or --connect")
@@ -60,7 +60,7 @@ def fly_autopilot(
         with kind(wanted, plant, connection) as unit:
             if supervised is not None:
                 with SupervisedLink(parse_supervisor(supervised)) as link:
-                    run_supervised([ConnectedUnit(unit, connection, [])], link, from_hatch())
+                    run_supervised([ConnectedUnit(unit, connection, [])], link, own_secret())
             elif connect is not None:
                 with PlainLink(parse_address(connect), connection) as plain:
                     print(f"vehicle {sysid}: {plain.address} (local port {plain.port})", flush=True)

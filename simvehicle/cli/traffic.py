@@ -17,7 +17,7 @@ def traffic(file: Path, supervised: str) -> None:
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
     from simvehicle.sitl.loop import ConnectedUnit, run_supervised
-    from simvehicle.sitl.secret import from_hatch
+    from simvehicle.sitl.secret import own_secret
     from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:
@@ -28,4 +28,4 @@ def traffic(file: Path, supervised: str) -> None:
     except (AddressError, TrafficError) as error:
         raise click.UsageError(str(error)) from error
     with link:
-        run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), connection, [])], link, from_hatch())
+        run_supervised([ConnectedUnit(Traffic(frame, movers, [connection]), connection, [])], link, own_secret())

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import subprocess
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Self
 
@@ -20,8 +20,8 @@ from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame
 from simvehicle.world.description import read_world
 from simvehicle.world.sensors import SensorErrors
+from skytender.processes import end_with
 
-PR_SET_PDEATHSIG = 1
 HOST = "127.0.0.1"
 MOST_INSTANCES = 2000
 READY_WITHIN_S = 60.0
@@ -64,7 +64,6 @@ class AutopilotProcess:
     ) -> None:
         """Start it in its folder, with its output in a log. Raises AutopilotError."""
         self._wanted = wanted
-        libc = ctypes.CDLL(None)
         with (wanted.folder / "autopilot.log").open("wb") as log:
             try:
                 self._process = subprocess.Popen(
@@ -75,7 +74,7 @@ class AutopilotProcess:
                     stdout=log,
                     stderr=subprocess.STDOUT,
                     process_group=0,
-                    preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL),  # noqa: PLW1509 - one thread alone
+                    preexec_fn=partial(end_with, os.getpid()),  # noqa: PLW1509 - one thread alone
                 )
             except OSError as error:
                 raise AutopilotError(f"{self.name} cannot be started: {error.strerror}") from error

@@ -22,7 +22,7 @@ from simvehicle.mavlink.telemetry import UNPROMPTED
 from simvehicle.sitl.keys import Keyring
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
 from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
-from simvehicle.sitl.secret import from_hatch
+from simvehicle.sitl.secret import own_secret
 from simvehicle.sitl.steady import Flyable
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
@@ -99,7 +99,7 @@ class Block:
                 for link in plain:
                     print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
             if self._supervisor is not None:
-                run_supervised(seats, opened.enter_context(SupervisedLink(self._supervisor)), from_hatch())
+                run_supervised(seats, opened.enter_context(SupervisedLink(self._supervisor)), own_secret())
             else:
                 run_free(seats)
 

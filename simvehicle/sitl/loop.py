@@ -105,8 +105,8 @@ def run_supervised(seats: Sequence[ConnectedUnit], link: SupervisedLink, secret:
     """Live on the supervisor's clock until it has been silent for 10 s of wall time, each unit by itself.
 
     Raises SystemExit then: a supervisor that ends a session ends its vehicles. With a `secret`, by which the supervisor
-    knows them, they were started by its hatch, which ends them with the session: they wait for as long as that lives,
-    since a supervisor may be suspended.
+    knows them, they were started by its fork server, which ends them with the session: they wait for as long as that
+    lives, since a supervisor may be suspended.
 
     Frames from plain connections wait for the next grant, so that they act at a definite time of the session.
     """

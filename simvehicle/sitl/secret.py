@@ -1,7 +1,7 @@
 """The secret by which a supervisor knows the vehicles that it has started: docs/protocol.md#vehicle-side-of-the-link.
 
-The hatch reads it from its pipe and leaves it to the process that it forks. It stands in no command line and no file,
-which other users could read.
+The fork server reads it from its socket and leaves it to the process that it forks. It stands in no command line and no
+file, which other users could read.
 """
 
 from __future__ import annotations
@@ -11,10 +11,10 @@ _held: list[int] = []
 
 
 def hand_over(secret: object) -> None:
-    """Keep an order's secret for this process, which the hatch has just forked; one that is none is no secret."""
+    """Keep an order's secret for this process, which the fork server has just forked; one that is none is no secret."""
     _held[:] = [secret] if isinstance(secret, int) and not isinstance(secret, bool) and 0 < secret < 1 << 64 else []
 
 
-def from_hatch() -> int | None:
-    """This process's secret; None where it was not forked by a hatch that had one."""
+def own_secret() -> int | None:
+    """This process's secret; None where it was not forked by a fork server that had one."""
     return _held[0] if _held else None

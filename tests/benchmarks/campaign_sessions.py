@@ -1,9 +1,9 @@
 """Figure 12: what a further session of a campaign costs, over the CPU time of its flight alone.
 
-Sessions of 30 s of the paper's Example 1 are flown one after the other from one warm process, as a campaign's worker
+Sessions of 30 s of the paper's Example 1 are flown one after the other from one spawner, as a campaign's worker
 does, from the row's number to the row; among them long ones of the same flight, to and fro for 150 s. What 30 s more
 of flight cost in a long one is the flight alone. A session costs what its processes and the worker spend, and its share
-of what the warm process and the hatch spend, from which its processes are forked.
+of what the two fork servers spend, from which its processes are forked.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     cost_s: list[float] = []
     long_s: list[float] = []
     wall_s: list[float] = []
-    worker._sessions().warm_up()
+    worker._sessions().wait_ready()
     serving_s = _serving_cpu_s()
     memory_kib: list[float] = []
     try:
@@ -56,7 +56,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     flight_s = (statistics.median(long_s) - statistics.median(cost_s)) / (LONG_S - SESSION_S) * SESSION_S
     session_s = statistics.median(cost_s) + serving_s
     growth = memory_kib[-1] / memory_kib[len(memory_kib) // 5]
-    name = f"a further session of {SESSION_S:.0f} s, warm"
+    name = f"a further session of {SESSION_S:.0f} s, spawned"
     return [
         Figure(12, f"{name}: CPU over its flight alone", session_s / flight_s, "x", GOAL, True, cpu_s=session_s),
         Figure(12, "  wall time", statistics.median(wall_s), "s"),
@@ -67,23 +67,17 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
 
 
 def _resident_kib() -> float:
-    """Of this process and the warm one, which its sessions are forked from."""
-    pids = ["self", *(str(sessions.pid) for sessions in worker._all)]
+    """Of this process and the two that its sessions are forked from."""
+    pids = ["self", *(str(pid) for sessions in worker._all for pid in sessions.pids)]
     return sum(PAGE_KIB * int(Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1]) for pid in pids)
 
 
 def _serving_cpu_s() -> float:
-    """CPU time of the warm process and of its hatch, without that of what they forked."""
+    """CPU time of the two fork servers, without that of what they forked."""
     spent_s = 0.0
-    for stat in Path("/proc").glob("[0-9]*/stat"):
-        try:
-            fields = stat.read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
-            command = (stat.parent / "cmdline").read_bytes()
-        except OSError:
-            continue  # it has just ended
-        warm = [sessions.pid for sessions in worker._all]
-        if int(stat.parent.name) in warm or (int(fields[1]) in warm and b"hatch" in command):
-            spent_s += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    for pid in (pid for sessions in worker._all for pid in sessions.pids):
+        fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
+        spent_s += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
     return spent_s
 
 

@@ -17,6 +17,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.processes.pace import Pace
 from gcs.scenario.file import load
+from gcs.session.own_vehicles import OwnVehicles
 from gcs.session.session_process import SessionProcess
 
 HOT = ("HEARTBEAT", "LOCAL_POSITION_NED", "ATTITUDE", "GLOBAL_POSITION_INT", "BATTERY_STATUS", "NAMED_VALUE_FLOAT")
@@ -48,9 +49,8 @@ class Watched(SessionProcess):
                     param2=PERIOD_US, param3=0.0, param4=0.0, param5=0.0, param6=0.0, param7=0.0,
                 )  # fmt: skip
                 self._supervisor.command_queue.put(sysid, [request])
-        assert self._hatch is not None
-        self._hatch.events()
-        pids = list(self._hatch.pids)
+        self._vehicles.ended()
+        pids = list(self._vehicles.pids)
         own, theirs, wall_s = _own_cpu_s(), sum(map(_cpu_s, pids)), time.monotonic()
         super()._fly()
         wall_s = time.monotonic() - wall_s
@@ -77,6 +77,7 @@ def _cpu_s(pid: int) -> float:
 if __name__ == "__main__":
     os.set_blocking(0, False)
     folder = Path(sys.argv[1])
-    session = Watched(folder, load(folder / "scenario.yaml"), drop=0.0)
+    scenario = load(folder / "scenario.yaml")
+    session = Watched(folder, scenario, OwnVehicles(scenario, folder))
     session.run()
     print(json.dumps(session.told))

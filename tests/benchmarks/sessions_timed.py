@@ -21,7 +21,7 @@ from measure import Figure, Scale
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
-from gcs.processes.hatch import Hatch, ProcessSpec
+from gcs.processes.fork_server import ForkServer, ProcessSpec
 
 ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
@@ -117,17 +117,17 @@ def lockstep() -> list[Figure]:
 
 
 def starting(scale: Scale) -> list[Figure]:
-    """From the hatch's start until every vehicle's SYS_STATUS says that it may be armed."""
+    """From the fork server's start until every vehicle's SYS_STATUS says that it may be armed."""
     with tempfile.TemporaryDirectory() as name, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:
         ground.bind(("127.0.0.1", 0))
         ground.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
         ground.setblocking(False)
         address = f"udpout:127.0.0.1:{ground.getsockname()[1]}"
         begun_s, before = time.perf_counter(), children_cpu_s()
-        with Hatch() as hatch:
-            hatch.start(
+        with ForkServer.of_vehicles() as server:
+            server.start(
                 [
-                    ProcessSpec((i,), ("--sysid", str(i), "--connect", address), Path(name) / f"{i}.log")
+                    ProcessSpec((i,), ("--sysid", str(i), "--connect", address), Path(name) / f"{i}.log").order()
                     for i in range(1, STARTED + 1)
                 ]
             )
@@ -136,9 +136,9 @@ def starting(scale: Scale) -> list[Figure]:
                 select.select([ground], [], [], 0.5)
                 ready |= _ready_to_arm(ground)
             took_s = time.perf_counter() - begun_s
-            hatch.events()
+            server.events()
             alone_mib = _pss_of_one(address, ground)
-            pss_mib = statistics.mean(_pss_kib(pid) for pid in hatch.pids) / KIB
+            pss_mib = statistics.mean(_pss_kib(pid) for pid in server.pids) / KIB
         cpu_s = children_cpu_s() - before
     if len(ready) < STARTED:
         raise RuntimeError(f"only {len(ready)} of {STARTED} vehicles came up")

@@ -222,7 +222,7 @@ def can_mount() -> bool:
 PROCESSES: dict[str, Callable[[Running], Any]] = {
     "gcs run": lambda session: session.family()[0],
     "supervisor": lambda session: session.named("gcs.session.process"),
-    "hatch": lambda session: session.named("hatch"),
+    "fork server": lambda session: session.named("fork-server"),
     "pursuer": lambda session: session.vehicle(PURSUER),
     "tanker": lambda session: session.vehicle(TANKER),
 }

@@ -80,7 +80,7 @@ def test_the_supervisor_loads_nothing_that_only_others_need(run: list[set[str]])
 
 
 def test_the_vehicles_host_loads_nothing_that_only_others_need(tmp_path: Path) -> None:
-    (host,) = loaded(tmp_path / "host", "simvehicle", "hatch")
+    (host,) = loaded(tmp_path / "host", "simvehicle", "fork-server")
     assert host >= FLIGHT
     assert not host & (LATER | {"pydantic"})
 
@@ -95,8 +95,8 @@ def test_validate_loads_nothing_that_flies(tmp_path: Path) -> None:
     assert not command & LATER
 
 
-def test_vehicles_are_ordered_before_what_steers_them_is_loaded() -> None:
-    code = "import sys, gcs.session.ordered; print(*sys.modules)"
+def test_vehicles_are_started_before_what_steers_them_is_loaded() -> None:
+    code = "import sys, gcs.session.process; print(*sys.modules)"
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
     assert "gcs.link.lockstep" in found
     assert not {"gcs.planner.planner", "gcs.recording.recorder", "gcs.supervisor.supervisor"} & set(found)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from simvehicle.cli import run_argv
-from simvehicle.cli.hatch import sysid_of, title_of
+from simvehicle.cli.fork_server import sysid_of, title_of
 
 FINE = ["--sysid", "1", "--connect", "udpin:127.0.0.1:0"]
 
@@ -115,7 +115,8 @@ def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
-    for word in ("--sysid", "--connect", "--supervised", "--position", "--airborne", "--params", "hatch", "traffic",
+    for word in ("--sysid", "--connect", "--supervised", "--position", "--airborne", "--params", "fork-server",
+                 "traffic",
                  "Examples: simvehicle --sysid 1 --connect udpout:127.0.0.1:14550", "Exit status: 2",
                  "Ctrl-C"):  # fmt: skip
         assert word in " ".join(done.stdout.split())

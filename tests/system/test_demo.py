@@ -19,7 +19,7 @@ EVERYONE = (*PURSUERS, TARGET, TANKER)
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     with pytest.MonkeyPatch.context() as patch:
-        patch.delenv("OPENBLAS_NUM_THREADS")  # the hatch forks beside OpenBLAS's threads, as it does for a user
+        patch.delenv("OPENBLAS_NUM_THREADS")  # the fork server forks beside OpenBLAS's threads, as it does for a user
         return fly(demo(), tmp_path_factory.mktemp("demo"), "--plain")
 
 

@@ -78,11 +78,11 @@ def the_supervisor(session: Running) -> psutil.Process:
     return session.named("gcs.session.process")
 
 
-def the_hatch(session: Running) -> psutil.Process:
-    return session.named("hatch")
+def the_fork_server(session: Running) -> psutil.Process:
+    return session.named("fork-server")
 
 
-@pytest.mark.parametrize("victim", [the_run, the_supervisor, the_hatch])
+@pytest.mark.parametrize("victim", [the_run, the_supervisor, the_fork_server])
 def test_nothing_outlives_a_killed_process(running: Running, victim: Callable[[Running], psutil.Process]) -> None:
     family = running.family()
     assert len(family) == 1 + 1 + 1 + 8
@@ -181,11 +181,11 @@ def test_the_supervisor_saves_the_session_when_its_parent_is_killed(running: Run
     assert_tlog_is_whole(outcome)
 
 
-def test_a_killed_hatch_is_said_in_one_sentence(running: Running) -> None:
-    the_hatch(running).send_signal(signal.SIGKILL)
+def test_a_killed_fork_server_is_said_in_one_sentence(running: Running) -> None:
+    the_fork_server(running).send_signal(signal.SIGKILL)
     outcome = running.finish()
     assert outcome.status == 1
-    assert "hatch" in outcome.stderr
+    assert "fork server" in outcome.stderr
     assert "Traceback" not in outcome.stderr
 
 

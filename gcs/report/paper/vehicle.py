@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.processes.hatch import vehicle_program
+from gcs.processes.fork_server import vehicle_program
 from gcs.report.paper.study import Measurement, PaperError, Study, Table
 
 NAMES = ("fig5", "fig12", "implicit", "noise")

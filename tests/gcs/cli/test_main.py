@@ -217,8 +217,8 @@ def test_a_launched_vehicle_that_dies_is_named_at_once_and_the_others_fly_on(two
     ):
         vehicles = listing(process)
         assert {v["address"] for v in vehicles} == {f"udpout:127.0.0.1:{station.getsockname()[1]}"}
-        (hatch,) = _children(process.pid)
-        first = min(_children(hatch))
+        (server,) = _children(process.pid)
+        first = min(_children(server))
         os.kill(first, signal.SIGKILL)
         assert process.stderr is not None
         assert process.stderr.readline() == "starting 2 vehicles ...\n"
@@ -235,11 +235,11 @@ def test_a_launched_vehicle_that_dies_is_named_at_once_and_the_others_fly_on(two
 def test_the_end_of_all_launched_vehicles_is_no_bad_input(two: Path) -> None:
     with launched(str(two), "--json") as process:
         listing(process)
-        (hatch,) = _children(process.pid)
-        os.kill(hatch, signal.SIGKILL)
+        (server,) = _children(process.pid)
+        os.kill(server, signal.SIGKILL)
         _, err = process.communicate(timeout=60)
     assert process.returncode == 1
-    assert "gcs: the hatch, which makes the vehicles, has ended; all of them ended with it\n" in err
+    assert "gcs: the fork server of the vehicles has ended, and all of them with it\n" in err
 
 
 def test_vehicles_end_with_a_standard_input_that_has_nothing_to_read(two: Path) -> None:

@@ -29,7 +29,7 @@ KNOWN = {
     ("gcs.processes.python", "subprocess.Popen"): "our modules",
     ("gcs.processes.python", "sys.executable"): "the interpreter",
     ("gcs.campaign.pool", "multiprocessing.get_context"): "a campaign's workers, with PYTHONSAFEPATH",
-    ("gcs.processes.hatch", "subprocess.Popen"): "simvehicle",
+    ("gcs.processes.fork_server", "subprocess.Popen"): "simvehicle",
     ("gcs.cli.doctor", "subprocess.run"): "simvehicle --version",
     ("gcs.report.paper.vehicle", "subprocess.run"): "simvehicle paper",
     ("simvehicle.sitl.autopilot_process", "subprocess.Popen"): "ArduPilot or PX4",

@@ -1,4 +1,4 @@
-"""Command lines and files for the hatch: plain data, read back as the vehicle's process reads them."""
+"""Command lines and files for the fork server: plain data, read back as the vehicle's process reads them."""
 
 from pathlib import Path
 from typing import Any
@@ -7,7 +7,7 @@ import pytest
 import yaml
 from extremes import extremes, number_keys
 
-from gcs.processes.hatch import Ended, ProcessSpec
+from gcs.processes.fork_server import Ended, ProcessSpec
 from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario, ScenarioError

@@ -138,7 +138,7 @@ def test_a_folder_that_cannot_be_written_is_one_sentence(tmp_path, capsys):
 def test_what_flies_never_loads_the_drawing():
     code = (
         "import sys; from simvehicle.cli import run_argv; run_argv(['--help']); "
-        "from simvehicle.law import step; from simvehicle.sitl import forkserver; "
+        "from simvehicle.law import step; from simvehicle.sitl import block; "
         "from simvehicle.mavlink import dispatcher; assert 'matplotlib' not in sys.modules"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, check=False, text=True)

@@ -74,8 +74,8 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
     assert "silent for 10 s" in capsys.readouterr().err
 
 
-def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its supervisor goes on after a minute; without a hatch a vehicle would have left after ten seconds."""
+def test_a_vehicle_of_a_fork_server_waits_for_a_suspended_supervisor(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its supervisor goes on after a minute; without a fork server a vehicle would have left after ten seconds."""
     clock = Clock()
     monkeypatch.setattr(loop, "time", clock)
 
@@ -108,7 +108,7 @@ def test_a_vehicle_of_a_hatch_waits_for_a_suspended_supervisor(monkeypatch: pyte
     assert unit.advanced_ms == [0, 100]
 
 
-def test_a_hello_carries_the_secret_of_the_hatch() -> None:
+def test_a_hello_carries_the_secret_of_the_fork_server() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:

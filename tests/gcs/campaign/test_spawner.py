@@ -1,9 +1,8 @@
-"""Warm sessions: the digest of a session of its own, whatever died before it, and nothing left behind."""
+"""Spawned sessions: the digest of a session of its own, whatever died before it, and nothing left behind."""
 
 from __future__ import annotations
 
 import json
-import os
 import threading
 import time
 from pathlib import Path
@@ -12,9 +11,9 @@ import psutil
 import pytest
 
 import gcs
+from gcs.campaign.spawner import Flight, SessionSpawner
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
-from gcs.session.warm import Flight, WarmSessions
 
 pytestmark = pytest.mark.timeout(300)
 FOUND_WITHIN_S = 60.0
@@ -35,25 +34,27 @@ def title(process: psutil.Process) -> str:
         return ""
 
 
-def supervisor(sessions: WarmSessions) -> psutil.Process:
+def processes(sessions: SessionSpawner) -> list[psutil.Process]:
+    """The fork servers and all that they have forked."""
+    servers = [psutil.Process(pid) for pid in sessions.pids]
+    return [*servers, *(child for server in servers for child in server.children(recursive=True))]
+
+
+def supervisor(sessions: SessionSpawner) -> psutil.Process:
     """The supervisor that flies, once its vehicles are there."""
     deadline_s = time.monotonic() + FOUND_WITHIN_S
     while time.monotonic() < deadline_s:
-        named = {title(child): child for child in psutil.Process(sessions.pid).children(recursive=True)}
+        named = {title(child): child for child in processes(sessions)}
         if "gcs session" in named and "simvehicle 5" in named:
             return named["gcs session"]
     raise AssertionError("no supervisor came up")
 
 
-def test_a_warm_session_is_that_of_a_session_of_its_own_also_after_a_supervisor_was_killed(tmp_path: Path) -> None:
+def test_a_spawned_session_is_that_of_a_session_of_its_own_also_after_a_supervisor_was_killed(tmp_path: Path) -> None:
     with gcs.Session(example(4.0), out=tmp_path / "alone") as alone:
         alone.finish()
     ended: list[Flight] = []
-    core = max(os.sched_getaffinity(0))
-    with WarmSessions(core) as sessions:
-        sessions.warm_up()
-        warm = psutil.Process(sessions.pid)
-        assert {tuple(one.cpu_affinity()) for one in (warm, *warm.children())} == {(core,)}
+    with SessionSpawner() as sessions:
         first = sessions.fly(example(4.0), "first")
         flying = threading.Thread(target=lambda: ended.append(sessions.fly(example(80_000.0), "killed")))
         flying.start()
@@ -67,8 +68,8 @@ def test_a_warm_session_is_that_of_a_session_of_its_own_also_after_a_supervisor_
         assert [flight.error for flight in (first, second, third)] == [None] * 3
         assert {digest(flight.folder) for flight in (first, second, third)} == {digest(tmp_path / "alone")}
         assert first.cpu_s > 0.0
-        folder, processes = first.folder.parent, warm.children(recursive=True)
+        folder, started = first.folder.parent, processes(sessions)
         first.complete()
         assert load(first.folder / "scenario.yaml") == example(4.0)
     assert not folder.exists()
-    assert not [process for process in processes if process.is_running()]
+    assert not [process for process in started if process.is_running()]

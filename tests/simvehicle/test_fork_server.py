@@ -1,4 +1,4 @@
-"""The hatch as a real process: it forks, reports, and nothing outlives it."""
+"""The fork server as a real process: it forks, reports, and nothing outlives it."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PROGRAM = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 
 
 class Child:
-    """A process that the hatch made, by a descriptor that no other process can inherit the number of."""
+    """A process that the server made, by a descriptor that no other process can inherit the number of."""
 
     def __init__(self, pid: int) -> None:
         self.pid = pid
@@ -43,13 +43,13 @@ class Child:
             os.close(self.fd)
 
 
-class Hatch:
-    """A running `simvehicle hatch`."""
+class Server:
+    """A running `simvehicle fork-server`."""
 
     def __init__(self, folder: Path, **popen: Any) -> None:
         self.folder = folder
         self.process = subprocess.Popen(
-            [*PROGRAM, "hatch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **popen
+            [*PROGRAM, "fork-server"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **popen
         )
         self._pending = b""
         self.children: list[Child] = []
@@ -62,7 +62,7 @@ class Hatch:
             left_s = deadline_s - time.monotonic()
             assert select.select([self.process.stdout], [], [], max(left_s, 0.0))[0], "no report"
             chunk = os.read(self.process.stdout.fileno(), 65536)
-            assert chunk, "the hatch has ended"
+            assert chunk, "the server has ended"
             self._pending += chunk
         line, _, self._pending = self._pending.partition(b"\n")
         report: dict[str, Any] = json.loads(line)
@@ -94,8 +94,8 @@ def all_gone(children: list[Child]) -> bool:
 
 
 @pytest.fixture
-def hatch(tmp_path: Path) -> Iterator[Hatch]:
-    running = Hatch(tmp_path)
+def server(tmp_path: Path) -> Iterator[Server]:
+    running = Server(tmp_path)
     try:
         assert running.line() == {"ready": True}
         yield running
@@ -111,100 +111,134 @@ def hatch(tmp_path: Path) -> Iterator[Hatch]:
             child.close()
 
 
-def test_vehicle_is_forked_and_speaks(hatch: Hatch) -> None:
+def test_vehicle_is_forked_and_speaks(server: Server) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:
         ground.bind(("127.0.0.1", 0))
         ground.settimeout(WITHIN_S)
-        report = hatch.fork("--sysid", "42", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}")
+        report = server.fork("--sysid", "42", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}")
         assert report == {"sysid": 42, "pid": report["pid"]}
         (heartbeat,) = mav.MAVLink(None).parse_buffer(ground.recv(2000))
         assert Path(f"/proc/{report['pid']}/cmdline").read_bytes().rstrip(b"\0") == b"simvehicle 42"
         assert Path(f"/proc/{report['pid']}/comm").read_text().strip() == "simvehicle 42"
     assert (heartbeat.get_type(), heartbeat.get_srcSystem()) == ("HEARTBEAT", 42)
-    assert os.getsid(report["pid"]) == hatch.process.pid  # a process session of its own
+    assert os.getsid(report["pid"]) == report["pid"]
 
 
-def test_several_orders_in_one_write_and_one_order_in_two(hatch: Hatch) -> None:
+def test_several_orders_in_one_write_and_one_order_in_two(server: Server) -> None:
     argv = ("--connect", "udpin:127.0.0.1:0")
-    first, second, third = (hatch.order("--sysid", str(i), *argv, log=f"{i}.log") for i in (1, 2, 3))
-    hatch.write(first + second + third[:20])
-    hatch.write(third[20:])
-    reports = [hatch.line() for _ in range(3)]
-    hatch.children += [Child(report["pid"]) for report in reports]
+    first, second, third = (server.order("--sysid", str(i), *argv, log=f"{i}.log") for i in (1, 2, 3))
+    server.write(first + second + third[:20])
+    server.write(third[20:])
+    reports = [server.line() for _ in range(3)]
+    server.children += [Child(report["pid"]) for report in reports]
     assert [report["sysid"] for report in reports] == [1, 2, 3]
 
 
-def test_bad_argv_is_reported_with_status_2_and_its_sentence(hatch: Hatch) -> None:
-    good = hatch.fork_waiting(1)
-    forked = hatch.fork("--sysid", "7", "--connect", "nowhere", log="bad.log")
-    ended = hatch.line()
+def test_bad_argv_is_reported_with_status_2_and_its_sentence(server: Server) -> None:
+    good = server.fork_waiting(1)
+    forked = server.fork("--sysid", "7", "--connect", "nowhere", log="bad.log")
+    ended = server.line()
     assert (ended["sysid"], ended["pid"], ended["exit"]) == (7, forked["pid"], 2)
     assert len(ended["last_lines"]) == 1
     assert "'nowhere' is no connection" in ended["last_lines"][0]
     assert not good.ended()
 
 
-def test_vehicle_killed_by_a_signal_is_reported_negative_and_the_others_live(hatch: Hatch) -> None:
-    victim, other = hatch.fork_waiting(1), hatch.fork_waiting(2)
+def test_vehicle_killed_by_a_signal_is_reported_negative_and_the_others_live(server: Server) -> None:
+    victim, other = server.fork_waiting(1), server.fork_waiting(2)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:  # 3 is heard, so its log is written
         ground.bind(("127.0.0.1", 0))
         ground.settimeout(WITHIN_S)
-        hatch.fork("--sysid", "3", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}", log="3.log")
+        server.fork("--sysid", "3", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}", log="3.log")
         ground.recv(2000)
     victim.kill(signal.SIGSEGV)
-    assert hatch.line() | {"last_lines": []} == {"sysid": 1, "pid": victim.pid, "exit": -11, "last_lines": []}
-    hatch.children[-1].kill()
-    ended = hatch.line()
+    ended = server.line()
+    assert (ended["sysid"], ended["pid"], ended["exit"]) == (1, victim.pid, -11)
+    assert ended["cpu_s"] >= 0.0
+    server.children[-1].kill()
+    ended = server.line()
     assert (ended["sysid"], ended["exit"]) == (3, -9)
     assert "udpout:127.0.0.1:" in ended["last_lines"][0]
     assert not other.ended()
 
 
-def test_end_of_stdin_ends_the_hatch_and_all_vehicles(hatch: Hatch) -> None:
+def test_end_of_stdin_ends_the_server_and_all_vehicles(server: Server) -> None:
     for sysid in (1, 2):
-        hatch.fork_waiting(sysid)
-    assert hatch.process.stdin is not None
-    hatch.process.stdin.close()
-    assert hatch.process.wait(WITHIN_S) == 0
-    assert all_gone(hatch.children)
+        server.fork_waiting(sysid)
+    assert server.process.stdin is not None
+    server.process.stdin.close()
+    assert server.process.wait(WITHIN_S) == 0
+    assert all_gone(server.children)
 
 
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
-def test_vehicles_die_with_the_hatch(hatch: Hatch, how: signal.Signals) -> None:
+def test_vehicles_die_with_the_server(server: Server, how: signal.Signals) -> None:
     for sysid in (1, 2):
-        hatch.fork_waiting(sysid)
-    hatch.process.send_signal(how)
-    assert hatch.process.wait(WITHIN_S) == -how
-    assert all_gone(hatch.children)
+        server.fork_waiting(sysid)
+    server.process.send_signal(how)
+    assert server.process.wait(WITHIN_S) == -how
+    assert all_gone(server.children)
 
 
-def test_log_that_cannot_be_written_is_said_in_one_sentence(hatch: Hatch) -> None:
-    hatch.fork("--sysid", "1", "--connect", "udpin:127.0.0.1:0", log="none/vehicle.log")
-    ended = hatch.line()
+def test_log_that_cannot_be_written_is_said_in_one_sentence(server: Server) -> None:
+    server.fork("--sysid", "1", "--connect", "udpin:127.0.0.1:0", log="none/vehicle.log")
+    ended = server.line()
     assert (ended["sysid"], ended["exit"], ended["last_lines"]) == (1, 74, [])
-    assert hatch.process.stdin is not None
-    hatch.process.stdin.close()
-    assert hatch.process.stderr is not None
-    said = hatch.process.stderr.read().decode()
+    assert server.process.stdin is not None
+    server.process.stdin.close()
+    assert server.process.stderr is not None
+    said = server.process.stderr.read().decode()
     assert said.count("\n") == 1
     assert "cannot write" in said
     assert "No such file or directory" in said
 
 
 @pytest.mark.parametrize("line", [b"no json\n", b"[1]\n", b'{"argv": ["--sysid", "1"]}\n'])
-def test_order_that_is_none_ends_the_hatch_with_a_sentence(hatch: Hatch, line: bytes) -> None:
-    hatch.fork_waiting(1)
-    hatch.write(line)
-    assert hatch.process.wait(WITHIN_S) == 2
-    assert all_gone(hatch.children)
-    assert hatch.process.stderr is not None
-    said = hatch.process.stderr.read().decode()
-    assert said.startswith("hatch: no order: ")
+def test_order_that_is_none_ends_the_server_with_a_sentence(server: Server, line: bytes) -> None:
+    server.fork_waiting(1)
+    server.write(line)
+    assert server.process.wait(WITHIN_S) == 2
+    assert all_gone(server.children)
+    assert server.process.stderr is not None
+    said = server.process.stderr.read().decode()
+    assert said.startswith("fork server: no order: ")
     assert said.count("\n") == 1
 
 
-def test_empty_stdin_compiles_and_ends_well() -> None:
+def test_empty_stdin_ends_it_well() -> None:
     with open(os.devnull, "rb") as nothing:
-        done = subprocess.run([*PROGRAM, "hatch"], stdin=nothing, capture_output=True, timeout=WITHIN_S, check=False)
+        done = subprocess.run(
+            [*PROGRAM, "fork-server"], stdin=nothing, capture_output=True, timeout=WITHIN_S, check=False
+        )
     assert (done.returncode, done.stderr) == (0, b"")
     assert json.loads(done.stdout) == {"ready": True}
+
+
+def test_a_fork_server_of_one_session_ends_with_its_socket_and_takes_its_vehicles_along(tmp_path: Path) -> None:
+    """It is forked from one that lasts, which reports the CPU time of it and its vehicles."""
+    connection, theirs = socket.socketpair()
+    with connection, theirs, subprocess.Popen([*PROGRAM, "fork-server"], stdin=theirs, stdout=theirs) as lasting:
+        connection.settimeout(WITHIN_S)
+        reports = connection.makefile("rb")
+        assert json.loads(reports.readline()) == {"ready": True}
+        session, its = socket.socketpair()
+        order = json.dumps({"argv": ["fork-server"], "log": str(tmp_path / "server.log")}).encode() + b"\n"
+        with session:
+            with its:
+                socket.send_fds(connection, [order], [its.fileno()])
+            session.settimeout(WITHIN_S)
+            answers = session.makefile("rb")
+            server = json.loads(reports.readline())["pid"]
+            assert json.loads(answers.readline()) == {"ready": True}
+            argv = ["--sysid", "1", "--connect", "udpin:127.0.0.1:0"]
+            session.sendall(json.dumps({"argv": argv, "log": str(tmp_path / "1.log")}).encode() + b"\n")
+            vehicle = Child(json.loads(answers.readline())["pid"])
+            answers.close()
+        ended = json.loads(reports.readline())
+        assert (ended["pid"], ended["exit"]) == (server, 0)
+        assert ended["cpu_s"] > 0.0
+        assert vehicle.ended()
+        vehicle.close()
+        reports.close()
+        connection.shutdown(socket.SHUT_WR)
+        assert lasting.wait(WITHIN_S) == 0

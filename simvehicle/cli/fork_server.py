@@ -1,4 +1,4 @@
-"""`simvehicle hatch`: loads once, then makes every vehicle as a fork."""
+"""`simvehicle fork-server`: loads once, then forks every vehicle."""
 
 # ruff: noqa: PLC0415 - so that help and a bad command line load nothing that takes long
 
@@ -6,40 +6,57 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import click
 
 from simvehicle.cli.command import cli, reported, run_argv
 from simvehicle.cli.vehicle import LAST_SYSID, prepare
-from skytender.loading import loaded, on_one_core, uncollected
+from simvehicle.sitl.secret import hand_over
+from skytender.fork_server import Child, serve
 
+COMMAND = "fork-server"
 OWN_PROCESS = {"-h", "--help", "--version", "--state"}
 """Options that a vehicle's own process reads: those that print, and the one that opens a file to write."""
 
 
-@click.command(short_help="Make many vehicles, one per JSON line on stdin.")
-def hatch() -> None:
-    """Make many vehicles: one JSON line on stdin each, {"argv": [...], "log": PATH}; ends with stdin.
+@click.command(COMMAND, short_help="Fork many vehicles, one per JSON line on stdin.")
+def fork_server() -> None:
+    """Fork many vehicles: one JSON line on stdin each, {"argv": [...], "log": PATH}; ends with stdin.
 
     Modules are loaded once; every vehicle is then a fork of this process.
     """
-    on_one_core()
-    with uncollected():
-        from simvehicle.sitl import forkserver
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # threads would be missing in a fork
+    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - once, for all vehicles
 
-        _rehearse_start()
-    loaded()
-    status = forkserver.run(sysid_of, title_of, _prepare)
+    status = serve(child_of)
     sys.stderr.flush()
-    os._exit(status)  # nothing is left to be done, and who waits for it need not wait for an interpreter's end
+    os._exit(status)  # a parent that waits for it need not wait for an interpreter's end
 
 
-def _prepare(argv: Sequence[str]) -> Callable[[], int]:
+def child_of(order: Mapping[str, Any], descriptors: Sequence[int]) -> Child:
+    """The process that a line orders. The command `fork-server` with a socket makes another fork server, which has
+    loaded all that this one has: of one session, where this one lasts."""
+    argv = list(map(str, order["argv"]))
+    log = Path(order["log"])
+    if argv == [COMMAND]:
+        (socket,) = descriptors
+        return Child({"sysid": 0}, f"simvehicle {COMMAND}", log, partial(serve, child_of), socket, socket)
+    flight, secret = _flight(argv), order.get("secret")
+
+    def run() -> int:
+        hand_over(secret)
+        return flight()
+
+    return Child({"sysid": sysid_of(argv)}, title_of(argv), log, run)
+
+
+def _flight(argv: Sequence[str]) -> Callable[[], int]:
     """Load what a vehicle needs beyond what all need, and read its command line and its files: the function that its
     process is to call. Each process would pay for the same with memory of its own.
 
@@ -56,24 +73,6 @@ def _prepare(argv: Sequence[str]) -> Callable[[], int]:
             return partial(reported, prepare(**context.params))
     except (click.ClickException, OSError):
         return alone
-
-
-def _rehearse_start() -> None:
-    """Go the way of a vehicle's process from its argv to its first hello, so that every fork finds it loaded."""
-    import tempfile
-
-    from simvehicle.autopilot.geodesy import LocalFrame
-    from simvehicle.cli.files import read_parameters
-    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - loaded here, once, for all vehicles
-
-    triples = ("--position", "0,0,-1", "--velocity", "0,0,0", "--attitude", "0,0,0", "--home", "0,0,0")
-    cli.make_context("simvehicle", ["--sysid", "1", *triples, "--params", "none", "--airborne"])
-    LocalFrame(0.0, 0.0, 0.0)
-    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
-        file.write("SIM_BAT_CAP_J: 24000.0\n")
-        file.flush()
-        read_parameters(Path(file.name), {})
-    link.open_socket(link.parse_supervisor("udpout:127.0.0.1:9")).close()
 
 
 def sysid_of(argv: Sequence[str]) -> int:

@@ -42,8 +42,8 @@ class ProcessSpec:
         return self.sysids[0]
 
     def order(self, secret: int | None = None) -> dict[str, Any]:
-        """What the fork server reads. `secret`, by which a supervised link knows the process, stands in no command
-        line, which all can read."""
+        """The line that the fork server reads. `secret`, by which a supervised link knows the process, stands in no
+        command line, which all can read."""
         return {"argv": self.argv, "log": str(self.log), **({} if secret is None else {"secret": secret})}
 
 

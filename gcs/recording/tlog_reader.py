@@ -47,8 +47,8 @@ CHUNK_BYTES = 1 << 24
 LARGEST = codec.LARGEST_FRAME
 
 
-class _Found(NamedTuple):
-    """What a walk over a whole recording has come across, and how many bytes are left behind its last frame."""
+class _WalkTotals(NamedTuple):
+    """Counts of a walk over a whole recording, and the bytes that are left behind its last frame."""
 
     frames: int
     gaps: int
@@ -71,7 +71,7 @@ class Tlog:
         """None until the file is first walked"""
         self._session = session
         self._chunk_bytes = max(chunk_bytes, 2 * (LARGEST + TIME_BYTES))
-        self._found: _Found | None = None
+        self._found: _WalkTotals | None = None
 
     def __iter__(self) -> Iterator[tuple[int, Frame]]:
         for chunk in self.chunks():
@@ -93,7 +93,7 @@ class Tlog:
 
     @property
     def problems(self) -> list[str]:
-        """What could not be read, a sentence each, once all of it has been walked."""
+        """Sentences on what could not be read, once all of it has been walked."""
         if self._found is None:
             return []
         return list(_problems(self.path.name, self._found, [] if self.times is None else self.times.notes))
@@ -143,7 +143,7 @@ class Tlog:
                 keep = max(last_end, look_at - TIME_BYTES)
                 carried = octets[keep:].copy()
                 last_end, look_at = last_end - keep, look_at - keep
-        self._found = _Found(frames, gaps, skipped, len(octets) - last_end)
+        self._found = _WalkTotals(frames, gaps, skipped, len(octets) - last_end)
 
 
 def read(path: Path, *, session: bool = False) -> Tlog:
@@ -152,7 +152,7 @@ def read(path: Path, *, session: bool = False) -> Tlog:
         return Tlog(path, session=session)
 
 
-def _problems(name: str, found: _Found, notes: list[str]) -> Iterator[str]:
+def _problems(name: str, found: _WalkTotals, notes: list[str]) -> Iterator[str]:
     left = found.left_bytes
     if not found.frames:
         yield f"{name} is empty." if not left else f"{name} holds no MAVLink frame: it is no tlog."

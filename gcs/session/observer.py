@@ -8,7 +8,7 @@ nothing to anyone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
 import msgspec
@@ -22,6 +22,7 @@ from gcs.mavlink.command_protocol import result_in_words
 from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.vehicle_kinds import KINDS
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import (
     CompetitionRow,
@@ -61,39 +62,6 @@ _CURRENT = codec.msgid("MISSION_CURRENT")
 _TARGET = codec.msgid("POSITION_TARGET_LOCAL_NED")
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 _NO_POSITION = mav.POSITION_TARGET_TYPEMASK_X_IGNORE
-ROLES: Mapping[int, str] = {
-    **dict.fromkeys(
-        (
-            mav.MAV_TYPE_QUADROTOR,
-            mav.MAV_TYPE_COAXIAL,
-            mav.MAV_TYPE_HELICOPTER,
-            mav.MAV_TYPE_HEXAROTOR,
-            mav.MAV_TYPE_OCTOROTOR,
-            mav.MAV_TYPE_TRICOPTER,
-            mav.MAV_TYPE_DODECAROTOR,
-            mav.MAV_TYPE_DECAROTOR,
-            mav.MAV_TYPE_GENERIC_MULTIROTOR,
-        ),
-        "copter",
-    ),
-    **dict.fromkeys(
-        (
-            mav.MAV_TYPE_VTOL_DUOROTOR,
-            mav.MAV_TYPE_VTOL_QUADROTOR,
-            mav.MAV_TYPE_VTOL_TILTROTOR,
-            *range(mav.MAV_TYPE_VTOL_RESERVED2, mav.MAV_TYPE_VTOL_RESERVED5 + 1),
-        ),
-        "VTOL",
-    ),
-    **dict.fromkeys((mav.MAV_TYPE_FIXED_WING, mav.MAV_TYPE_FLAPPING_WING, mav.MAV_TYPE_PARAFOIL), "plane"),
-    **dict.fromkeys((mav.MAV_TYPE_AIRSHIP, mav.MAV_TYPE_FREE_BALLOON, mav.MAV_TYPE_KITE), "balloon"),
-    mav.MAV_TYPE_GROUND_ROVER: "rover",
-    mav.MAV_TYPE_SURFACE_BOAT: "boat",
-    mav.MAV_TYPE_SUBMARINE: "submarine",
-    mav.MAV_TYPE_ROCKET: "rocket",
-    mav.MAV_TYPE_GENERIC: "vehicle",
-}
-"""Kind of a vehicle, by HEARTBEAT's type. Types that are not here are no vehicles: ground stations, cameras, …"""
 
 
 class Observer:
@@ -297,7 +265,7 @@ class Observer:
         if frame.msgid != _HEARTBEAT:
             return None
         content = codec.fields(frame)
-        role = ROLES.get(content.type)
+        role = KINDS.get(content.type)
         if role is None or content.autopilot == mav.MAV_AUTOPILOT_INVALID:
             return None
         if frame.sysid == 0:

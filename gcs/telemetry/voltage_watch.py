@@ -44,8 +44,8 @@ class VoltageWatch:
         """
         fresh = [
             (number, volts)
-            for number, (told_s, volts) in self._batteries.items()
-            if abs(t_s - told_s) <= FRESH_S and volts > 0.0
+            for number, (at_s, volts) in self._batteries.items()
+            if abs(t_s - at_s) <= FRESH_S and volts > 0.0
         ]
         if self._said or not fresh or not voltage_v > 0.0:
             return None

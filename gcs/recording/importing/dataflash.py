@@ -13,10 +13,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from gcs import extras
+from gcs.extras import require
 from gcs.mavlink.battery import cells_mv
 from gcs.recording.importing import dataflash_plans
-from gcs.recording.importing.dataflash_places import Places
+from gcs.recording.importing.dataflash_places import LoggedPlaces
 from gcs.recording.importing.sample import ImportFailed, Sample, chunks
 from skytender import mavlink as mav
 
@@ -43,7 +43,7 @@ def samples(path: Path, lacks: list[str]) -> Iterator[Sample]:
     with _opened(path) as reader:
         if "TIME" in reader.name_to_id:
             raise ImportFailed(f"{path} is a PX4 log of before ULog (sdlog2), which is not read.")
-        vehicle = _Vehicle(_identity(reader), Places(reader))
+        vehicle = _Vehicle(_identity(reader), LoggedPlaces(reader))
         begin_s: float | None = None
         read = _Read()
         while (row := reader.recv_msg()) is not None:
@@ -87,7 +87,7 @@ class _Read:
 @contextlib.contextmanager
 def _opened(path: Path) -> Iterator[Any]:
     """pymavlink's reader of a log, which prints where it is broken, and closes nothing by itself."""
-    extras.require("it", {"pymavlink": "pymavlink"}, "dataflash")
+    require("it", {"pymavlink": "pymavlink"}, "dataflash")
     from pymavlink import DFReader  # noqa: PLC0415 - an extra
 
     reader: Any = DFReader.DFReader_binary.__new__(DFReader.DFReader_binary)
@@ -130,7 +130,7 @@ def _mode(row: Any) -> int:
 class _Vehicle:
     """The vehicle as its log has told of it so far."""
 
-    def __init__(self, identity: _Identity, places: Places) -> None:
+    def __init__(self, identity: _Identity, places: LoggedPlaces) -> None:
         self._sysid, self._type = identity.sysid, identity.kind
         self._mode, self._armed, self._landed = identity.mode, False, mav.MAV_LANDED_STATE_UNDEFINED
         self._beat_us = -_HEARTBEAT_US

@@ -34,13 +34,13 @@ _Made = Iterator[tuple[str, dict[str, Any]]]
 _Ned = tuple[float, float, float]
 
 
-class Places:
+class LoggedPlaces:
     """The vehicle's place and speed as its log has told of them so far."""
 
     def __init__(self, reader: Any) -> None:
         """Look through a log of pymavlink's DFReader, which is rewound."""
         active = getattr(_first(reader, "ATT"), "AEKF", None)
-        self._told = active is not None
+        self._named = active is not None
         self._active: int | None = active
         logged = {SPEEDS[name][0] for name in SPEEDS if _first(reader, name) is not None}
         self._presumed = next((one for one in EKFS if one in logged), DCM)
@@ -78,7 +78,7 @@ class Places:
         if getattr(row, "C", core) != self._cores.get(estimate, 0):
             return
         self._v_ned[estimate] = (row.VN, row.VE, row.VD)
-        sure = self._told or not self._has_global
+        sure = self._named or not self._has_global
         if estimate == self._flown_by and estimate in EKFS and sure:
             self._placed = True
             yield "LOCAL_POSITION_NED", _local(boot_ms, (row.PN, row.PE, row.PD), self._v_ned[estimate])

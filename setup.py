@@ -21,9 +21,10 @@ from skytender.compiled import LIST, PACKAGES, changed, compiled_sources, listin
 # Equal bytes on every processor: no fused operations, no order of sums but the source's.
 FLAGS = ["-ffp-contract=off", "-fno-math-errno", "-fno-strict-aliasing", "-g0", "-w"]
 FLOWN = ["-O3"]
-# Nine tenths of the machine code of `gcs`, and all of Cython's own, handle Python's objects: -O3 would take twice the
+# Nine tenths of the machine code of these, and all of Cython's own, handle Python's objects: -O3 would take twice the
 # time to compile it and make it no faster. What the arithmetic in it gains by is that short functions become part of
 # their callers and that loops over three axes are laid out.
+PYTHONIC = ("gcs.", "simvehicle.autopilot.", "simvehicle.mavlink.", "simvehicle.sitl.")
 AROUND_PYTHON = ["-O1", "-finline-functions", "-finline-small-functions", "-fpeel-loops"]
 DIRECTIVES = {
     "language_level": 3,
@@ -49,7 +50,7 @@ def extensions() -> list[Extension]:
     """One for each compiled source, and Cython's own."""
     sources = {".".join(source.with_suffix("").parts): str(source) for source in compiled_sources(ROOT)}
     sources[MEMORYVIEWS] = "skytender/memoryviews.c"
-    around_python = {name for name in sources if name.startswith("gcs.")} | {MEMORYVIEWS}
+    around_python = {name for name in sources if name.startswith(PYTHONIC)} | {MEMORYVIEWS}
     return [
         Extension(name, [source], extra_compile_args=[*(AROUND_PYTHON if name in around_python else FLOWN), *FLAGS])
         for name, source in sources.items()

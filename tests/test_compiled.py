@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+import message_structs
 import pytest
 from Cython.Build.Dependencies import create_dependency_tree
 
@@ -156,3 +157,7 @@ def test_every_compiled_module_is_compiled() -> None:
     made = {path.relative_to(ROOT).parent / path.name.partition(".")[0] for package in compiled.PACKAGES
             for path in (ROOT / package).rglob("*.so")}  # fmt: skip
     assert made == {source.with_suffix("") for source in SOURCES} | {Path("skytender/memoryviews")}
+
+
+def test_structs_of_messages_are_pymavlinks_definitions() -> None:
+    assert message_structs.DECLARED.read_text() == message_structs.declarations()

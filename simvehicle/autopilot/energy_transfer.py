@@ -165,16 +165,22 @@ class Transfer:
 class Exchange:
     """A vehicle's transfers over its life: both counters, the neighbours it knows, and the transfer in progress."""
 
+    given_j: int
+    received_j: int
+    current: Transfer | None
+    ended_s: float
+    neighbours: dict[int, Neighbour]
+    _last_in: dict[int, tuple[int, float]]
+    """the last XferIn of each vehicle that came outside a transfer, and when"""
+    _ended_orders: dict[OrderKey, int]
+    """joules that each order moved in the end, by its key"""
+
     def __init__(self) -> None:
         self.given_j = 0
         self.received_j = 0
-        self.current: Transfer | None = None
+        self.current = None
         self.ended_s = -inf
-        self.neighbours: dict[int, Neighbour] = {}
-        self._last_in: dict[int, tuple[int, float]] = {}
-        """the last XferIn of each vehicle that came outside a transfer, and when"""
-        self._ended_orders: dict[OrderKey, int] = {}
-        """joules that each order moved in the end, by its key"""
+        self.neighbours, self._last_in, self._ended_orders = {}, {}, {}
 
     def refuses(
         self,

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from simvehicle.autopilot.follow import Followed, place_beside
 from simvehicle.autopilot.mission import Mission
-from simvehicle.autopilot.modes import STEERED, Mode
+from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.parameters import Parameters
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 
 REACHED_M = 0.3
 AT_REST: Vec3 = (0.0, 0.0, 0.0)
@@ -38,12 +38,6 @@ class OffboardSetPoint(NamedTuple):
     yaw_ned_rad: float | None
     time_s: float
     yaw_rate_rad_s: float | None = None
-
-    def yaw_after(self, dt_s: float, yaw_ned_rad: float, *, fastest_rad_s: float) -> float:
-        """Which yaw it wants `dt_s` after another was wanted, rad."""
-        if self.yaw_rate_rad_s is not None:
-            return yaw_ned_rad + dt_s * min(max(self.yaw_rate_rad_s, -fastest_rad_s), fastest_rad_s)
-        return yaw_ned_rad if self.yaw_ned_rad is None else self.yaw_ned_rad
 
 
 @dataclass(frozen=True)
@@ -77,9 +71,8 @@ def resting_place(p_ned: Vec3, v_ned: Vec3, *, ground: bool, landed: bool) -> Ve
     return north, east, min(down, 0.0) if ground else down
 
 
-def set_point_of(
+def target_of(
     mode: Mode,
-    setpoint: OffboardSetPoint | None,
     anchor: Anchor,
     *,
     p_ned: Vec3,
@@ -91,11 +84,10 @@ def set_point_of(
     followed: Followed | None = None,
     blind: bool = False,
 ) -> ManeuverTarget:
-    """Set point of the mode from `now_s` on for a vehicle at `p_ned`; `blind`: it does not know where that is."""
+    """Target of a mode that flies by itself from `now_s` on, for a vehicle at `p_ned`; `blind`: it does not know where
+    that is. A mode that flies set points rests without one."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     north, east, _ = anchor.p_ned
-    if mode in STEERED and setpoint is not None:
-        return ManeuverTarget(setpoint.p_ned, setpoint.v_ned, setpoint.use_position, setpoint.time_s, fastest)
     if mode is Mode.TAKEOFF:
         climb = min(parameters["MPC_TKO_SPEED"], fastest)
         return ManeuverTarget((north, east, anchor.down_m), AT_REST, _EVERYWHERE, now_s, climb)

@@ -8,63 +8,128 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Any
 
-import numpy as np
+import cython
+from cython.cimports.libc.math import isnan, rint
+from cython.cimports.simvehicle.autopilot.body import CHUNK_MS, STEP_MS
+from cython.cimports.simvehicle.autopilot.vehicle import SetPoint
 
-from simvehicle.autopilot.body import CHUNK_MS, STEP_MS, Body, Start
+from simvehicle.autopilot.body import CELL_EMPTY_V, CELL_FULL_V, CELLS, Body, Start
 from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Transfer, TransferOrder, TransferSide
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.follow import Followed, smoothed
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Fence
 from simvehicle.autopilot.identity import Identity
-from simvehicle.autopilot.maneuvers import AT_REST, REACHED_M, Anchor, OffboardSetPoint, resting_place, set_point_of
+from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, target_of
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
-from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, STEERED, Mode, Rule, Severity, Trigger, rule_for
+from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
-from simvehicle.autopilot.snapshot import Vec3, VehicleState
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law.plants import Plant
 from skytender import elementary
 
 FENCE_HOLD, FENCE_RETURN = 2, 3
 """Values of GF_ACTION beside nothing and a warning."""
 
-NO_MISSION = Mission(())
+_OFFBOARD, _REFUEL, _GUIDED = Mode.OFFBOARD, Mode.REFUEL, Mode.GUIDED
+
+
+def _nothing() -> None:
+    """Do nothing beside a change of mode."""
 
 
 class Vehicle(Body):
     """Behaviour of one quadrotor; `advance` is the only thing that moves its time."""
 
+    identity: Identity
+    frame: LocalFrame
+    origin: Any
+    home: Any
+    unix_epoch_us: int
+    mode: Mode
+    armed: bool
+    exchange: Exchange
+    mission: Mission | None
+    _fence: Fence
+    _fenced: bool
+    rally_ned: tuple[Vec3, ...]
+    failed: set[Failure]
+    booting: bool
+    announcements: list[tuple[Severity, str]]
+    on_change: Callable[[], None]
+    gcs_seen_s: float
+    set_point_now: Any
+    gcs_loss_s: float
+    set_point_loss_s: float
+    fastest_m_s: float
+    floor_j: float
+    outside: bool
+    """whether it was outside its fence when that was last looked at"""
+    _followed: Followed | None
+    _return_ned: Vec3
+    _anchor: Anchor
+    _takeoff_down_m: float
+    yaw_ned: float
+
     def __init__(
         self, identity: Identity, parameters: Parameters, frame: LocalFrame, start: Start, plant: Plant | None = None
     ) -> None:
-        super().__init__(parameters, start, plant)
+        Body.__init__(self, parameters, start, plant)
         self.identity = identity
         self.frame = frame
-        self.home_ned: Vec3 = start.p_ned
+        origin = cython.declare("const double[::1]", frame.row)
+        self.origin = cython.address(origin[0])
+        self.home_ned = start.p_ned
         self.unix_epoch_us = 0
-        self.mode = Mode.OFFBOARD if start.airborne else Mode.HOLD
+        self.mode = _OFFBOARD if start.airborne else Mode.HOLD
         self.armed = start.airborne
         self.exchange = Exchange()
-        self.mission: Mission | None = None
+        self.mission = None
         self.fence = Fence()
-        self.rally_ned: tuple[Vec3, ...] = ()
-        self.failed: set[Failure] = set()
+        self.rally_ned = ()
+        self.failed = set()
         self.booting = False
-        self.announcements: list[tuple[Severity, str]] = []
-        self.on_change: Callable[[], None] = lambda: None
-        self.gcs_seen_s: float | None = None
-        self.setpoint: OffboardSetPoint | None = None
-        self._followed: Followed | None = None
-        self._outside = False
+        self.announcements = []
+        self.on_change = _nothing
+        self.gcs_seen_s = self.set_point_now.time_s = math.nan
+        self._followed = None
+        self.outside = False
         self._return_ned = start.p_ned
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
         self._takeoff_down_m = start.p_ned[2]
         self.yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
-            self.setpoint = OffboardSetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0)
+            self.set_point(OffboardSetPoint(start.p_ned, start.v_ned, (True, True, True), None, 0.0))
+
+    def retune(self) -> None:
+        """As every body; and let its limits be those of now."""
+        Body.retune(self)
+        values = self.parameters
+        self.gcs_loss_s, self.set_point_loss_s = values["COM_DL_LOSS_T"], values["COM_OF_LOSS_T"]
+        self.fastest_m_s = values["MPC_XY_VEL_MAX"]
+        self.floor_j = values["BAT_EMERGEN_THR"] * values["SIM_BAT_CAP_J"]
 
     # what it is now
+
+    @property
+    def fence(self) -> Fence:
+        """Where it may be."""
+        return self._fence
+
+    @fence.setter
+    def fence(self, fence: Fence) -> None:
+        self._fence, self._fenced = fence, bool(fence.inside or fence.outside)
+
+    @property
+    def home_ned(self) -> Vec3:
+        """Place that it returns to, m."""
+        return self.home[0], self.home[1], self.home[2]
+
+    @home_ned.setter
+    def home_ned(self, place_ned: Vec3) -> None:
+        self.home[0], self.home[1], self.home[2] = place_ned
 
     @property
     def transfer(self) -> Transfer | None:
@@ -81,42 +146,24 @@ class Vehicle(Body):
         """Joules received since boot."""
         return self.exchange.received_j
 
-    def snapshot(self) -> VehicleState:
-        """Everything that telemetry reports, at the present time."""
-        target_p_ned, target_v_ned = self.reference_ned
-        mission = self.mission or NO_MISSION
-        return VehicleState(
-            identity=self.identity,
-            frame=self.frame,
-            time_ms=self.time_ms,
-            unix_us=self.unix_epoch_us + 1000 * self.time_ms,
-            mode=self.mode,
-            armed=self.armed,
-            landed=self.landed,
-            ready_to_arm=self.arming_refusal() is None,
-            p_ned=self.p_ned,
-            v_ned=self.v_ned,
-            attitude_ned=self.attitude_ned,
-            rates_body=self.rates_body,
-            target_p_ned=target_p_ned,
-            target_v_ned=target_v_ned,
-            target_yaw_ned=self.yaw_ned,
-            home_ned=self.home_ned,
-            power_w=self.power_w,
-            drawn_j=self.drawn_j,
-            remaining_j=0.0 if Failure.BATTERY in self.failed else self.remaining_j,
-            capacity_j=self.capacity_j,
-            control_effort=self.control_effort,
-            given_j=self.given_j,
-            received_j=self.received_j,
-            failed=frozenset(self.failed),
-            booting=self.booting,
-            outside_fence=self._outside,
-            mission_length=len(mission.legs),
-            mission_index=mission.index,
-            mission_landing=self.mode is Mode.MISSION and mission.landing,
-            electric=self.plant.electric,
-        )
+    def voltage_v(self) -> float:
+        """Voltage at the battery: the plant's, else linear in the charge."""
+        if self.plant.rotors:
+            return self.plant.rotors.voltage_v
+        share = min(max(self.shown_j() / self.capacity_j, 0.0), 1.0)
+        return CELLS * (CELL_EMPTY_V + (CELL_FULL_V - CELL_EMPTY_V) * share)
+
+    def current_a(self) -> float:
+        """Current from the battery: the plant's, else of the power at the voltage."""
+        return self.plant.rotors.current_a if self.plant.rotors else self.power_w / self.voltage_v()
+
+    def shown_j(self) -> float:
+        """Energy in the battery as reported: none where it has failed."""
+        return 0.0 if self.failed and Failure.BATTERY in self.failed else self.plant.row.remaining_j
+
+    def percent(self) -> int:
+        """Charge in whole percent."""
+        return cython.cast(cython.int, min(max(rint(100.0 * self.shown_j() / self.capacity_j), 0.0), 100.0))
 
     # what others ask of it
 
@@ -187,38 +234,50 @@ class Vehicle(Body):
         self.failed.clear()
         self.load_mission(())
         self.fence, self.rally_ned = Fence(), ()
-        self.setpoint = self._followed = self.gcs_seen_s = None
+        self._followed = None
+        self.gcs_seen_s = self.set_point_now.time_s = math.nan
         self.trigger(Trigger.HOLD)
         self.retune()
 
+    @property
+    def setpoint(self) -> OffboardSetPoint | None:
+        """The last offboard set point."""
+        now = cython.address(self.set_point_now)
+        if isnan(now.time_s):
+            return None
+        return OffboardSetPoint(
+            (now.p_ned[0], now.p_ned[1], now.p_ned[2]),
+            (now.v_ned[0], now.v_ned[1], now.v_ned[2]),
+            (now.use_position[0] != 0, now.use_position[1] != 0, now.use_position[2] != 0),
+            None if isnan(now.yaw_ned) else now.yaw_ned,
+            now.time_s,
+            None if isnan(now.yaw_rate) else now.yaw_rate,
+        )
+
     def set_point(self, setpoint: OffboardSetPoint) -> None:
         """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""
-        self.setpoint = setpoint
-        if self.mode is Mode.GUIDED and self.armed and not self.landed:
+        wanted = cython.declare(SetPoint)
+        for i in range(3):
+            wanted.p_ned[i], wanted.v_ned[i] = setpoint.p_ned[i], setpoint.v_ned[i]
+            wanted.use_position[i] = setpoint.use_position[i]
+        wanted.yaw_ned = math.nan if setpoint.yaw_ned_rad is None else setpoint.yaw_ned_rad
+        wanted.yaw_rate = math.nan if setpoint.yaw_rate_rad_s is None else setpoint.yaw_rate_rad_s
+        wanted.time_s = setpoint.time_s
+        self.take_set_point(cython.address(wanted))
+
+    def take_set_point(self, wanted: Any) -> None:
+        """`set_point`."""
+        self.set_point_now = wanted[0]
+        if self.mode is _GUIDED and self.armed and not self.stands():
             self.trigger(Trigger.OFFBOARD)
 
     def setpoints_fresh(self) -> bool:
         """Whether offboard would have something to fly."""
-        age_s = math.inf if self.setpoint is None else self.time_s - self.setpoint.time_s
-        return age_s <= self.parameters["COM_OF_LOSS_T"]
-
-    @property
-    def only_steered(self) -> bool:
-        """Whether it flies set points of place and velocity, and nothing moves or stops it beside them, its battery and
-        silence."""
-        setpoint, fence = self.setpoint, self.fence
-        return (
-            (self.mode is Mode.OFFBOARD and self.armed and setpoint is not None)
-            and (setpoint.use_position == (True, True, True) and setpoint.yaw_ned_rad is None)
-            and setpoint.yaw_rate_rad_s is None
-            and not (self.failed or self.booting or self.announcements or self.transfer is not None)
-            and not (fence.inside or fence.outside or self._outside)
-            and self.position_error_ned is AT_REST
-        )
+        return self.time_ms / 1e3 - self.set_point_now.time_s <= self.set_point_loss_s
 
     def receive_gcs_heartbeat(self) -> None:
         """A ground station's HEARTBEAT has come."""
-        self.gcs_seen_s = self.time_s
+        self.gcs_seen_s = self.time_ms / 1e3
 
     def order(self, order: TransferOrder) -> str | None:
         """Begin or end a transfer; the reason where it is refused."""
@@ -248,47 +307,64 @@ class Vehicle(Body):
         self.time_ms = time_ms
         self.unix_epoch_us = unix_us - 1000 * time_ms
         self._anchor = replace(self._anchor, time_s=self.time_s)
-        if self.setpoint is not None:
-            self.setpoint = self.setpoint._replace(time_s=self.time_s)
+        if not isnan(self.set_point_now.time_s):
+            self.set_point_now.time_s = self.time_s
 
     def advance(self, to_ms: int) -> None:
         """Fly to a time; whole steps of 4 ms, a remainder waits for the next call."""
-        thrusts = []
+        steps = (to_ms - self.time_ms) // STEP_MS
+        if steps > self.room:
+            self.have_room(steps)
+        self.steps = 0
         while to_ms - self.time_ms >= STEP_MS:
             span_ms = min(to_ms - self.time_ms, CHUNK_MS)
             steps = span_ms // STEP_MS
             self._check_failsafes()
             self._progress()
             self._fly(steps)
-            thrusts.append(self.thrust_m_s2)
             self.time_ms += steps * STEP_MS
             self._move_joules(steps * STEP_MS / 1e3)
-        if len(thrusts) > 1:
-            self.thrust_m_s2 = np.concatenate(thrusts, axis=1)
 
     def _fly(self, steps: int) -> None:
-        if self.mode in STEERED and self.setpoint is not None:
-            dt_s, fastest_rad_s = steps * STEP_MS / 1e3, self.fastest_turn_rad_s
-            self.yaw_ned = self.setpoint.yaw_after(dt_s, self.yaw_ned, fastest_rad_s=fastest_rad_s)
-        turning = self.armed and Failure.MOTOR not in self.failed
-        at_rest = self.landed and self.mode in RESTING
-        wanted = set_point_of(
-            self.mode,
-            self.setpoint,
-            self._anchor,
-            p_ned=self.p_ned,
-            home_ned=self.home_ned,
-            return_ned=self._return_ned,
-            now_s=self.time_s,
-            parameters=self.parameters,
-            mission=self.mission,
-            followed=self._followed,
-            blind=Failure.GPS in self.failed,
-        )
-        self.fly(steps, wanted, yaw_ned_rad=self.yaw_ned, motors=turning and not at_rest)
+        if (self.mode is _OFFBOARD or self.mode is _REFUEL) and not isnan(self.set_point_now.time_s):
+            self._steer(steps * STEP_MS / 1e3)
+        else:
+            wanted = target_of(
+                self.mode,
+                self._anchor,
+                p_ned=self.p_ned,
+                home_ned=self.home_ned,
+                return_ned=self._return_ned,
+                now_s=self.time_s,
+                parameters=self.parameters,
+                mission=self.mission,
+                followed=self._followed,
+                blind=Failure.GPS in self.failed,
+            )
+            self.put_target(wanted)
+        turning = self.armed and not (self.failed and Failure.MOTOR in self.failed)
+        at_rest = self.stands() and self.mode in RESTING
+        self.fly(steps, self.yaw_ned, turning and not at_rest)
+
+    def _steer(self, dt_s: float) -> None:
+        """Command the set point, and the yaw that it wants after so long."""
+        wanted, command = cython.address(self.set_point_now), cython.address(self.command)
+        if not isnan(wanted.yaw_rate):
+            fastest_rad_s = self.fastest_turn_rad_s
+            self.yaw_ned += dt_s * min(max(wanted.yaw_rate, -fastest_rad_s), fastest_rad_s)
+        elif not isnan(wanted.yaw_ned):
+            self.yaw_ned = wanted.yaw_ned
+        for i in range(3):
+            sign = 1.0 if i == 0 else -1.0
+            place = wanted.p_ned[i] - self.shift_ned[i] if self.shifted else wanted.p_ned[i]
+            command.position[i], command.velocity[i] = sign * place, sign * wanted.v_ned[i]
+            command.use_position[i] = wanted.use_position[i]
+        command.time_s, command.speed_max = wanted.time_s, self.fastest_m_s
 
     def _progress(self) -> None:
         """Events that the vehicle finds out by itself."""
+        if self.mode is _OFFBOARD and not self.failed:
+            return
         p_ned = self.p_ned
         if self.mode is Mode.TAKEOFF and p_ned[2] <= self._takeoff_down_m + 0.5 * REACHED_M:
             self.trigger(Trigger.GUIDED_HOLD if self.identity.guided else Trigger.TAKEOFF_DONE)
@@ -326,16 +402,18 @@ class Vehicle(Body):
         if not self.armed:
             return
         crossed = self._fence_crossed()
-        happened = (  # in the order of FAILSAFES
-            self._battery_low(),
-            Failure.GPS in self.failed,
-            self.gcs_seen_s is not None and self.time_s - self.gcs_seen_s > self.parameters["COM_DL_LOSS_T"],
-            crossed and self.parameters["GF_ACTION"] == FENCE_RETURN,
-            crossed and self.parameters["GF_ACTION"] == FENCE_HOLD,
-            not self.setpoints_fresh(),
-        )
-        if True not in happened:
+        now_s = self.time_ms / 1e3
+        battery, gps = self._battery_low(), bool(self.failed) and Failure.GPS in self.failed
+        silent, steered = now_s - self.gcs_seen_s > self.gcs_loss_s, self.setpoints_fresh()
+        if not (battery or gps or silent or crossed) and steered:
             return
+        action = self.parameters["GF_ACTION"]
+        happened = (  # in the order of FAILSAFES
+            *(battery, gps, silent),
+            crossed and action == FENCE_RETURN,
+            crossed and action == FENCE_HOLD,
+            not steered,
+        )
         for event, has_happened in zip(FAILSAFES, happened, strict=True):
             if has_happened:
                 rule = rule_for(event, self.mode, self.armed)
@@ -350,16 +428,16 @@ class Vehicle(Body):
 
     def _fence_crossed(self) -> bool:
         """Whether the vehicle has left the fence since it was last asked; announced, whatever is done about it."""
-        outside = self.fence.breached(*self.p_ned[:2])
-        crossed = outside and not self._outside and self.parameters["GF_ACTION"] != 0
-        self._outside = outside
+        outside = self._fenced and self._fence.breached(*self.p_ned[:2])
+        crossed = outside and not self.outside and self.parameters["GF_ACTION"] != 0
+        self.outside = outside
         if crossed:
             self.announce(Severity.WARNING, "Geofence breached")
         return crossed
 
     def _battery_low(self) -> bool:
-        empty = Failure.BATTERY in self.failed
-        return empty or self.remaining_j < self.parameters["BAT_EMERGEN_THR"] * self.capacity_j
+        empty = bool(self.failed) and Failure.BATTERY in self.failed
+        return empty or self.plant.row.remaining_j < self.floor_j
 
     def _apply(self, rule: Rule) -> None:
         before = (self.mode, self.armed)
@@ -399,7 +477,7 @@ class Vehicle(Body):
         return Envelope(self.parameters["SIM_XFER_DIST"], self.parameters["SIM_XFER_SPEED"])
 
     def _move_joules(self, dt_s: float) -> None:
-        if self.transfer is None:
+        if self.exchange.current is None:
             return
         joules, reason = self.exchange.move(
             dt_s,

@@ -45,8 +45,9 @@ def fly_autopilot(
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
     from simvehicle.sitl.link import AddressError, PlainLink, SupervisedLink, parse_address, parse_supervisor
-    from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
+    from simvehicle.sitl.loop import ConnectedUnit, run_free
     from simvehicle.sitl.secret import own_secret
+    from simvehicle.sitl.supervised import run_supervised
 
     if (supervised is None) == (connect is None):
         raise click.UsageError("give either --supervised or --connect")

@@ -16,8 +16,9 @@ def traffic(file: Path, supervised: str) -> None:
     """Fly the movers of FILE and report them by ADSB_VEHICLE (system 255, component 156)."""
     from simvehicle.mavlink.connection import Connection
     from simvehicle.sitl.link import AddressError, SupervisedLink, parse_supervisor
-    from simvehicle.sitl.loop import ConnectedUnit, run_supervised
+    from simvehicle.sitl.loop import ConnectedUnit
     from simvehicle.sitl.secret import own_secret
+    from simvehicle.sitl.supervised import run_supervised
     from simvehicle.sitl.traffic import COMPID, SYSID, Traffic, TrafficError, load
 
     try:

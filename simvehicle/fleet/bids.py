@@ -10,7 +10,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.fleet.peers import PeerReport, PeerStage
 from simvehicle.fleet.rules import FleetRules
 from skytender import elementary

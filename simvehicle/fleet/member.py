@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from simvehicle.autopilot.modes import STEERED
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.bids import Offer, offers, own_bid
 from simvehicle.fleet.competition import FleetCompetition

@@ -13,7 +13,7 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from simvehicle.autopilot.parameters import float32
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 
 STALE_S = 1.5
 """A peer that has been silent for so long takes no part any more."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from skytender import elementary
 
 

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from simvehicle.autopilot.maneuvers import AT_REST, OffboardSetPoint, resting_place
 from simvehicle.autopilot.modes import STEERED
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from skytender import elementary
 

@@ -7,8 +7,18 @@ is the plant's to tell.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
+import cython
+import cython.cimports.simvehicle.law.rotor_flight as compiled_rotor_flight
+import cython.cimports.simvehicle.law.rows as layout
+import cython.cimports.simvehicle.law.step as compiled_step
 import numpy as np
+from cython.cimports.libc.string import memcpy
+from cython.cimports.simvehicle.law.plants import STEPS_AHEAD
+from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
+from cython.cimports.simvehicle.world.rotors import airframe_at
+from cython.cimports.simvehicle.world.wind import gusts_at
 from numpy.typing import NDArray
 
 from simvehicle.law import rotor_flight, rows, step
@@ -23,20 +33,28 @@ Floats = list[float]
 
 
 class Plant:
-    """Plant of one vehicle: the paper's, of its eq. 3 (docs/model.md#rigid-body), which others are derived from.
+    """Plant of one vehicle: the paper's, of its eq. 3 (docs/model.md#rigid-body), which others are derived from."""
 
-    `state` is its row, (1, n); `now` the same as plain floats.
-    """
+    state: NDArray[np.float64]
+    """(1, n)"""
+    row: Any
+    rotors: Any
+    _packed: NDArray[np.float64]
+    _parameters: Any
 
     def __init__(self) -> None:
-        self.state = np.zeros((1, rows.STATE_SIZE))
-        self.now: Floats = []
-        self._packed = np.zeros((1, 0))
-        self._time_s = np.zeros(1)
+        self._place(np.zeros((1, rows.STATE_SIZE)))
+
+    def _place(self, state: NDArray[np.float64]) -> None:
+        view = cython.declare(cython.double[:, ::1], state)
+        self.state = state
+        self.row = layout.state_of(view, 0)
 
     def tune(self, flight: VehicleParams) -> None:
         """Fly with other parameters from the next step on."""
         self._packed = pack(self.parameters(flight))[np.newaxis]
+        view = cython.declare(cython.double[:, ::1], self._packed)
+        self._parameters = layout.parameters_of(view, 0)
 
     def parameters(self, flight: VehicleParams) -> VehicleParams:
         """Parameters as they are in force on this plant."""
@@ -56,95 +74,100 @@ class Plant:
         known = step.initial_state(
             flight, position_nwu=position_nwu, velocity_nwu=velocity_nwu, attitude_rad=attitude_rad, airborne=airborne
         )
-        self._begin(flight, known, airborne=airborne)
-        self.now = self.state[0].tolist()
+        self._begin(flight, known, airborne)
 
-    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], *, airborne: bool) -> None:
+    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], airborne: bool) -> None:
         """Make the row of what the law knows at the start, (STATE_SIZE,)."""
-        self.state = known[np.newaxis]
+        self._place(known[np.newaxis])
 
-    def advance(self, command: NDArray[np.float64], *, time_s: float, steps: int) -> NDArray[np.float64]:
-        """Fly some steps on; thrust per mass (1, steps), m/s²."""
-        flown, thrust = self.state.copy(), np.empty((1, steps))
-        self._time_s[0] = time_s
-        self._fly(flown, command, thrust)
-        self.state = flown
-        self.now = self.state[0].tolist()
-        return thrust
-
-    def go_on_from(self, flown: NDArray[np.float64]) -> None:
-        """Be where another has flown it to: its row, (n,)."""
-        self.state = flown[np.newaxis].copy()
-        self.now = flown.tolist()
+    def fly(self, command: Any, time_s: float, steps: int, thrust: Any) -> None:
+        """Fly some steps on from a time; thrust per mass after each, m/s², is written (steps,)."""
+        compiled_step.fly_row(self.row, command, self._parameters, time_s, STEP_S, steps, thrust)
 
     @property
-    def packed(self) -> NDArray[np.float64]:
-        """Parameters in force, (1, PARAMS_SIZE)."""
-        return self._packed
+    def now(self) -> Floats:
+        """Its row as floats."""
+        now: Floats = self.state[0].tolist()
+        return now
 
-    def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
-        """Fly a copy of the row on in place, and write the thrust of each step."""
-        step.fly_rows(flown, command, self._packed, self._time_s, STEP_S, thrust)
-
-    @property
-    def motion(self) -> Floats:
-        """True motion: position, velocity, Euler angles and their rates, nwu."""
-        return self.now
-
-    @property
-    def standing(self) -> bool:
+    def stands(self) -> bool:
         """Whether it stands on the ground: at rest at or below its height, as it reports itself."""
-        return self.now[rows.POSITION][2] <= 0.0 and self.now[rows.VELOCITY] == [0.0, 0.0, 0.0]
+        v = self.row.velocity
+        return self.row.position[2] <= 0.0 and v[0] == 0.0 and v[1] == 0.0 and v[2] == 0.0
 
-    @property
-    def electric(self) -> tuple[float, float] | None:
-        """Voltage in V and current in A at the battery; None where the plant has none."""
-        return None
+    def true_motion(self, motion: Any) -> None:
+        """Write true motion, (12,): position, velocity, Euler angles and their rates, nwu."""
+        memcpy(motion, self.row, rows.RATES.stop * cython.sizeof(cython.double))
 
     @property
     def drawn_j(self) -> float:
         """Drawn from the battery since the start."""
-        return self.now[rows.DRAWN_J]
+        return self.row.drawn_j
 
     @property
     def remaining_j(self) -> float:
         """Left in the battery."""
-        return self.now[rows.REMAINING_J]
+        return self.row.remaining_j
 
     def waste(self, joules: float) -> None:
         """Lose energy at once, as far as there is any; it counts as drawn."""
-        gone_j = min(joules, self.remaining_j)
-        self.state[0, rows.DRAWN_J] += gone_j
+        gone_j = min(joules, self.row.remaining_j)
+        self.row.drawn_j += gone_j
         self.charge(-gone_j)
 
     def charge(self, joules: float) -> None:
         """Put energy into the battery, or take it out where negative."""
-        self.state[0, rows.REMAINING_J] += joules
-        self.now = self.state[0].tolist()
-
-
-_NO_NOISE = np.zeros(rotor_flight.NOISE_SIZE)
+        self.row.remaining_j += joules
 
 
 class RotorPlant(Plant):
     """A rigid body on four rotors, in weather (docs/model.md#rotors)."""
 
+    own: WorldVehicle
+    _air: Air
+    _frame: NDArray[np.float64]
+    _airframe: Any
+    _weather: NDArray[np.float64]
+    _here: Any
+    _gusts: NDArray[np.float64]
+    _gust: Any
+    _gust_count: int
+    _random: list[np.random.Generator]
+    _noise: NDArray[np.float64]
+    _noise_rows: Any
+    _next: int
+    _drawn: int
+    _gusty: bool
+    _errs: bool
+    _wanted: NDArray[np.float64]
+    _force: NDArray[np.float64]
+
     def __init__(self, own: WorldVehicle, air: Air = STILL_AIR, *, seed: int = 0, sysid: int = 0) -> None:
         """`seed` and `sysid`: of what is random in its wind and in its estimate, each a stream of its own."""
-        super().__init__()
+        self._place(np.zeros((1, rows.ROTOR_STATE_SIZE)))
         self.own = own
         self._air = air
-        self.state = np.zeros((1, rows.ROTOR_STATE_SIZE))
         self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
         self._weather = np.zeros((1, 0))
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
         self._wanted, self._force = np.zeros(airframes.ROTORS), np.zeros(3)
         self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
-        self._drawn = np.zeros((1, 0, rotor_flight.NOISE_SIZE))
+        self._next = self._drawn = 0
+        frame, gusts = cython.declare(cython.double[:, ::1]), cython.declare(cython.double[:, ::1])
+        frame, gusts = self._frame, self._gusts
+        self._airframe, self._gust, self._gust_count = airframe_at(frame[0]), gusts_at(gusts), gusts.shape[0]
+        self._gusty, self._errs = air.turbulence_m_s > 0.0, own.errors is not None
+
+    def _place(self, state: NDArray[np.float64]) -> None:
+        """As every plant."""
+        view = cython.declare(cython.double[:, ::1], state)
+        self.state = state
+        self.rotors = layout.rotors_of(view, 0)
+        self.row = cython.address(self.rotors.known)
 
     def tune(self, flight: VehicleParams) -> None:
         """As every plant; and let its weather and its battery be those of now."""
-        super().tune(flight)
+        Plant.tune(self, flight)
         capacity_j = flight.battery.capacity_j
         ohm = self.own.resistance_ohm
         self._weather = rotor_flight.weather_row(
@@ -153,90 +176,87 @@ class RotorPlant(Plant):
             errors=self.own.errors,
             resistance_ohm=usual_resistance_ohm(capacity_j) if ohm is None else ohm,
         )[np.newaxis]
-        self.state[0, rows.CAPACITY_J] = capacity_j
+        weather = cython.declare(cython.double[:, ::1], self._weather)
+        self._here = layout.weather_of(weather, 0)
+        self.rotors.capacity_j = capacity_j
 
     def parameters(self, flight: VehicleParams) -> VehicleParams:
         """As every plant. Raises ValueError where its rotors cannot lift it."""
         return rotor_flight.on_rotors(flight, self.own.airframe, self._air.density_kg_m3)
 
-    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], *, airborne: bool) -> None:
-        self.state = rotor_flight.initial_state(flight, known, self.own.airframe, airborne=airborne)[np.newaxis]
-        self._blow()
-        rotor_flight.start_weather(self.state[0], self._weather[0], self._noise(1)[0, 0])
+    def _begin(self, flight: VehicleParams, known: NDArray[np.float64], airborne: bool) -> None:
+        """As every plant."""
+        self._place(rotor_flight.initial_state(flight, known, self.own.airframe, airborne=airborne)[np.newaxis])
+        if self._air.field is not None:
+            self._blow()
+        self._draw_ahead(1)
+        rotor_flight.start_weather(self.state[0], self._weather[0], self._noise[self._next])
+        self._next += 1
 
     def _blow(self) -> None:
         """Let the mean wind of the place blow, where it is not the same everywhere."""
-        if self._air.field is not None:
-            here = self.state[0, rows.TRUE_POSITION].tolist()
-            rotor_flight.set_mean_wind(self._weather[0], self._air.mean_at_nwu(here))
+        here = self.state[0, rows.TRUE_POSITION].tolist()
+        rotor_flight.set_mean_wind(self._weather[0], self._air.mean_at_nwu(here))
 
-    def _fly(self, flown: NDArray[np.float64], command: NDArray[np.float64], thrust: NDArray[np.float64]) -> None:
+    def _draw_ahead(self, steps: int) -> None:
+        """Have normal numbers (steps, NOISE_SIZE) from row `_next` on: the same however a flight is cut into
+        stretches."""
+        missing = self._next + steps - self._drawn
+        if missing <= 0:
+            return
+        more = np.zeros((max(missing, STEPS_AHEAD), NOISE_SIZE))
+        if self._gusty:
+            more[:, :GUST_NOISE] = standard_normal(self._random[0], len(more), GUST_NOISE)
+        if self._errs:
+            more[:, GUST_NOISE:] = standard_normal(self._random[1], len(more), ERROR_SIZE)
+        self._noise = np.concatenate([self._noise[self._next :], more]) if self._drawn else more
+        view = cython.declare(cython.double[:, ::1], self._noise)
+        self._noise_rows, self._next, self._drawn = cython.address(view[0, 0]), 0, view.shape[0]
+
+    def fly(self, command: Any, time_s: float, steps: int, thrust: Any) -> None:
         """As every plant. A wind by place is that of the stretch's beginning."""
-        self._blow()
-        rows = command, self._packed, self._frame, self._weather, self._gusts, self._noise(thrust.shape[1])
-        rotor_flight.fly_rows(flown, *rows, self._time_s, STEP_S, thrust)
+        if self._air.field is not None:
+            self._blow()
+        self._draw_ahead(steps)
+        compiled_rotor_flight.fly_row(
+            self.rotors, command, self._parameters, self._airframe, self._here, self._gust, self._gust_count,
+            self._noise_rows + NOISE_SIZE * self._next, time_s, STEP_S, steps, thrust,
+        )  # fmt: skip
+        self._next += steps
 
     def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Floats:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
         force about the body's axes after it, (3,), nwu, m/s²."""
         if self._air.field is not None:
             self._blow()
-        state, wanted, force = self.state[0], self._wanted, self._force
+        wanted, force = self._wanted, self._force
         wanted[0], wanted[1], wanted[2], wanted[3] = wanted_rad_s
-        noise = self._noise(1)[0, 0] if self._air.turbulence_m_s > 0.0 else _NO_NOISE
+        if self._gusty:
+            self._draw_ahead(1)
+            noise = self._noise[self._next]
+            self._next += 1
+        else:
+            noise = _NO_NOISE
         rows = self._packed[0], self._frame[0], self._weather[0], self._gusts
-        rotor_flight.turn_row(state, wanted, *rows, noise, time_s, dt_s, force)
-        self.now = state.tolist()
-        return force.tolist()
+        rotor_flight.turn_row(self.state[0], wanted, *rows, noise, time_s, dt_s, force)
+        of_step: Floats = force.tolist()
+        return of_step
 
-    @property
-    def still(self) -> bool:
-        """Whether nothing random moves it or its estimate: its noise is 0."""
-        return not self._air.turbulence_m_s > 0.0 and self.own.errors is None
-
-    @property
-    def surroundings(self) -> tuple[NDArray[np.float64], ...] | None:
-        """Its packed airframe (1, k), weather (1, WEATHER_SIZE), and the discrete gusts; None where the mean wind is
-        another at every place."""
-        return None if self._air.field is not None else (self._frame, self._weather, self._gusts)
-
-    def noise_ahead(self, steps: int) -> NDArray[np.float64]:
-        """Normal numbers of the next steps, (1, steps, NOISE_SIZE), which are still to be flown: the same however a
-        flight is cut into stretches."""
-        if (missing := steps - self._drawn.shape[1]) > 0:
-            more = np.zeros((1, missing, rotor_flight.NOISE_SIZE))
-            if self._air.turbulence_m_s > 0.0:
-                more[0, :, :GUST_NOISE] = standard_normal(self._random[0], missing, GUST_NOISE)
-            if self.own.errors is not None:
-                more[0, :, GUST_NOISE:] = standard_normal(self._random[1], missing, ERROR_SIZE)
-            self._drawn = np.concatenate([self._drawn, more], axis=1)
-        return self._drawn[:, :steps]
-
-    def leave_behind(self, steps: int) -> None:
-        """Numbers of so many steps have been flown."""
-        self._drawn = self._drawn[:, steps:]
-
-    def _noise(self, steps: int) -> NDArray[np.float64]:
-        """Normal numbers of some steps that are flown now, (1, steps, NOISE_SIZE)."""
-        noise = self.noise_ahead(steps)
-        self.leave_behind(steps)
-        return noise
-
-    @property
-    def motion(self) -> Floats:
+    def true_motion(self, motion: Any) -> None:
         """As every plant."""
-        now = self.now
-        if self.own.errors is None:
-            return now
-        known = 3 if self.standing else ERROR_SIZE
-        return [x - e for x, e in zip(now[:known], now[rows.ERROR], strict=False)] + now[known:ERROR_SIZE]
+        Plant.true_motion(self, motion)
+        if self._errs:
+            for i in range(3 if self.stands() else ERROR_SIZE):
+                motion[i] -= self.rotors.error[i]
 
-    @property
-    def standing(self) -> bool:
+    def stands(self) -> bool:
         """As every plant."""
-        return self.now[rows.CONTACT] != 0.0
+        return self.row.contact != 0.0
 
     @property
     def electric(self) -> tuple[float, float]:
         """Voltage in V and current in A at the battery."""
-        return self.now[rows.VOLTAGE_V], self.now[rows.CURRENT_A]
+        return self.rotors.voltage_v, self.rotors.current_a
+
+
+_NO_NOISE = np.zeros(NOISE_SIZE)

@@ -9,29 +9,35 @@ from __future__ import annotations
 
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any, NamedTuple
 
-from fastcrc.crc16 import mcrf4xx
+import cython
+import cython.cimports.skytender.checksum as checksum
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING, PyBytes_FromStringAndSize
+from cython.cimports.libc.string import memchr
+from cython.cimports.simvehicle.mavlink.codec import (
+    _LOW_IDS,
+    _SEEDS,
+    CHECKSUM_BYTES,
+    HEADER_1_BYTES,
+    HEADER_BYTES,
+    MAGIC,
+    MAGIC_1,
+    MOST_TRIES,
+    SIGNATURE_BYTES,
+    SIGNED,
+)
 
-from skytender import mavlink
+from skytender import frames, mavlink
+from skytender.checksum import mcrf4xx
 from skytender.mavlink import MESSAGES, Definition
 
-MAGIC, MAGIC_1 = 0xFD, 0xFE
-HEADER_1_BYTES = 6
-HEADER = struct.Struct("<BBBBBBBHB")
-HEADER_BYTES = 10
-CHECKSUM_BYTES = 2
-SIGNATURE_BYTES = 13
-SIGNED = 0x01
-MOST_TRIES = 64
-"""Places in a datagram that may look like a frame's beginning and be none, before the rest of it is passed over."""
-_MAGIC_BYTE = bytes((MAGIC,))
+"""Of a datagram MOST_TRIES places may look like a frame's beginning and be none, before its rest is passed over."""
 _CHECKSUM = struct.Struct("<H")
 
 
-class ReceivedFrame(NamedTuple):
+class ReceivedFrame:
     """One frame as it came: header, payload as on the wire (trailing zeros may be missing) and all its bytes."""
 
     sysid: int
@@ -41,21 +47,28 @@ class ReceivedFrame(NamedTuple):
     payload: bytes
     raw: bytes
 
+    def __init__(self, sysid: int, compid: int, seq: int, msgid: int, payload: bytes, raw: bytes) -> None:
+        self.sysid, self.compid, self.seq, self.msgid = sysid, compid, seq, msgid
+        self.payload, self.raw = payload, raw
+
+    @property
+    def sender(self) -> tuple[int, int]:
+        """System and component that sent it."""
+        return self.sysid, self.compid
+
 
 Arrays = tuple[tuple[int, int], ...]
-Encoder = Callable[[Any, int, int, int], bytes]
 
 
 class Schema(NamedTuple):
     """The table's entry of one message; `arrays` holds (first slot, length) of each array in wire order."""
 
     msgid: int
-    seed: bytes
+    seed: int
     packer: struct.Struct
     arrays: Arrays
     text: tuple[int, ...]
     make: Any
-    encode: Encoder
 
 
 _tuple_class: Any = namedtuple  # the fields come from the table, where no type checker can follow
@@ -70,6 +83,17 @@ def schema(msgid: int) -> Schema | None:
 
 
 _rows: dict[int, Schema] = {}
+for _msgid in range(_LOW_IDS):
+    _known = MESSAGES.get(_msgid)
+    _SEEDS[_msgid] = _known.seed if _known is not None and _known.common else -1
+
+
+def _seed(msgid: int) -> int:
+    """CRC_EXTRA of a message; -1 where the dialect has none."""
+    if msgid < _LOW_IDS:
+        return _SEEDS[msgid]
+    row = schema(msgid)
+    return -1 if row is None else row.seed
 
 
 def _row(definition: Definition) -> Schema:
@@ -78,9 +102,7 @@ def _row(definition: Definition) -> Schema:
     arrays = tuple((slot, field.length) for slot, field in enumerate(wire) if field.length and slot not in text)
     make: Any = _tuple_class(definition.name, [field.name for field in wire], defaults=[field.unset for field in wire])
     packer = struct.Struct("<" + "".join(field.form for field in wire))
-    seed = bytes((definition.seed,))
-    encoder = _encoder(definition.id, seed, packer, arrays, text)
-    row = make.SCHEMA = Schema(definition.id, seed, packer, arrays, text, make, encoder)
+    row = make.SCHEMA = Schema(definition.id, definition.seed, packer, arrays, text, make)
     return row
 
 
@@ -94,31 +116,21 @@ def message(name: str) -> Any:
 
 def encode(content: Any, *, seq: int, sysid: int, compid: int) -> bytes:
     """The frame of a message made by `message(...)`; trailing zeros of the payload are cut as MAVLink 2 asks."""
-    frame: bytes = content.SCHEMA.encode(content, seq, sysid, compid)
-    return frame
+    row = content.SCHEMA
+    return frames.frame(packed(content), row.msgid, row.seed, seq, sysid, compid)
 
 
-def _encoder(msgid: int, seed: bytes, packer: struct.Struct, arrays: Arrays, text: tuple[int, ...]) -> Encoder:
-    """`encode` of one message."""
-    pack, pack_crc = struct.Struct(HEADER.format + packer.format.removeprefix("<")).pack, _CHECKSUM.pack
-    size, low, high = packer.size, msgid & 0xFFFF, msgid >> 16
-    plain = not (arrays or text)
-
-    def encode_message(content: Any, seq: int, sysid: int, compid: int) -> bytes:
-        values = content
-        if not plain:
-            values = list(content)
-            for slot in text:
-                values[slot] = as_bytes(values[slot])
-            for slot, _ in reversed(arrays):
-                values[slot : slot + 1] = values[slot]
-        body = pack(MAGIC, size, 0, 0, seq, sysid, compid, low, high, *values)
-        if not body[-1]:
-            payload = body[HEADER_BYTES:].rstrip(b"\0") or b"\0"
-            body = body[:1] + bytes((len(payload),)) + body[2:HEADER_BYTES] + payload
-        return body + pack_crc(mcrf4xx(body[1:] + seed))
-
-    return encode_message
+def packed(content: Any) -> bytes:
+    """Payload of a message made by `message(...)`, with all its zeros."""
+    row, values = content.SCHEMA, content
+    if row.arrays or row.text:
+        values = list(content)
+        for slot in row.text:
+            values[slot] = as_bytes(values[slot])
+        for slot, _ in reversed(row.arrays):
+            values[slot : slot + 1] = values[slot]
+    payload: bytes = row.packer.pack(*values)
+    return payload
 
 
 def as_bytes(text: str | bytes) -> bytes:
@@ -129,10 +141,13 @@ def as_bytes(text: str | bytes) -> bytes:
 def decode(frame: ReceivedFrame) -> Any | None:
     """The named tuple of a frame's message; None where the dialect does not know its id."""
     row = schema(frame.msgid)
-    if row is None:
-        return None
+    return None if row is None else unpacked(row, frame.payload)
+
+
+def unpacked(row: Schema, payload: bytes) -> Any:
+    """The named tuple of a message's payload, which may lack zeros at its end."""
     size = row.packer.size
-    values: Any = row.packer.unpack(frame.payload[:size].ljust(size, b"\0"))
+    values: Any = row.packer.unpack(payload[:size].ljust(size, b"\0"))
     if row.arrays or row.text:
         values = list(values)
         for slot, length in row.arrays:
@@ -150,26 +165,45 @@ def speaks_mavlink_1(datagram: bytes) -> bool:
     row = schema(datagram[5]) if check + CHECKSUM_BYTES <= len(datagram) else None
     if row is None:
         return False
-    return mcrf4xx(datagram[1:check] + row.seed) == int(_CHECKSUM.unpack_from(datagram, check)[0])
+    crc = mcrf4xx(datagram[1:check] + bytes((row.seed,)))
+    return crc == int(_CHECKSUM.unpack_from(datagram, check)[0])
 
 
-def split(datagram: bytes) -> Iterator[ReceivedFrame]:
+def split(datagram: bytes) -> list[ReceivedFrame]:
     """Every intact MAVLink 2 frame of a datagram, in order; whatever is none is passed over.
 
     A frame of an id that the dialect does not know cannot be checked and is passed over too. Size, flags and id are
     looked at before a checksum is taken, and no more than MOST_TRIES places that are no frame are tried: what a
     stranger can make this cost is bounded.
     """
-    start, end, tries = datagram.find(_MAGIC_BYTE), len(datagram), 0
-    while start >= 0 and end - start >= HEADER_BYTES + CHECKSUM_BYTES and tries < MOST_TRIES:
-        _, length, incompat, _, seq, sysid, compid, low, high = HEADER.unpack_from(datagram, start)
-        body = start + HEADER_BYTES
-        check = body + length
-        stop = check + CHECKSUM_BYTES + (SIGNATURE_BYTES if incompat & SIGNED else 0)
-        row = schema(low | high << 16) if stop <= end and not incompat & ~SIGNED else None
-        if row is None or mcrf4xx(datagram[start + 1 : check] + row.seed) != _CHECKSUM.unpack_from(datagram, check)[0]:
-            tries += 1
-            start = datagram.find(_MAGIC_BYTE, start + 1)
-            continue
-        yield ReceivedFrame(sysid, compid, seq, low | high << 16, datagram[body:check], datagram[start:stop])
-        start = datagram.find(_MAGIC_BYTE, stop)
+    found: list[ReceivedFrame] = []
+    _split(datagram, found)
+    return found
+
+
+def _split(datagram: bytes, found: list[ReceivedFrame]) -> None:
+    data = cython.cast("const unsigned char *", PyBytes_AS_STRING(datagram))
+    start, end, tries = 0, len(datagram), 0
+    while tries < MOST_TRIES:
+        place = cython.cast("const unsigned char *", memchr(data + start, MAGIC, end - start))
+        if not place or end - (place - data) < HEADER_BYTES + CHECKSUM_BYTES:
+            return
+        start = place - data
+        check = start + HEADER_BYTES + data[start + 1]
+        stop = check + CHECKSUM_BYTES + (SIGNATURE_BYTES if data[start + 2] & SIGNED else 0)
+        msgid = data[start + 7] | data[start + 8] << 8 | data[start + 9] << 16
+        seed = _seed(msgid) if stop <= end and not data[start + 2] & ~SIGNED else -1
+        if seed >= 0:
+            crc = checksum.ended(checksum.crc_of(data, start + 1, check), seed)
+            if crc == data[check] | data[check + 1] << 8:
+                frame = ReceivedFrame.__new__(ReceivedFrame)
+                frame.sysid, frame.compid, frame.seq = data[start + 5], data[start + 6], data[start + 4]
+                frame.msgid, body = msgid, start + HEADER_BYTES
+                text = cython.cast("const char *", data)
+                frame.payload = PyBytes_FromStringAndSize(text + body, check - body)
+                frame.raw = PyBytes_FromStringAndSize(text + start, stop - start)
+                found.append(frame)
+                start = stop
+                continue
+        tries += 1
+        start += 1

@@ -2,114 +2,108 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Any
 
-import numpy as np
+import cython
+import cython.cimports.simvehicle.mavlink.telemetry as telemetry
+import cython.cimports.skytender.frames as compiled_frames
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING, PyBytes_FromStringAndSize
+from cython.cimports.libc.string import memcpy
+from cython.cimports.simvehicle.mavlink.connection import DATAGRAM_BYTES, Waiting
+from cython.cimports.simvehicle.mavlink.telemetry import LARGEST_BYTES, STREAMS
 
-from simvehicle.autopilot.maneuvers import AT_REST
-from simvehicle.autopilot.vehicle import Vehicle
-from simvehicle.mavlink.motion_frames import LARGEST_BYTES, write_motion
+from simvehicle.mavlink.codec import packed
 from simvehicle.mavlink.streams import StreamSchedule
-from simvehicle.mavlink.telemetry import Stream
-
-DATAGRAM_BYTES = 1400
 
 
 class Connection:
     """A connection's own sequence counter, stream schedule and send queue."""
+
+    sysid: int
+    compid: int
+    streams: StreamSchedule
+    seq: int
+    """number of the next frame"""
+    _queue: list[bytes]
+    """payloads of messages in order, each behind its `Waiting`"""
 
     def __init__(self, sysid: int, compid: int = 1) -> None:
         self.sysid = sysid
         self.compid = compid
         self.streams = StreamSchedule()
         self.seq = 0
-        """number of the next frame"""
-        self._queue: list[Any] = []
-        """messages, or frames that have their number already"""
-        self._buffer = np.empty(LARGEST_BYTES, np.uint8)
-
-    @property
-    def waiting(self) -> bool:
-        """Whether anything waits to be sent."""
-        return bool(self._queue)
+        self._queue = []
 
     def put(self, content: Any) -> None:
         """Queue a message behind those that wait."""
-        self._queue.append(content)
+        row, payload = content.SCHEMA, packed(content)
+        text = cython.cast("const unsigned char *", PyBytes_AS_STRING(payload))
+        self._queue_payload(row.msgid, row.seed, text, len(payload))
 
-    def put_due(self, vehicle: Vehicle) -> None:
+    def _queue_payload(self, msgid: int, seed: int, payload: Any, size: int) -> None:
+        waiting = PyBytes_FromStringAndSize(cython.NULL, cython.sizeof(Waiting) + size)
+        head = cython.cast("Waiting *", PyBytes_AS_STRING(waiting))
+        head.msgid, head.seed = msgid, seed
+        memcpy(head + 1, payload, size)
+        self._queue.append(waiting)
+
+    def put_due(self, vehicle: Any) -> None:
         """Queue the telemetry that is due at the vehicle's present time."""
-        due = self.streams.due(vehicle.time_ms)
-        if not self._queue and vehicle.position_error_ned is AT_REST and (wanted := _motion_alone(due)):
-            self._put_motion(vehicle, wanted)
-        elif due:
-            snapshot = vehicle.snapshot()
-            for stream in due:
-                self._queue.append(stream.build(snapshot))
+        payload = cython.declare(cython.uchar[LARGEST_BYTES])
+        for stream in range(STREAMS):
+            if self.streams.take(stream, vehicle.time_ms):
+                telemetry.write_payload(vehicle, stream, payload)
+                sent = cython.address(telemetry.MESSAGES[stream])
+                self._queue_payload(sent.msgid, sent.seed, payload, sent.size)
 
-    def _put_motion(self, vehicle: Vehicle, wanted: int) -> None:
-        """The same in most ticks; numbered at once, since nothing waits before it."""
-        first, second, end = write_motion(
-            self._buffer,
-            vehicle.state,
-            vehicle.frame.row,
-            vehicle.home_ned[2],
-            vehicle.time_ms,
-            wanted,
-            self.seq,
-            self.sysid,
-            self.compid,
-        )
-        written = self._buffer[:end].tobytes()
-        frames = [frame for frame in (written[:first], written[first:second], written[second:]) if frame]
-        self.seq = (self.seq + len(frames)) & 0xFF
-        self._queue += frames
+    def frames(self, most: int = -1) -> list[bytes]:
+        """Number, encode and hand out what waits, at most `most` messages where that is given; the others go on
+        waiting."""
+        queue, numbered = self._queue, []
+        count = len(queue) if most < 0 else min(len(queue), most)
+        for i in range(count):
+            waiting = cython.cast(bytes, queue[i])
+            head = cython.cast("const Waiting *", PyBytes_AS_STRING(waiting))
+            size = len(waiting) - cython.sizeof(Waiting)
+            numbered.append(self.number(head.msgid, head.seed, cython.cast("const unsigned char *", head + 1), size))
+        self._queue = queue[count:]
+        return numbered
 
-    def frames(self, most: int | None = None) -> list[bytes]:
-        """Number, encode and hand out what waits, at most `most` messages; the others go on waiting."""
-        queue = self._queue
-        handed_out = queue[:most]
-        del queue[:most]
-        seq, sysid, compid, frames = self.seq, self.sysid, self.compid, []
-        for content in handed_out:
-            if type(content) is bytes:
-                frames.append(content)
-                continue
-            frames.append(content.SCHEMA.encode(content, seq, sysid, compid))
-            seq = (seq + 1) & 0xFF
-        self.seq = seq
-        return frames
-
-    def number(self, content: Any) -> bytes:
+    def number(self, msgid: int, seed: int, payload: Any, size: int) -> bytes:
         """The frame of one message with this connection's next number, past everything that waits."""
-        seq = self.seq
-        self.seq = (seq + 1) & 0xFF
-        frame: bytes = content.SCHEMA.encode(content, seq, self.sysid, self.compid)
-        return frame
-
-
-def _motion_alone(due: Iterable[Stream]) -> int:
-    """Bits of the streams that are due, where `motion_frames` makes them all; else 0."""
-    wanted = 0
-    for stream in due:
-        if not stream.motion:
-            return 0
-        wanted |= stream.motion
-    return wanted
+        seq, self.seq = self.seq, self.seq + 1 & 0xFF
+        return compiled_frames.framed(payload, size, msgid, seed, seq, self.sysid, self.compid)
 
 
 def pack(frames: list[bytes]) -> list[bytes]:
     """Frames in as few datagrams of at most 1,400 bytes as their order allows."""
     datagrams: list[bytes] = []
-    waiting: list[bytes] = []
-    size = 0
-    for frame in frames:
-        if waiting and size + len(frame) > DATAGRAM_BYTES:
-            datagrams.append(b"".join(waiting))
-            waiting, size = [], 0
-        waiting.append(frame)
+    first = size = 0
+    for k in range(len(frames)):
+        frame = cython.cast(bytes, frames[k])
+        if size > 0 and size + len(frame) > DATAGRAM_BYTES:
+            datagrams.append(together(frames, first, k))
+            first, size = k, 0
         size += len(frame)
-    if waiting:
-        datagrams.append(b"".join(waiting))
+    if size > 0:
+        datagrams.append(together(frames, first, len(frames)))
     return datagrams
+
+
+def size_of(parts: list[bytes], first: int, end: int) -> int:
+    """Bytes of parts[first:end]."""
+    size = 0
+    for k in range(first, end):
+        size += len(cython.cast(bytes, parts[k]))
+    return size
+
+
+def together(parts: list[bytes], first: int, end: int) -> bytes:
+    """parts[first:end], one after the other."""
+    whole = PyBytes_FromStringAndSize(cython.NULL, size_of(parts, first, end))
+    at = PyBytes_AS_STRING(whole)
+    for k in range(first, end):
+        part = cython.cast(bytes, parts[k])
+        memcpy(at, PyBytes_AS_STRING(part), len(part))
+        at += len(part)
+    return whole

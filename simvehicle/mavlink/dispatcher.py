@@ -9,6 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+import cython
+import cython.cimports.simvehicle.mavlink.offboard as compiled_offboard
+from cython.cimports.skytender.messages import HEARTBEAT_ID, MAV_COMP_ID_AUTOPILOT1, SET_POSITION_TARGET_LOCAL_NED_ID
+
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
@@ -31,7 +35,6 @@ from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, Ser
 from simvehicle.mavlink.fleet_messages import FleetService
 from skytender import mavlink as mav
 
-COMPID = 1
 TRANSFER_RATE_HZ = 10.0
 COUNTERS_STAY_FAST_S = 2.0
 TEXT_BYTES = 50
@@ -48,12 +51,31 @@ MESSAGES: dict[int, MessageHandler] = {
 }
 COMMANDS: dict[int, CommandHandler] = {**flight_commands.COMMANDS, **message_requests.COMMANDS, **maintenance.COMMANDS}
 _COMMAND_MESSAGES = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
-UNDERSTOOD = _COMMAND_MESSAGES | missions.MESSAGES | log_protocol.MESSAGES | {file_protocol.MESSAGE} | set(MESSAGES)
+_OTHERS = frozenset({mav.MAVLINK_MSG_ID_HEARTBEAT, mav.MAVLINK_MSG_ID_SET_POSITION_TARGET_LOCAL_NED})
+UNDERSTOOD = (
+    _OTHERS | _COMMAND_MESSAGES | missions.MESSAGES | log_protocol.MESSAGES | {file_protocol.MESSAGE} | set(MESSAGES)
+)
 """Ids of the messages that the vehicle acts on."""
 
 
 class Services:
     """The MAVLink face of one vehicle, shared by all its connections."""
+
+    vehicle: Vehicle
+    sysid: int
+    connections: list[Connection]
+    fleet: FleetService | None
+    _context: ServiceContext
+    _planning: missions.Planning
+    _logs: log_protocol.LogService
+    _files: file_protocol.FileService
+    _reboot: maintenance.Reboot
+    _commands: dict[int, CommandHandler]
+    _follow_rate_hz: float
+    _fast_counters: bool
+    _long_texts: int
+    _at_work: bool
+    """whether a service may have something to do beside telemetry"""
 
     def __init__(
         self,
@@ -78,6 +100,7 @@ class Services:
         self._follow_rate_hz = 0.0
         self._fast_counters = False
         self._long_texts = 0
+        self._at_work = True
         vehicle.on_change = self._hasten_heartbeats
         self._planning.restart()
 
@@ -85,13 +108,24 @@ class Services:
         """Act on one frame; answers wait on the same connection."""
         if self.fleet is not None and not self._deaf():
             self.fleet.receive(frame, from_fleet=connection is self.connections[0])
-        if frame.msgid not in UNDERSTOOD or (frame.sysid, frame.compid) == (self.sysid, COMPID):
+        if frame.sysid == self.sysid and frame.compid == MAV_COMP_ID_AUTOPILOT1:
+            return
+        if frame.msgid == SET_POSITION_TARGET_LOCAL_NED_ID:
+            if not self._deaf():
+                compiled_offboard.local_set_point(self._context, self.vehicle, self.sysid, frame.payload)
+            return
+        if frame.msgid == HEARTBEAT_ID:
+            if not self._deaf() and compiled_offboard.is_ground_station(frame.payload):
+                self.vehicle.receive_gcs_heartbeat()
+            return
+        if frame.msgid not in UNDERSTOOD:
             return
         content = decode(frame)
         assert content is not None
+        self._at_work = True
         if getattr(content, "target_system", 0) not in (0, self.sysid):
             return
-        if getattr(content, "target_component", 0) not in (0, COMPID):
+        if getattr(content, "target_component", 0) not in (0, MAV_COMP_ID_AUTOPILOT1):
             return
         call = Call(content, frame, connection)
         if frame.msgid in _COMMAND_MESSAGES:
@@ -108,7 +142,8 @@ class Services:
             MESSAGES[frame.msgid](self._context, call)
 
     def _deaf(self) -> bool:
-        return self.vehicle.booting or Failure.LINK in self.vehicle.failed
+        failed = self.vehicle.failed
+        return self.vehicle.booting or (bool(failed) and Failure.LINK in failed)
 
     def _command(self, call: Call) -> None:
         request = commands.request_from(call.content, call.sender)
@@ -142,33 +177,38 @@ class Services:
     def report(self) -> None:
         """Queue what became due at the vehicle's present time: announcements, then telemetry."""
         vehicle = self.vehicle
-        self._reboot.finish()
-        if Failure.LINK in vehicle.failed:
+        at_work = self._at_work or vehicle.mission is not None
+        if at_work:
+            self._reboot.finish()
+        if vehicle.failed and Failure.LINK in vehicle.failed:
             vehicle.announcements.clear()
             return
-        self._planning.report()
+        if at_work:
+            self._planning.report()
         self._pace_counters()
-        for severity, text in vehicle.announcements:
+        if vehicle.announcements:
+            self._announce()
+        for connection in self.connections:
+            compiled = cython.declare(Connection, connection)
+            compiled.put_due(vehicle)
+        if at_work:
+            self._logs.report()
+            self._files.report()
+            self._at_work = self._reboot.at_work or self._planning.at_work or self._logs.at_work or self._files.at_work
+
+    def _announce(self) -> None:
+        """Queue what the vehicle has to say, for everyone."""
+        for severity, text in self.vehicle.announcements:
             self._long_texts += len(as_bytes(text)) > TEXT_BYTES
             for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
                 for connection in self.connections:
                     connection.put(content)
-        vehicle.announcements.clear()
-        for connection in self.connections:
-            connection.put_due(vehicle)
-        self._logs.report()
-        self._files.report()
-
-    @property
-    def idle(self) -> bool:
-        """Whether it reports nothing but telemetry while nobody sends anything and the vehicle only flies."""
-        services = (self._reboot, self._planning, self._logs, self._files)
-        counters = self._fast_counters or self._counts_fast()
-        return self.fleet is None and not counters and all(service.idle for service in services)
+        self.vehicle.announcements.clear()
 
     def _counts_fast(self) -> bool:
         vehicle = self.vehicle
-        return vehicle.transfer is not None or vehicle.time_s - vehicle.exchange.ended_s < COUNTERS_STAY_FAST_S
+        exchange = vehicle.exchange
+        return exchange.current is not None or vehicle.time_ms / 1e3 - exchange.ended_s < COUNTERS_STAY_FAST_S
 
     def _pace_counters(self) -> None:
         fast = self._counts_fast()

@@ -77,9 +77,9 @@ class FileService:
             self._burst, self._sent = to, 0
 
     @property
-    def idle(self) -> bool:
-        """Whether no pieces wait to be sent."""
-        return self._burst is None
+    def at_work(self) -> bool:
+        """Whether pieces wait to be sent."""
+        return self._burst is not None
 
     def report(self) -> None:
         """Queue the pieces of this tick."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from simvehicle.autopilot.modes import Mode, Severity, Trigger
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.mavlink.commands import (
     ACCEPTED,
     DENIED,

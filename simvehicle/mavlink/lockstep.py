@@ -12,26 +12,28 @@ behind a PING to its vehicle, which is no part of it; and several answers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
-from typing import NamedTuple
+from typing import Any
 
-from simvehicle.mavlink.codec import ReceivedFrame, decode, message, split
-from simvehicle.mavlink.connection import Connection, pack
-from skytender import mavlink as mav
+import cython
+import cython.cimports.simvehicle.mavlink.codec as codec
+import cython.cimports.simvehicle.mavlink.connection as connections
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING
+from cython.cimports.libc.string import memcpy, memset
+from cython.cimports.simvehicle.mavlink.lockstep import COMPONENT, FRAMES_A_TICK, SHARED, SYSTEM
+from cython.cimports.skytender.messages import PING_ID, SYSTEM_TIME_ID, SYSTEM_TIME_SEED, Ping, SystemTime
 
-SUPERVISOR = (255, 190)
-FRAMES_A_TICK = 127
-SHARED = 1
-"""Time in the hello of a vehicle that shares its socket."""
-SHARED_BYTES = 4096
-"""Answers that leave by a shared socket are sent as soon as they are so long together."""
+from simvehicle.mavlink.codec import ReceivedFrame, message
+from simvehicle.mavlink.connection import Connection
+
+SUPERVISOR = (SYSTEM, COMPONENT)
+"""A hello's time is SHARED where others speak by the same socket; answers leave there as soon as SHARED_BYTES of them
+are ready."""
 
 
-class Bundle(NamedTuple):
+class Bundle:
     """A grant: frames to apply in order, the time to fly to, and the session's wall clock at it."""
 
-    frames: tuple[ReceivedFrame, ...]
+    frames: list[ReceivedFrame]
     time_ms: int
     unix_us: int
 
@@ -39,13 +41,18 @@ class Bundle(NamedTuple):
 class Grants:
     """Which bundle is next, and the bytes of the last answer."""
 
+    _connection: Connection
+    number: int
+    """of the supervisor's next frame"""
+    last_answer: list[bytes]
+    time_ms: int
+    """of the last grant; -1 before the first"""
+
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
         self.number = 0
-        """of the supervisor's next frame"""
-        self.last_answer: list[bytes] = []
-        self.time_ms: int | None = None
-        """of the last grant"""
+        self.last_answer = []
+        self.time_ms = -1
 
     def hello(self, heartbeat: object, secret: int = 0, *, shared: bool = False) -> bytes:
         """The datagram that is repeated until the first bundle: HEARTBEAT 0, SYSTEM_TIME 1.
@@ -57,63 +64,65 @@ class Grants:
         self._connection.put(message("SYSTEM_TIME")(time_unix_usec=secret, time_boot_ms=SHARED if shared else 0))
         return b"".join(self._connection.frames())
 
-    def feed(self, frames: Sequence[ReceivedFrame]) -> Bundle | list[bytes] | None:
+    def feed(self, frames: list[ReceivedFrame]) -> Bundle | list[bytes] | None:
         """A new bundle, or the datagrams to send again, or None."""
-        if not frames or frames[-1].msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME or frames[-1][:2] != SUPERVISOR:
+        grant = cython.declare(SystemTime)
+        if not frames or not _is_supervisors(frames[len(frames) - 1], SYSTEM_TIME_ID):
             return None
-        grant = decode(frames[-1])
-        assert grant is not None
-        if self.time_ms is not None and grant.time_boot_ms <= self.time_ms:
+        last = frames[len(frames) - 1]
+        memset(cython.address(grant), 0, cython.sizeof(SystemTime))
+        size = min(len(last.payload), cython.sizeof(SystemTime))
+        memcpy(cython.address(grant), PyBytes_AS_STRING(last.payload), size)
+        if grant.time_boot_ms <= self.time_ms:
             return self.last_answer if grant.time_boot_ms == self.time_ms else None
         seq = self.number
         for frame in frames:
-            if frame[:2] == SUPERVISOR:
+            if frame.sysid == SYSTEM and frame.compid == COMPONENT:
                 if frame.seq != seq:
                     return None
-                seq = (seq + 1) & 0xFF
-        self.number = seq
-        self.time_ms = grant.time_boot_ms
-        return Bundle(tuple(frames[:-1]), grant.time_boot_ms, grant.time_unix_usec)
+                seq = seq + 1 & 0xFF
+        self.number, self.time_ms = seq, grant.time_boot_ms
+        del frames[len(frames) - 1]
+        bundle = Bundle.__new__(Bundle)
+        bundle.frames, bundle.time_ms, bundle.unix_us = frames, grant.time_boot_ms, grant.time_unix_usec
+        return bundle
 
     def answer(self, bundle: Bundle) -> list[bytes]:
         """Messages that wait on the connection, closed by the own SYSTEM_TIME with the grant's time.
 
         A tick has at most 127 frames, or a lost datagram could hide in the 8 bits of a number; the rest waits.
         """
+        time = cython.declare(SystemTime)
+        time.time_unix_usec, time.time_boot_ms = bundle.unix_us, bundle.time_ms
+        payload, size = cython.cast("const unsigned char *", cython.address(time)), cython.sizeof(SystemTime)
         frames = self._connection.frames(FRAMES_A_TICK - 1)
-        time = message("SYSTEM_TIME")(time_unix_usec=bundle.unix_us, time_boot_ms=bundle.time_ms)
-        self.last_answer = pack([*frames, self._connection.number(time)])
+        frames.append(self._connection.number(SYSTEM_TIME_ID, SYSTEM_TIME_SEED, payload, size))
+        self.last_answer = connections.pack(frames)
         return self.last_answer
 
 
-def bundles(datagram: bytes) -> Iterator[tuple[int, list[ReceivedFrame]]]:
+def _is_supervisors(frame: Any, msgid: int) -> bool:
+    return frame.sysid == SYSTEM and frame.compid == COMPONENT and frame.msgid == msgid
+
+
+def bundles(datagram: bytes) -> list[tuple[int, list[ReceivedFrame]]]:
     """The bundles of a datagram for a shared socket: whose each is, and its frames."""
+    found: list[tuple[int, list[ReceivedFrame]]] = []
     sysid, frames = 0, list[ReceivedFrame]()
-    for frame in split(datagram):
-        if frame.msgid != mav.MAVLINK_MSG_ID_PING or frame[:2] != SUPERVISOR:
+    for frame in codec.split(datagram):
+        if not _is_supervisors(frame, PING_ID):
             frames.append(frame)
             continue
         if frames:
-            yield sysid, frames
-        sysid, frames = _addressee(frame), []
+            found.append((sysid, frames))
+        sysid, frames = _addressee(frame.payload), []
     if frames:
-        yield sysid, frames
+        found.append((sysid, frames))
+    return found
 
 
-@lru_cache(maxsize=512)
-def _addressee(marker: ReceivedFrame) -> int:
-    ping = decode(marker)
-    assert ping is not None
-    return int(ping.target_system)
-
-
-def together(answers: Iterable[bytes]) -> Iterator[bytes]:
-    """Datagrams of several vehicles, one after the other, in fewer ones."""
-    waiting = b""
-    for datagram in answers:
-        waiting += datagram
-        if len(waiting) >= SHARED_BYTES:
-            yield waiting
-            waiting = b""
-    if waiting:
-        yield waiting
+def _addressee(payload: bytes) -> int:
+    ping = cython.declare(Ping)
+    memset(cython.address(ping), 0, cython.sizeof(Ping))
+    memcpy(cython.address(ping), PyBytes_AS_STRING(payload), min(len(payload), cython.sizeof(Ping)))
+    return ping.target_system

@@ -77,9 +77,9 @@ class LogService:
                 self._log.erase()
 
     @property
-    def idle(self) -> bool:
-        """Whether no pieces wait to be sent."""
-        return self._log is None or self._connection is None
+    def at_work(self) -> bool:
+        """Whether pieces wait to be sent."""
+        return self._connection is not None
 
     def report(self) -> None:
         """Queue the pieces of this tick."""

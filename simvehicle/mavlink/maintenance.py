@@ -104,9 +104,9 @@ class Reboot:
         return IN_PROGRESS
 
     @property
-    def idle(self) -> bool:
-        """Whether none is under way."""
-        return self._asked is None
+    def at_work(self) -> bool:
+        """Whether a reboot is under way."""
+        return self._asked is not None
 
     def busy_with(self, request: VehicleCommand) -> bool:
         """Whether a reboot is under way that is not what is asked for."""

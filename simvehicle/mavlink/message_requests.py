@@ -8,7 +8,7 @@ from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
-from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version
+from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, message_of
 from skytender import mavlink as mav
 
 FASTEST_HZ = 250
@@ -51,10 +51,9 @@ def requests(msgid: int) -> CommandHandler:
 
 def _answer_with(context: ServiceContext, msgid: int) -> int:
     """Accepted only with the message behind it; what the vehicle does not have is unsupported."""
-    snapshot = context.vehicle.snapshot()
-    answers = [stream.build(snapshot) for stream in TELEMETRY if stream.msgid == msgid]
+    answers = [message_of(context.vehicle, stream.key) for stream in TELEMETRY if stream.msgid == msgid]
     if msgid == mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION:
-        answers = [autopilot_version(snapshot, context.sysid)]
+        answers = [autopilot_version(context.vehicle, context.sysid)]
     context.after_ack.extend(answers)
     return ACCEPTED if answers else UNSUPPORTED
 

@@ -151,9 +151,9 @@ class MissionProtocol:
             self._upload = None
 
     @property
-    def idle(self) -> bool:
-        """Whether nothing will be due while nobody sends anything."""
-        return self._upload is None
+    def at_work(self) -> bool:
+        """Whether an upload is under way."""
+        return self._upload is not None
 
     def due(self, now_s: float) -> list[Post]:
         """Repeat what has to be asked for again, or give up."""

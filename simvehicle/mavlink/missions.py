@@ -69,10 +69,9 @@ class Planning:
                 self._send_current()
 
     @property
-    def idle(self) -> bool:
-        """Whether `report` has nothing to queue while nobody sends anything and no mission is flown."""
-        mission = self._context.vehicle.mission
-        return self.protocol.idle and (mission is None or not mission.reached)
+    def at_work(self) -> bool:
+        """Whether something may become due while no message comes."""
+        return self.protocol.at_work or self._context.vehicle.mission is not None
 
     def report(self) -> None:
         """Queue what is due: requests repeated, and items reached since the last time."""

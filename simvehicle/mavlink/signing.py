@@ -46,7 +46,7 @@ class VehicleSigning:
             return raw
         row = schema(int.from_bytes(raw[7:10], "little"))
         assert row is not None
-        return self._signing.sign(raw, row.seed, link_id, now_ticks)
+        return self._signing.sign(raw, bytes((row.seed,)), link_id, now_ticks)
 
     def judge(self, frame: ReceivedFrame, now_ticks: int) -> SignatureVerdict:
         """Whether a received frame counts."""

@@ -1,284 +1,132 @@
-"""Telemetry of the vehicle: a snapshot in SI and NED in, MAVLink messages in MAVLink's units out.
+"""Telemetry of the vehicle: its state in SI and NED in, payloads of MAVLink messages in MAVLink's units out.
 
-TELEMETRY is the table: message name, rate in Hz by default on every connection, and the function that builds it.
+TELEMETRY is the table: message name and rate in Hz by default on every connection. What a stream sends stands in the
+function of its name.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import cython
+import cython.cimports.skytender.elementary as elementary
+import cython.cimports.skytender.messages as mav
+from cython.cimports.cpython.bytes import PyBytes_FromStringAndSize
+from cython.cimports.libc import math
+from cython.cimports.libc.string import memcpy, memset, strlen
+from cython.cimports.simvehicle.mavlink.telemetry import (
+    _ALTITUDE,
+    _ATTITUDE,
+    _ATTITUDE_QUATERNION,
+    _BATTERY_STATUS,
+    _CONTROL_EFFORT,
+    _EXTENDED_SYS_STATE,
+    _FOLLOW_TARGET,
+    _GLOBAL_POSITION_INT,
+    _GPS_GLOBAL_ORIGIN,
+    _GPS_RAW_INT,
+    _HEARTBEAT,
+    _HOME_POSITION,
+    _LOCAL_POSITION_NED,
+    _MISSION_CURRENT,
+    _POSITION_TARGET_LOCAL_NED,
+    _SYS_STATUS,
+    _VFR_HUD,
+    _XFER_IN,
+    _XFER_OUT,
+    LARGEST_BYTES,
+    MESSAGES,
+    STREAMS,
+)
+
+from simvehicle.autopilot.body import CELL_FULL_V, CELLS
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Mode
-from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3, VehicleState
-from simvehicle.mavlink import motion_frames
-from simvehicle.mavlink.codec import message
-from skytender import elementary
-from skytender import mavlink as mav
-
-__all__ = ["ALL_HEALTHY", "TELEMETRY", "UNPROMPTED", "Stream", "Vec3", "VehicleState", "autopilot_version", "heartbeat"]
+from simvehicle.mavlink.codec import message, schema, unpacked
+from skytender import mavlink
 
 UNKNOWN_U16 = 65535
-ALL_HEALTHY = (
-    mav.MAV_SYS_STATUS_SENSOR_3D_GYRO
-    | mav.MAV_SYS_STATUS_SENSOR_3D_ACCEL
-    | mav.MAV_SYS_STATUS_SENSOR_3D_MAG
-    | mav.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
-    | mav.MAV_SYS_STATUS_SENSOR_GPS
-    | mav.MAV_SYS_STATUS_SENSOR_BATTERY
-    | mav.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS
-    | mav.MAV_SYS_STATUS_GEOFENCE
-    | mav.MAV_SYS_STATUS_AHRS
+_SENSORS = (
+    mavlink.MAV_SYS_STATUS_SENSOR_3D_GYRO
+    | mavlink.MAV_SYS_STATUS_SENSOR_3D_ACCEL
+    | mavlink.MAV_SYS_STATUS_SENSOR_3D_MAG
+    | mavlink.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
+    | mavlink.MAV_SYS_STATUS_SENSOR_GPS
+    | mavlink.MAV_SYS_STATUS_SENSOR_BATTERY
+    | mavlink.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS
+    | mavlink.MAV_SYS_STATUS_GEOFENCE
+    | mavlink.MAV_SYS_STATUS_AHRS
+)
+_ILL = {
+    Failure.GPS: mavlink.MAV_SYS_STATUS_SENSOR_GPS,
+    Failure.BATTERY: mavlink.MAV_SYS_STATUS_SENSOR_BATTERY,
+    Failure.MOTOR: mavlink.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS,
+}
+_HOLD, _TAKEOFF, _LAND, _MISSION = Mode.HOLD, Mode.TAKEOFF, Mode.LAND, Mode.MISSION
+_TURN_RAD, _DEG = 2.0 * math.M_PI, 180.0 / math.M_PI
+
+
+class Stream(NamedTuple):
+    """One telemetry stream: its key, its message's id and its rate by default."""
+
+    key: str
+    msgid: int
+    rate_hz: float
+
+
+UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
+"""Streams beside the table's own rates, in Hz, for plain connections: QGroundControl requests none from a PX4."""
+
+TELEMETRY: tuple[Stream, ...] = (
+    Stream("HEARTBEAT", mavlink.MAVLINK_MSG_ID_HEARTBEAT, 1.0),
+    Stream("SYS_STATUS", mavlink.MAVLINK_MSG_ID_SYS_STATUS, 1.0),
+    Stream("EXTENDED_SYS_STATE", mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0),
+    Stream("ATTITUDE", mavlink.MAVLINK_MSG_ID_ATTITUDE, 10.0),
+    Stream("LOCAL_POSITION_NED", mavlink.MAVLINK_MSG_ID_LOCAL_POSITION_NED, 10.0),
+    Stream("GLOBAL_POSITION_INT", mavlink.MAVLINK_MSG_ID_GLOBAL_POSITION_INT, 5.0),
+    Stream("GPS_RAW_INT", mavlink.MAVLINK_MSG_ID_GPS_RAW_INT, 1.0),
+    Stream("HOME_POSITION", mavlink.MAVLINK_MSG_ID_HOME_POSITION, 0.5),
+    Stream("GPS_GLOBAL_ORIGIN", mavlink.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, 0.5),
+    Stream("BATTERY_STATUS", mavlink.MAVLINK_MSG_ID_BATTERY_STATUS, 2.0),
+    Stream("POSITION_TARGET_LOCAL_NED", mavlink.MAVLINK_MSG_ID_POSITION_TARGET_LOCAL_NED, 2.0),
+    Stream("CtlEffort", mavlink.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT, 1.0),
+    Stream("XferOut", mavlink.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0),
+    Stream("XferIn", mavlink.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0),
+    Stream("FOLLOW_TARGET", mavlink.MAVLINK_MSG_ID_FOLLOW_TARGET, 0.0),
+    Stream("MISSION_CURRENT", mavlink.MAVLINK_MSG_ID_MISSION_CURRENT, 0.0),
+    Stream("ATTITUDE_QUATERNION", mavlink.MAVLINK_MSG_ID_ATTITUDE_QUATERNION, 0.0),
+    Stream("ALTITUDE", mavlink.MAVLINK_MSG_ID_ALTITUDE, 0.0),
+    Stream("VFR_HUD", mavlink.MAVLINK_MSG_ID_VFR_HUD, 0.0),
 )
 
 
-def heartbeat(s: VehicleState) -> Any:
-    base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | mav.MAV_MODE_FLAG_STABILIZE_ENABLED
-    if s.mode is not Mode.HOLD or s.armed:
-        base |= mav.MAV_MODE_FLAG_GUIDED_ENABLED | mav.MAV_MODE_FLAG_AUTO_ENABLED
-    if s.armed:
-        base |= mav.MAV_MODE_FLAG_SAFETY_ARMED
-    return message("HEARTBEAT")(
-        type=mav.MAV_TYPE_QUADROTOR,
-        autopilot=s.identity.autopilot,
-        base_mode=base,
-        custom_mode=s.identity.spoken[s.mode],
-        system_status=mav.MAV_STATE_BOOT if s.booting else mav.MAV_STATE_STANDBY if s.landed else mav.MAV_STATE_ACTIVE,
-        mavlink_version=3,
-    )
+def _fill() -> None:
+    for k in range(STREAMS):
+        row = schema(TELEMETRY[k].msgid)
+        assert row is not None
+        assert row.packer.size <= LARGEST_BYTES
+        MESSAGES[k].msgid, MESSAGES[k].seed, MESSAGES[k].size = row.msgid, row.seed, row.packer.size
 
 
-def sys_status(s: VehicleState) -> Any:
-    present = ALL_HEALTHY | mav.MAV_SYS_STATUS_PREARM_CHECK
-    health = ALL_HEALTHY & ~_ill(s) | (mav.MAV_SYS_STATUS_PREARM_CHECK if s.ready_to_arm else 0)
-    return message("SYS_STATUS")(
-        onboard_control_sensors_present=present,
-        onboard_control_sensors_enabled=present,
-        onboard_control_sensors_health=health,
-        load=100,
-        voltage_battery=round(1e3 * s.voltage_v),
-        current_battery=_current_ca(s),
-        battery_remaining=s.percent,
-    )
+_fill()
 
 
-def _current_ca(s: VehicleState) -> int:
-    """Current in the wire's 10 mA: the plant's, else of the power at the voltage."""
-    return _int16(1e2 * s.power_w / s.voltage_v if s.electric is None else 1e2 * s.electric[1])
+def message_of(vehicle: Any, key: str) -> Any:
+    """A stream's message at the vehicle's present time."""
+    written = cython.declare(cython.uchar[LARGEST_BYTES])
+    (stream,) = (k for k, one in enumerate(TELEMETRY) if one.key == key)
+    write_payload(vehicle, stream, written)
+    payload = PyBytes_FromStringAndSize(cython.cast("char *", written), MESSAGES[stream].size)
+    row = schema(MESSAGES[stream].msgid)
+    assert row is not None
+    return unpacked(row, payload)
 
 
-_ILL = {
-    Failure.GPS: mav.MAV_SYS_STATUS_SENSOR_GPS,
-    Failure.BATTERY: mav.MAV_SYS_STATUS_SENSOR_BATTERY,
-    Failure.MOTOR: mav.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS,
-}
-
-
-def _ill(s: VehicleState) -> int:
-    """Bits of what has failed, and of a fence that is breached."""
-    bits = mav.MAV_SYS_STATUS_GEOFENCE if s.outside_fence else 0
-    for failure in s.failed:
-        bits |= _ILL.get(failure, 0)
-    return int(bits)
-
-
-def extended_sys_state(s: VehicleState) -> Any:
-    landed = mav.MAV_LANDED_STATE_IN_AIR
-    if s.landed:
-        landed = mav.MAV_LANDED_STATE_ON_GROUND
-    elif s.mode is Mode.TAKEOFF:
-        landed = mav.MAV_LANDED_STATE_TAKEOFF
-    elif s.mode is Mode.LAND or s.mission_landing:
-        landed = mav.MAV_LANDED_STATE_LANDING
-    return message("EXTENDED_SYS_STATE")(vtol_state=mav.MAV_VTOL_STATE_UNDEFINED, landed_state=landed)
-
-
-def attitude(s: VehicleState) -> Any:
-    roll, pitch, yaw = s.attitude_ned
-    p, q, r = s.rates_body
-    return message("ATTITUDE")(s.time_ms, _wrapped(roll), _wrapped(pitch), _wrapped(yaw), p, q, r)
-
-
-def local_position_ned(s: VehicleState) -> Any:
-    return message("LOCAL_POSITION_NED")(s.time_ms, *s.p_ned, *s.v_ned)
-
-
-def global_position_int(s: VehicleState) -> Any:
-    p_ned, (v_n, v_e, v_d) = s.p_ned, s.v_ned
-    lat_deg, lon_deg, alt_m = s.frame.to_global(*p_ned)
-    return message("GLOBAL_POSITION_INT")(
-        time_boot_ms=s.time_ms,
-        lat=_deg_e7(lat_deg),
-        lon=_deg_e7(lon_deg),
-        alt=_int32(1e3 * alt_m),
-        relative_alt=_int32(1e3 * (s.home_ned[2] - p_ned[2])),
-        vx=_int16(100.0 * v_n),
-        vy=_int16(100.0 * v_e),
-        vz=_int16(100.0 * v_d),
-        hdg=round(1e2 * math.degrees(s.attitude_ned[2])) % 36000,
-    )
-
-
-def gps_raw_int(s: VehicleState) -> Any:
-    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
-    course_deg = math.degrees(elementary.atan2(s.v_ned[1], s.v_ned[0]))
-    return message("GPS_RAW_INT")(
-        time_usec=s.unix_us,
-        fix_type=mav.GPS_FIX_TYPE_NO_FIX if Failure.GPS in s.failed else mav.GPS_FIX_TYPE_3D_FIX,
-        lat=_deg_e7(lat_deg),
-        lon=_deg_e7(lon_deg),
-        alt=_int32(1e3 * alt_m),
-        eph=70,
-        epv=100,
-        vel=_int16(100.0 * math.sqrt(s.v_ned[0] * s.v_ned[0] + s.v_ned[1] * s.v_ned[1])),
-        cog=round(1e2 * course_deg) % 36000,
-        satellites_visible=0 if Failure.GPS in s.failed else 14,
-        alt_ellipsoid=_int32(1e3 * alt_m),
-        h_acc=300,
-        v_acc=500,
-        vel_acc=100,
-    )
-
-
-def home_position(s: VehicleState) -> Any:
-    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.home_ned)
-    return message("HOME_POSITION")(
-        latitude=_deg_e7(lat_deg),
-        longitude=_deg_e7(lon_deg),
-        altitude=_int32(1e3 * alt_m),
-        x=s.home_ned[0],
-        y=s.home_ned[1],
-        z=s.home_ned[2],
-        q=(1.0, 0.0, 0.0, 0.0),
-        time_usec=s.unix_us,
-    )
-
-
-def gps_global_origin(s: VehicleState) -> Any:
-    return message("GPS_GLOBAL_ORIGIN")(
-        latitude=_deg_e7(s.frame.lat_deg),
-        longitude=_deg_e7(s.frame.lon_deg),
-        altitude=_int32(1e3 * s.frame.alt_m),
-        time_usec=s.unix_us,
-    )
-
-
-def battery_status(s: VehicleState) -> Any:
-    cell_mv = round(1e3 * s.voltage_v / CELLS)
-    charge_ah = s.drawn_j / (CELLS * CELL_FULL_V) / 3600.0
-    return message("BATTERY_STATUS")(
-        battery_function=mav.MAV_BATTERY_FUNCTION_ALL,
-        type=mav.MAV_BATTERY_TYPE_LIPO,
-        temperature=32767,
-        voltages=(cell_mv,) * CELLS + (UNKNOWN_U16,) * (10 - CELLS),
-        current_battery=_current_ca(s),
-        current_consumed=_int32(1e3 * charge_ah),
-        energy_consumed=_int32(math.floor(s.drawn_j / 100.0)),
-        battery_remaining=s.percent,
-        time_remaining=_int32(s.remaining_j / s.power_w) if s.power_w > 0.0 else 0,
-        charge_state=mav.MAV_BATTERY_CHARGE_STATE_OK,
-    )
-
-
-def position_target_local_ned(s: VehicleState) -> Any:
-    return message("POSITION_TARGET_LOCAL_NED")(
-        time_boot_ms=s.time_ms,
-        coordinate_frame=mav.MAV_FRAME_LOCAL_NED,
-        type_mask=mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
-        | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
-        | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
-        | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE,
-        x=s.target_p_ned[0],
-        y=s.target_p_ned[1],
-        z=s.target_p_ned[2],
-        vx=s.target_v_ned[0],
-        vy=s.target_v_ned[1],
-        vz=s.target_v_ned[2],
-        yaw=_wrapped(s.target_yaw_ned),
-    )
-
-
-def control_effort(s: VehicleState) -> Any:
-    return message("NAMED_VALUE_FLOAT")(time_boot_ms=s.time_ms, name="CtlEffort", value=s.control_effort)
-
-
-def follow_target(s: VehicleState) -> Any:
-    lat_deg, lon_deg, alt_m = s.frame.to_global(*s.p_ned)
-    return message("FOLLOW_TARGET")(
-        timestamp=s.time_ms,
-        est_capabilities=0b11,
-        lat=_deg_e7(lat_deg),
-        lon=_deg_e7(lon_deg),
-        alt=alt_m,
-        vel=s.v_ned,
-        attitude_q=(1.0, 0.0, 0.0, 0.0),
-    )
-
-
-def xfer_out(s: VehicleState) -> Any:
-    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferOut", value=_int32(s.given_j))
-
-
-def xfer_in(s: VehicleState) -> Any:
-    return message("NAMED_VALUE_INT")(time_boot_ms=s.time_ms, name="XferIn", value=_int32(s.received_j))
-
-
-def attitude_quaternion(s: VehicleState) -> Any:
-    (sr, cr), (sp, cp), (sy, cy) = (elementary.sin_cos(0.5 * angle) for angle in s.attitude_ned)
-    return message("ATTITUDE_QUATERNION")(
-        s.time_ms,
-        cr * cp * cy + sr * sp * sy,
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        *s.rates_body,
-    )
-
-
-def vfr_hud(s: VehicleState) -> Any:
-    speed_m_s = elementary.hypot(s.v_ned[0], s.v_ned[1])
-    return message("VFR_HUD")(
-        airspeed=elementary.norm(s.v_ned),
-        groundspeed=speed_m_s,
-        heading=round(math.degrees(s.attitude_ned[2])) % 360,
-        alt=s.frame.alt_m - s.p_ned[2],
-        climb=-s.v_ned[2],
-    )
-
-
-def altitude(s: VehicleState) -> Any:
-    height_m = s.home_ned[2] - s.p_ned[2]
-    return message("ALTITUDE")(
-        time_usec=s.unix_us,
-        altitude_monotonic=s.frame.alt_m - s.p_ned[2],
-        altitude_amsl=s.frame.alt_m - s.p_ned[2],
-        altitude_local=-s.p_ned[2],
-        altitude_relative=height_m,
-        altitude_terrain=math.nan,
-        bottom_clearance=math.nan,
-    )
-
-
-def mission_current(s: VehicleState) -> Any:
-    """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end."""
-    state = 1
-    if s.mission_length:
-        done = s.mission_index >= s.mission_length
-        state = 5 if done else 3 if s.mode is Mode.MISSION and s.armed else 4 if s.mission_index else 2
-    return message("MISSION_CURRENT")(
-        seq=max(min(s.mission_index, s.mission_length - 1), 0),
-        total=s.mission_length,
-        mission_state=state,
-        mission_mode=2 - (s.mode is Mode.MISSION),
-    )
-
-
-def autopilot_version(s: VehicleState, sysid: int) -> Any:
+def autopilot_version(vehicle: Any, sysid: int) -> Any:
     """AUTOPILOT_VERSION: version 1.15.0 of a development build, which QGroundControl accepts as new enough."""
-    version = 1 << 24 | 15 << 16 | 0 << 8 | mav.FIRMWARE_VERSION_TYPE_DEV
+    version = 1 << 24 | 15 << 16 | 0 << 8 | mavlink.FIRMWARE_VERSION_TYPE_DEV
     return message("AUTOPILOT_VERSION")(
-        capabilities=s.identity.capabilities,
+        capabilities=vehicle.identity.capabilities,
         flight_sw_version=version,
         middleware_sw_version=version,
         os_sw_version=version,
@@ -286,67 +134,281 @@ def autopilot_version(s: VehicleState, sysid: int) -> Any:
     )
 
 
-def _wrapped(angle_rad: float) -> float:
-    return math.remainder(angle_rad, 2.0 * math.pi)
+def write_payload(v: Any, stream: int, payload: Any) -> None:
+    """Write a stream's payload, LARGEST_BYTES of which the rest is 0."""
+    memset(payload, 0, LARGEST_BYTES)
+    if stream == _ATTITUDE:
+        _attitude(v, cython.cast("messages.Attitude *", payload))
+    elif stream == _LOCAL_POSITION_NED:
+        _local_position_ned(v, cython.cast("messages.LocalPositionNed *", payload))
+    elif stream == _GLOBAL_POSITION_INT:
+        _global_position_int(v, cython.cast("messages.GlobalPositionInt *", payload))
+    elif stream == _HEARTBEAT:
+        _heartbeat(v, cython.cast("messages.Heartbeat *", payload))
+    elif stream == _SYS_STATUS:
+        _sys_status(v, cython.cast("messages.SysStatus *", payload))
+    elif stream == _EXTENDED_SYS_STATE:
+        _extended_sys_state(v, cython.cast("messages.ExtendedSysState *", payload))
+    elif stream == _GPS_RAW_INT:
+        _gps_raw_int(v, cython.cast("messages.GpsRawInt *", payload))
+    elif stream == _HOME_POSITION:
+        _home_position(v, cython.cast("messages.HomePosition *", payload))
+    elif stream == _GPS_GLOBAL_ORIGIN:
+        _gps_global_origin(v, cython.cast("messages.GpsGlobalOrigin *", payload))
+    elif stream == _BATTERY_STATUS:
+        _battery_status(v, cython.cast("messages.BatteryStatus *", payload))
+    elif stream == _POSITION_TARGET_LOCAL_NED:
+        _position_target_local_ned(v, cython.cast("messages.PositionTargetLocalNed *", payload))
+    elif stream == _CONTROL_EFFORT:
+        _control_effort(v, cython.cast("messages.NamedValueFloat *", payload))
+    elif stream == _XFER_OUT:
+        _transferred(v, cython.cast("messages.NamedValueInt *", payload), b"XferOut", v.exchange.given_j)
+    elif stream == _XFER_IN:
+        _transferred(v, cython.cast("messages.NamedValueInt *", payload), b"XferIn", v.exchange.received_j)
+    elif stream == _FOLLOW_TARGET:
+        _follow_target(v, cython.cast("messages.FollowTarget *", payload))
+    elif stream == _MISSION_CURRENT:
+        _mission_current(v, cython.cast("messages.MissionCurrent *", payload))
+    elif stream == _ATTITUDE_QUATERNION:
+        _attitude_quaternion(v, cython.cast("messages.AttitudeQuaternion *", payload))
+    elif stream == _ALTITUDE:
+        _altitude(v, cython.cast("messages.Altitude *", payload))
+    elif stream == _VFR_HUD:
+        _vfr_hud(v, cython.cast("messages.VfrHud *", payload))
 
 
-def _int16(value: float) -> int:
-    """The nearest number that 16 bits hold: no state of a vehicle may be too great for its telemetry."""
-    return min(max(round(value), -(2**15)), 2**15 - 1)
+def _heartbeat(v: Any, m: Any) -> None:
+    base = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | mav.MAV_MODE_FLAG_STABILIZE_ENABLED
+    if v.mode is not _HOLD or v.armed:
+        base |= mav.MAV_MODE_FLAG_GUIDED_ENABLED | mav.MAV_MODE_FLAG_AUTO_ENABLED
+    if v.armed:
+        base |= mav.MAV_MODE_FLAG_SAFETY_ARMED
+    flying = mav.MAV_STATE_STANDBY if v.stands() else mav.MAV_STATE_ACTIVE
+    m.type, m.autopilot, m.base_mode = mav.MAV_TYPE_QUADROTOR, v.identity.autopilot, base
+    m.custom_mode, m.mavlink_version = v.identity.spoken[v.mode], 3
+    m.system_status = mav.MAV_STATE_BOOT if v.booting else flying
 
 
-def _int32(value: float) -> int:
-    return min(max(round(value), -(2**31)), 2**31 - 1)
+def _sys_status(v: Any, m: Any) -> None:
+    """Failed sensors are unhealthy, and so is a fence that is breached."""
+    healthy = _SENSORS & ~(mav.MAV_SYS_STATUS_GEOFENCE if v.outside else 0)
+    for failure in v.failed:
+        healthy &= ~_ILL.get(failure, 0)
+    ready = mav.MAV_SYS_STATUS_PREARM_CHECK if v.arming_refusal() is None else 0
+    m.onboard_control_sensors_present = _SENSORS | mav.MAV_SYS_STATUS_PREARM_CHECK
+    m.onboard_control_sensors_enabled = _SENSORS | mav.MAV_SYS_STATUS_PREARM_CHECK
+    m.onboard_control_sensors_health = healthy | ready
+    m.load = 100
+    m.voltage_battery = _rounded(1e3 * v.voltage_v())
+    m.current_battery = _bounded(1e2 * v.current_a(), 16)
+    m.battery_remaining = v.percent()
 
 
-def _deg_e7(angle_deg: float) -> int:
-    return round(1e7 * math.remainder(angle_deg, 360.0))
+def _extended_sys_state(v: Any, m: Any) -> None:
+    landed = mav.MAV_LANDED_STATE_IN_AIR
+    if v.stands():
+        landed = mav.MAV_LANDED_STATE_ON_GROUND
+    elif v.mode is _TAKEOFF:
+        landed = mav.MAV_LANDED_STATE_TAKEOFF
+    elif v.mode is _LAND or (v.mode is _MISSION and v.mission is not None and v.mission.landing):
+        landed = mav.MAV_LANDED_STATE_LANDING
+    m.vtol_state, m.landed_state = mav.MAV_VTOL_STATE_UNDEFINED, landed
 
 
-class Stream(NamedTuple):
-    """One telemetry stream: its key, the message's id, its default rate and its builder."""
+def _attitude(v: Any, m: Any) -> None:
+    """Euler angles, and rates about the body's axes: docs/model.md#rigid-body."""
+    angles, rates = v.plant.row.attitude, v.plant.row.rates
+    sin_roll, cos_roll = elementary.sin_cos(angles[0])
+    sin_pitch, cos_pitch = elementary.sin_cos(angles[1])
+    m.time_boot_ms = v.time_ms
+    m.roll, m.pitch, m.yaw = _radians(angles[0]), _radians(-angles[1]), _radians(-angles[2])
+    m.rollspeed = rates[0] - rates[2] * sin_pitch
+    m.pitchspeed = -(rates[1] * cos_roll + rates[2] * sin_roll * cos_pitch)
+    m.yawspeed = -(-rates[1] * sin_roll + rates[2] * cos_roll * cos_pitch)
 
-    key: str
-    msgid: int
-    rate_hz: float
-    build: Callable[[VehicleState], Any]
-    motion: int = 0
-    """its bit where `motion_frames` makes it too"""
+
+def _local_position_ned(v: Any, m: Any) -> None:
+    velocity = v.plant.row.velocity
+    m.time_boot_ms = v.time_ms
+    m.x, m.y, m.z = _place(v)
+    m.vx, m.vy, m.vz = velocity[0], -velocity[1], -velocity[2]
 
 
-UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
-"""Streams beside the table's own rates, in Hz, for plain connections: QGroundControl requests none from a PX4."""
+def _global_position_int(v: Any, m: Any) -> None:
+    north, east, down = _place(v)
+    velocity = v.plant.row.velocity
+    m.time_boot_ms = v.time_ms
+    m.lat, m.lon = _latitude(v, north), _longitude(v, east)
+    m.alt = _bounded(1e3 * (v.origin[2] - down), 32)
+    m.relative_alt = _bounded(1e3 * (v.home[2] - down), 32)
+    m.vx, m.vy = _bounded(100.0 * velocity[0], 16), _bounded(-100.0 * velocity[1], 16)
+    m.vz = _bounded(-100.0 * velocity[2], 16)
+    m.hdg = _cdeg(-v.plant.row.attitude[2])
 
-TELEMETRY: tuple[Stream, ...] = (
-    Stream("HEARTBEAT", mav.MAVLINK_MSG_ID_HEARTBEAT, 1.0, heartbeat),
-    Stream("SYS_STATUS", mav.MAVLINK_MSG_ID_SYS_STATUS, 1.0, sys_status),
-    Stream("EXTENDED_SYS_STATE", mav.MAVLINK_MSG_ID_EXTENDED_SYS_STATE, 1.0, extended_sys_state),
-    Stream("ATTITUDE", mav.MAVLINK_MSG_ID_ATTITUDE, 10.0, attitude, motion_frames.ATTITUDE),
-    Stream(
-        "LOCAL_POSITION_NED",
-        mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED,
-        10.0,
-        local_position_ned,
-        motion_frames.LOCAL_POSITION,
-    ),
-    Stream(
-        "GLOBAL_POSITION_INT",
-        mav.MAVLINK_MSG_ID_GLOBAL_POSITION_INT,
-        5.0,
-        global_position_int,
-        motion_frames.GLOBAL_POSITION,
-    ),
-    Stream("GPS_RAW_INT", mav.MAVLINK_MSG_ID_GPS_RAW_INT, 1.0, gps_raw_int),
-    Stream("HOME_POSITION", mav.MAVLINK_MSG_ID_HOME_POSITION, 0.5, home_position),
-    Stream("GPS_GLOBAL_ORIGIN", mav.MAVLINK_MSG_ID_GPS_GLOBAL_ORIGIN, 0.5, gps_global_origin),
-    Stream("BATTERY_STATUS", mav.MAVLINK_MSG_ID_BATTERY_STATUS, 2.0, battery_status),
-    Stream("POSITION_TARGET_LOCAL_NED", mav.MAVLINK_MSG_ID_POSITION_TARGET_LOCAL_NED, 2.0, position_target_local_ned),
-    Stream("CtlEffort", mav.MAVLINK_MSG_ID_NAMED_VALUE_FLOAT, 1.0, control_effort),
-    Stream("XferOut", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_out),
-    Stream("XferIn", mav.MAVLINK_MSG_ID_NAMED_VALUE_INT, 1.0, xfer_in),
-    Stream("FOLLOW_TARGET", mav.MAVLINK_MSG_ID_FOLLOW_TARGET, 0.0, follow_target),
-    Stream("MISSION_CURRENT", mav.MAVLINK_MSG_ID_MISSION_CURRENT, 0.0, mission_current),
-    Stream("ATTITUDE_QUATERNION", mav.MAVLINK_MSG_ID_ATTITUDE_QUATERNION, 0.0, attitude_quaternion),
-    Stream("ALTITUDE", mav.MAVLINK_MSG_ID_ALTITUDE, 0.0, altitude),
-    Stream("VFR_HUD", mav.MAVLINK_MSG_ID_VFR_HUD, 0.0, vfr_hud),
-)
+
+def _gps_raw_int(v: Any, m: Any) -> None:
+    north, east, down = _place(v)
+    v_north, v_east = v.plant.row.velocity[0], -v.plant.row.velocity[1]
+    lost = bool(v.failed) and Failure.GPS in v.failed
+    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
+    m.fix_type = mav.GPS_FIX_TYPE_NO_FIX if lost else mav.GPS_FIX_TYPE_3D_FIX
+    m.lat, m.lon = _latitude(v, north), _longitude(v, east)
+    m.alt = m.alt_ellipsoid = _bounded(1e3 * (v.origin[2] - down), 32)
+    m.eph, m.epv = 70, 100
+    m.vel = _bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16)
+    m.cog = _cdeg(elementary.atan2(v_east, v_north))
+    m.satellites_visible = 0 if lost else 14
+    m.h_acc, m.v_acc, m.vel_acc = 300, 500, 100
+
+
+def _home_position(v: Any, m: Any) -> None:
+    north, east, down = v.home[0], v.home[1], v.home[2]
+    m.latitude, m.longitude = _latitude(v, north), _longitude(v, east)
+    m.altitude = _bounded(1e3 * (v.origin[2] - down), 32)
+    m.x, m.y, m.z, m.q[0] = north, east, down, 1.0
+    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
+
+
+def _gps_global_origin(v: Any, m: Any) -> None:
+    m.latitude, m.longitude = _latitude(v, 0.0), _longitude(v, 0.0)
+    m.altitude = _bounded(1e3 * v.origin[2], 32)
+    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
+
+
+def _battery_status(v: Any, m: Any) -> None:
+    drawn_j, cell_mv = v.plant.row.drawn_j, _rounded(1e3 * v.voltage_v() / CELLS)
+    m.battery_function, m.type = mav.MAV_BATTERY_FUNCTION_ALL, mav.MAV_BATTERY_TYPE_LIPO
+    m.temperature = 32767
+    for i in range(10):
+        m.voltages[i] = cell_mv if i < CELLS else UNKNOWN_U16
+    m.current_battery = _bounded(1e2 * v.current_a(), 16)
+    m.current_consumed = _bounded(1e3 * (drawn_j / (CELLS * CELL_FULL_V) / 3600.0), 32)
+    m.energy_consumed = _bounded(math.floor(drawn_j / 100.0), 32)
+    m.battery_remaining = v.percent()
+    m.time_remaining = _bounded(v.shown_j() / v.power_w, 32) if v.power_w > 0.0 else 0
+    m.charge_state = mav.MAV_BATTERY_CHARGE_STATE_OK
+
+
+def _position_target_local_ned(v: Any, m: Any) -> None:
+    """The reference that the guidance really flies."""
+    p, velocity = v.plant.row.reference_position, v.plant.row.reference_velocity
+    m.time_boot_ms, m.coordinate_frame = v.time_ms, mav.MAV_FRAME_LOCAL_NED
+    m.type_mask = (
+        mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+        | mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+    )
+    m.x, m.y, m.z = v.seen(p[0], p[1], p[2])
+    m.vx, m.vy, m.vz = velocity[0], -velocity[1], -velocity[2]
+    m.yaw = _radians(v.yaw_ned)
+
+
+def _control_effort(v: Any, m: Any) -> None:
+    m.time_boot_ms, m.value = v.time_ms, v.plant.row.effort
+    memcpy(m.name, cython.cast("const char *", b"CtlEffort"), 9)
+
+
+def _transferred(v: Any, m: Any, name: Any, joules: int) -> None:
+    m.time_boot_ms, m.value = v.time_ms, _bounded(joules, 32)
+    memcpy(m.name, name, strlen(name))
+
+
+def _follow_target(v: Any, m: Any) -> None:
+    north, east, down = _place(v)
+    velocity = v.plant.row.velocity
+    m.timestamp, m.est_capabilities = v.time_ms, 0b11
+    m.lat, m.lon = _latitude(v, north), _longitude(v, east)
+    m.alt, m.attitude_q[0] = v.origin[2] - down, 1.0
+    m.vel[0], m.vel[1], m.vel[2] = velocity[0], -velocity[1], -velocity[2]
+
+
+def _mission_current(v: Any, m: Any) -> None:
+    """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end."""
+    length, index, state = 0, 0, 1
+    if v.mission is not None:
+        length, index = len(v.mission.legs), v.mission.index
+    if length:
+        flown = v.mode is _MISSION and v.armed
+        state = 5 if index >= length else 3 if flown else 4 if index else 2
+    m.seq, m.total, m.mission_state = max(min(index, length - 1), 0), length, state
+    m.mission_mode = 2 - (v.mode is _MISSION)
+
+
+def _attitude_quaternion(v: Any, m: Any) -> None:
+    angles, rates = v.plant.row.attitude, v.rates_body
+    sr, cr = elementary.sin_cos(0.5 * angles[0])
+    sp, cp = elementary.sin_cos(-0.5 * angles[1])
+    sy, cy = elementary.sin_cos(-0.5 * angles[2])
+    m.time_boot_ms = v.time_ms
+    m.q1, m.q2 = cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy
+    m.q3, m.q4 = cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy
+    m.rollspeed, m.pitchspeed, m.yawspeed = rates
+
+
+def _altitude(v: Any, m: Any) -> None:
+    _, _, down = _place(v)
+    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
+    m.altitude_monotonic = m.altitude_amsl = v.origin[2] - down
+    m.altitude_local, m.altitude_relative = -down, v.home[2] - down
+    m.altitude_terrain = m.bottom_clearance = math.NAN
+
+
+def _vfr_hud(v: Any, m: Any) -> None:
+    _, _, down = _place(v)
+    north, east, v_down = v.v_ned
+    m.groundspeed = elementary.hypot(north, east)
+    m.airspeed = elementary.norm((north, east, v_down))
+    m.heading = _turned(_rounded(-v.plant.row.attitude[2] * _DEG), 360)
+    m.alt, m.climb = v.origin[2] - down, -v_down
+
+
+def _place(v: Any) -> tuple[float, float, float]:
+    """Position as the vehicle knows it, NED, m."""
+    p = v.plant.row.position
+    return v.seen(p[0], p[1], p[2])
+
+
+def _latitude(v: Any, north_m: float) -> int:
+    """degE7 of so far north of the origin."""
+    return _rounded(1e7 * _remainder(v.origin[0] + north_m * v.origin[3], 360.0))
+
+
+def _longitude(v: Any, east_m: float) -> int:
+    """degE7 of so far east of the origin."""
+    return _rounded(1e7 * _remainder(v.origin[1] + east_m * v.origin[4], 360.0))
+
+
+def _radians(angle_rad: float) -> float:
+    """The same angle within half a turn."""
+    return _remainder(angle_rad, _TURN_RAD)
+
+
+def _remainder(x: float, whole: float) -> float:
+    """IEEE's remainder, exact."""
+    rest = math.fmod(x, whole)
+    if math.fabs(rest) > 0.5 * whole:
+        rest -= math.copysign(whole, rest)
+    return rest
+
+
+def _bounded(value: float, bits: int) -> int:
+    """The nearest number that so many bits hold: no state of a vehicle may be too great for its telemetry."""
+    limit = math.ldexp(1.0, bits - 1)
+    return cython.cast(cython.longlong, min(max(math.rint(value), -limit), limit - 1.0))
+
+
+def _rounded(value: float) -> int:
+    """The nearest whole number."""
+    return cython.cast(cython.longlong, math.rint(value))
+
+
+def _cdeg(angle_rad: float) -> int:
+    """An angle in hundredths of a degree, 0 to 35999."""
+    return _turned(_rounded(1e2 * (angle_rad * _DEG)), 36000)
+
+
+def _turned(angle: int, whole: int) -> int:
+    """The same angle, 0 to less than a whole turn."""
+    rest = angle % whole
+    return rest + whole if rest < 0 else rest

@@ -71,7 +71,7 @@ class ArduPilotLink(AutopilotLink):
         if not self._serial_pending:
             return []
         whole, self._serial_pending = whole_frames(self._serial_pending)
-        return [*split(whole)]
+        return split(bytes(whole))
 
     def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
         """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import VehicleParams
@@ -31,6 +31,7 @@ from simvehicle.mavlink.real_autopilots.given_parameters import GivenParameters
 from simvehicle.mavlink.real_autopilots.world_failures import WorldFailures
 from simvehicle.sitl.autopilot_process import AutopilotError, AutopilotLink, AutopilotWanted
 from simvehicle.sitl.truth import head_line
+from simvehicle.sitl.unit import Unit
 from simvehicle.world import rotors
 from simvehicle.world.airframes import GRAVITY_M_S2
 from skytender import elementary
@@ -55,8 +56,8 @@ class Sensed(NamedTuple):
     accel_body: Sequence[float]
 
 
-class AutopilotUnit(ABC):
-    """The autopilot with its physics, as the loops drive it (`loop.Unit`)."""
+class AutopilotUnit(Unit, ABC):
+    """The autopilot with its physics."""
 
     boot_mode: BootMode
     step_ms: int
@@ -104,7 +105,7 @@ class AutopilotUnit(ABC):
     def __exit__(self, *_: object) -> None:
         self._closing.close()
 
-    # loop.Unit
+    # what the loop asks of it
 
     def hello(self) -> object:
         """A HEARTBEAT in its name, which has booted and waits in its mode."""
@@ -137,7 +138,7 @@ class AutopilotUnit(ABC):
             self._answer(self._fly(self._time_ms / 1e3))
             self._time_ms += self.step_ms
         for frame in self._traffic.received():
-            if frame[:2] != self._mine or frame.msgid in OURS or self._is_answer(frame):
+            if frame.sender != self._mine or frame.msgid in OURS or self._is_answer(frame):
                 continue
             said: Any = decode(frame)
             if frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
@@ -167,14 +168,14 @@ class AutopilotUnit(ABC):
     def _report_battery(self) -> None:
         """Let it measure the battery as it is now."""
 
-    def _report_failures(self) -> None:  # noqa: B027 - only some cannot be told by their sensors
+    def _report_failures(self) -> None:
         """Let it have a failure that the readings of its sensors do not say."""
 
     def _is_answer(self, frame: ReceivedFrame) -> bool:
         """Whether a frame answers this process, and nobody else."""
         return False
 
-    def _booted(self, boot: AutopilotBoot) -> None:  # noqa: B027 - only some learn
+    def _booted(self, boot: AutopilotBoot) -> None:
         """Learn from a boot that has ended."""
 
     # its simulation

@@ -21,9 +21,9 @@ from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import UNPROMPTED
 from simvehicle.sitl.keys import Keyring
 from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
-from simvehicle.sitl.loop import ConnectedUnit, run_free, run_supervised
+from simvehicle.sitl.loop import ConnectedUnit, run_free
 from simvehicle.sitl.secret import own_secret
-from simvehicle.sitl.steady import Flyable
+from simvehicle.sitl.supervised import run_supervised
 from simvehicle.sitl.truth import TruthWriter
 from simvehicle.sitl.unit import VehicleUnit
 
@@ -53,7 +53,7 @@ class _Built:
 
     wanted: Wanted
     unit: VehicleUnit
-    flyable: Flyable
+    truth: TruthWriter | None
     connections: Sequence[Connection]
     """one for each address; before them that to the supervisor, if there is one"""
 
@@ -85,7 +85,7 @@ class Block:
             connections.insert(0, Connection(one.sysid))
         writer = TruthWriter(one.truth, one.sysid, vehicle, one.truth_hz) if one.truth else None
         services = Services(vehicle, one.sysid, connections, one.store, one.rules, writer)
-        return _Built(one, VehicleUnit(vehicle, services, writer), Flyable(vehicle, services, writer), connections)
+        return _Built(one, VehicleUnit(vehicle, services, writer), writer, connections)
 
     def fly(self) -> None:
         """Fly them to the end of their session, once.
@@ -95,7 +95,7 @@ class Block:
         """
         with ExitStack() as opened:
             seats = [self._seat(one, i, opened) for i, one in enumerate(self._built)]
-            for one, (_, _, plain, _) in zip(self._built, seats, strict=True):
+            for one, (_, _, plain) in zip(self._built, seats, strict=True):
                 for link in plain:
                     print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
             if self._supervisor is not None:
@@ -114,9 +114,9 @@ class Block:
             opened.enter_context(PlainLink(_own(address, i), connection, keyring=keyring, link_id=number))
             for number, (address, connection) in enumerate(zip(self._addresses, connections, strict=True))
         ]
-        if one.flyable.truth is not None:
-            opened.enter_context(one.flyable.truth)
-        return ConnectedUnit(one.unit, supervised, plain, one.flyable)
+        if one.truth is not None:
+            opened.enter_context(one.truth)
+        return ConnectedUnit(one.unit, supervised, plain)
 
 
 def _own(address: Address, i: int) -> Address:

@@ -63,7 +63,7 @@ class Px4Link(AutopilotLink):
                 datagram = self._udp.recv(BYTES)
             except (BlockingIOError, ConnectionRefusedError):
                 return frames
-            frames.extend(split(datagram))
+            frames.extend(split(bytes(datagram)))
 
     def step(self, time_us: int, messages: bytes) -> None:
         """Tell it a step of its simulation, whose HIL_SENSOR is of that time, and wait for its controls, `controls`."""
@@ -95,7 +95,7 @@ class Px4Link(AutopilotLink):
         if not chunk:
             raise self.process.gone()
         whole, self._pending = whole_frames(self._pending + chunk)
-        for frame in split(whole):
+        for frame in split(bytes(whole)):
             wanted = hil.controls(frame)
             if wanted is None:
                 continue

@@ -16,9 +16,10 @@ from typing import Any
 import yaml
 
 from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.mavlink.codec import ReceivedFrame, message
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.telemetry import Vec3
+from simvehicle.sitl.unit import Unit
 from skytender import elementary
 from skytender import mavlink as mav
 
@@ -63,7 +64,7 @@ class Aircraft:
         return (north, east, down), (vn, ve, vd)
 
 
-class Traffic:
+class Traffic(Unit):
     """All movers of a session as one MAVLink component."""
 
     def __init__(self, frame: LocalFrame, movers: list[Aircraft], connections: list[Connection]) -> None:

@@ -13,18 +13,22 @@ from __future__ import annotations
 
 import json
 import os
-import struct
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
 
-from simvehicle.autopilot.body import STEP_MS
-from simvehicle.autopilot.vehicle import Vehicle
+import cython
+from cython.cimports.cpython.bytearray import PyByteArray_AS_STRING
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING
+from cython.cimports.cpython.exc import PyErr_SetFromErrno
+from cython.cimports.libc.errno import EINTR, errno
+from cython.cimports.libc.string import memcpy
+from cython.cimports.posix.unistd import write
+from cython.cimports.simvehicle.autopilot.body import STEP_MS
+from cython.cimports.simvehicle.sitl.truth import FIXED_NUMBERS, MOTION
+
 from simvehicle.law.params import BatteryParams
 
 ROUNDING_S = 1e-6
-FIXED_NUMBERS = 18
-"""Of a record, before its thrust."""
-_pack = struct.Struct(f"<{FIXED_NUMBERS}d").pack
 STATE = ["n", "e", "d", "vn", "ve", "vd", "roll", "pitch", "yaw", "roll_rate", "pitch_rate", "yaw_rate"]
 LAST_NUMBER = 65534
 """65535 is no log but the end of a list that is asked for."""
@@ -51,9 +55,24 @@ def head_line(sysid: int, battery: BatteryParams, initial_j: float, gravity_m_s2
 class TruthWriter:
     """Writes one vehicle's truth; every record is whole on disk before the answer that reports it goes out."""
 
-    def __init__(self, path: Path, sysid: int, vehicle: Vehicle, hz: float | None = None) -> None:
+    number: int
+    """of the present log"""
+    _vehicle: Any
+    _file: Any
+    _fd: int
+    _room: bytearray
+    _path: Path
+    _head: bytes
+    _period_s: float
+    _due_s: float
+    _written: int
+    _begun_ms: int
+    _begun_at: int
+
+    def __init__(self, path: Path, sysid: int, vehicle: Any, hz: float | None = None) -> None:
         """`hz`: records a second, which have no thrust; without it one per grant. The file is made by its context."""
-        self._period_s = None if hz is None else 1.0 / hz
+        self._room = bytearray(8 * FIXED_NUMBERS)
+        self._period_s = 0.0 if hz is None else 1.0 / hz
         self._due_s = 0.0
         flight = vehicle.plant.parameters(vehicle.parameters.flight())
         self._path = path
@@ -85,47 +104,42 @@ class TruthWriter:
         self.number = self.number % LAST_NUMBER + 1
         self._begun_ms, self._begun_at = self._vehicle.time_ms, self._written
 
-    def write(self, vehicle: Vehicle, steps: int) -> None:
-        """One record at the vehicle's present time, if it is due; `steps` were flown since the last one."""
-        if self._period_s is not None:
-            if vehicle.time_s < self._due_s - ROUNDING_S:
+    def write(self) -> None:
+        """One record at the vehicle's present time, if it is due, with the thrust of the flight to it. Raises
+        OSError."""
+        motion, v = cython.declare(cython.double[MOTION]), self._vehicle
+        steps, now_s = v.steps, v.time_ms / 1e3
+        if self._period_s > 0.0:
+            if now_s < self._due_s - ROUNDING_S:
                 return
-            self._due_s = max(self._due_s + self._period_s, vehicle.time_s)
+            self._due_s = max(self._due_s + self._period_s, now_s)
             steps = 0
-        record = _pack(
-            vehicle.time_s,
-            steps,
-            *vehicle.true_motion_ned,
-            vehicle.drawn_j,
-            vehicle.received_j,
-            vehicle.given_j,
-            vehicle.remaining_j,
-        )
-        self._put(record + vehicle.thrust_m_s2[0].astype("<f8", copy=False).tobytes() if steps else record)
+        if FIXED_NUMBERS + steps > len(self._room) // 8:
+            self._room = bytearray(8 * (FIXED_NUMBERS + steps))
+        record = cython.cast(cython.p_double, PyByteArray_AS_STRING(self._room))
+        v.plant.true_motion(motion)
+        record[0], record[1] = now_s, steps
+        for i in range(MOTION):
+            record[2 + i] = motion[i] if i % 3 == 0 else -motion[i]
+        record[14], record[15] = v.plant.row.drawn_j, v.exchange.received_j
+        record[16], record[17] = v.exchange.given_j, v.plant.row.remaining_j
+        memcpy(record + FIXED_NUMBERS, v.thrust, 8 * steps)
+        self._put(cython.cast("const char *", record), 8 * (FIXED_NUMBERS + steps))
 
-    @property
-    def schedule(self) -> tuple[int, float, float]:
-        """File descriptor, period in s, 0 for a record at each grant, and when the next record is due, for those who
-        write records themselves."""
-        return self._file.fileno(), self._period_s or 0.0, self._due_s
-
-    def go_on(self, due_s: float, written: int, rest: bytes = b"") -> None:
-        """Go on after others have written so many bytes of records, and write the rest of the last one. Raises OSError
-        where it cannot be."""
-        self._due_s = due_s
-        self._written += written
-        self._put(rest)
-
-    def _put(self, content: bytes) -> None:
+    def _put(self, content: Any, size: int) -> None:
         """Write all of it: a disk that is nearly full takes a part first and complains at the rest."""
-        while content:
-            taken = self._file.write(content)
+        while size > 0:
+            taken = write(self._fd, content, size)
+            if taken < 0 and errno != EINTR:
+                PyErr_SetFromErrno(OSError)
+            taken = max(taken, 0)
             self._written += taken
-            content = content[taken:]
+            content, size = content + taken, size - taken
 
     def __enter__(self) -> Self:
         self._file = self._path.open("x+b", buffering=0)
-        self._put(self._head)
+        self._fd = self._file.fileno()
+        self._put(PyBytes_AS_STRING(self._head), len(self._head))
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -1,20 +1,43 @@
-"""A vehicle with its MAVLink services and its truth, as the loops drive it."""
+"""Units that the loops drive: a vehicle with its MAVLink services and its truth, or another."""
 
 from __future__ import annotations
 
 import contextlib
 
-from simvehicle.autopilot.body import STEP_MS
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
-from simvehicle.mavlink.telemetry import heartbeat
+from simvehicle.mavlink.telemetry import message_of
 from simvehicle.sitl.truth import TruthWriter
 
 
-class VehicleUnit:
-    """One vehicle in a loop of `process`."""
+class Unit:
+    """Unit that a loop drives: a vehicle with its services, another autopilot, or traffic."""
+
+    def hello(self) -> object:
+        """The HEARTBEAT of the hello."""
+        raise NotImplementedError
+
+    def start_clock(self, time_ms: int, unix_us: int) -> None:
+        """Set the clock without a step."""
+        raise NotImplementedError
+
+    def receive(self, frame: ReceivedFrame, connection: Connection) -> None:
+        """Act on one frame."""
+        raise NotImplementedError
+
+    def advance(self, to_ms: int) -> None:
+        """Go to a time and queue what became due."""
+        raise NotImplementedError
+
+
+class VehicleUnit(Unit):
+    """One vehicle."""
+
+    _vehicle: Vehicle
+    _services: Services
+    _truth: TruthWriter | None
 
     def __init__(self, vehicle: Vehicle, services: Services, truth: TruthWriter | None) -> None:
         self._vehicle = vehicle
@@ -23,7 +46,7 @@ class VehicleUnit:
 
     def hello(self) -> object:
         """The vehicle's HEARTBEAT."""
-        return heartbeat(self._vehicle.snapshot())
+        return message_of(self._vehicle, "HEARTBEAT")
 
     def start_clock(self, time_ms: int, unix_us: int) -> None:
         """Set the vehicle's clock without a step."""
@@ -35,13 +58,13 @@ class VehicleUnit:
 
     def advance(self, to_ms: int) -> None:
         """Fly to a time, queue what became due, write down what is true."""
-        before_ms = self._vehicle.time_ms
         self._vehicle.advance(to_ms)
         self._services.decide()
-        self._speak()
+        if self._vehicle.announcements:
+            self._speak()
         self._services.report()
         if self._truth is not None:
-            self._truth.write(self._vehicle, (self._vehicle.time_ms - before_ms) // STEP_MS)
+            self._truth.write()
 
     def _speak(self) -> None:
         """Say on stdout, which is the log of a session's vehicle, what STATUSTEXT reports to the others."""

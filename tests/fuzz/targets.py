@@ -128,7 +128,7 @@ def supervised(hostile: Hostile) -> Iterator[Callable[[int], None]]:
             (vehicle if hostile.random.random() < 0.5 else stranger).send(datagram)
             link._drain()
             list(bundles(datagram))
-            if isinstance(bundle := grants.feed(tuple(split(datagram))), Bundle):
+            if isinstance(bundle := grants.feed(split(datagram)), Bundle):
                 grants.answer(bundle)
         if not link._awaited:
             state["t_ms"] += 100

@@ -10,9 +10,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from simvehicle.autopilot.body import CELL_FULL_V, CELLS
 from simvehicle.autopilot.energy_transfer import Envelope, Exchange, Neighbour, TransferSide
 from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.autopilot.snapshot import CELL_FULL_V, CELLS, Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode, message
@@ -64,7 +65,7 @@ class BatteryComponent:
         content: Any = decode(frame)
         if content.command != mav.MAV_CMD_USER_1 or content.target_system not in (0, self._sysid):
             return None
-        request = commands.request_from(content, frame[:2])
+        request = commands.request_from(content, frame.sender)
         result, said = self._order(request, now_s, p_ned)
         return [commands.acknowledgement(request, result), *said, self._counter(now_s)]
 

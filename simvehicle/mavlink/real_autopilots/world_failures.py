@@ -16,7 +16,7 @@ import math
 from collections.abc import Callable
 from typing import Any
 
-from simvehicle.autopilot.snapshot import Vec3
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.mavlink import commands
 from simvehicle.mavlink.codec import ReceivedFrame, decode
 from simvehicle.world.airframes import ROTORS
@@ -45,7 +45,7 @@ class WorldFailures:
             return None
         if content.target_system not in (0, self._sysid):
             return None
-        request = commands.request_from(content, frame[:2])
+        request = commands.request_from(content, frame.sender)
         return [commands.acknowledgement(request, self._inject(request))]
 
     def _inject(self, request: commands.VehicleCommand) -> int:

@@ -52,7 +52,7 @@ class Pair:
             for sysid, other in ((GIVER, RECEIVER), (RECEIVER, GIVER)):
                 for message in said[sysid]:
                     if self.relaying and self.lost() >= self.loss:
-                        self.benches[other].feed(message.get_msgbuf())
+                        self.benches[other].feed(bytes(message.get_msgbuf()))
 
     def order(
         self,

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
-from simvehicle.autopilot.modes import Mode
+from simvehicle.autopilot.maneuvers import OffboardSetPoint
+from simvehicle.autopilot.modes import Mode, Trigger
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law import rotor_flight, rows
@@ -19,44 +19,24 @@ from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import WorldVehicle
 
 
-def vehicle(name: str = "iris", *, airborne: bool = False) -> Vehicle:
-    start = Start((0.0, 0.0, -5.0 if airborne else 0.0), airborne=airborne)
-    return Vehicle(
-        IDENTITIES["px4"], Parameters(), LocalFrame(47.0, 8.0, 0.0), start, RotorPlant(WorldVehicle(AIRFRAMES[name]))
-    )
-
-
-def command(north_m: float, west_m: float, up_m: float) -> np.ndarray:
-    row = np.zeros((1, rows.COMMAND_SIZE))
-    row[0, rows.CMD_POSITION] = north_m, west_m, up_m
-    row[0, rows.CMD_USE_POSITION] = row[0, rows.CMD_MOTORS] = row[0, rows.CMD_GROUND] = 1.0
-    row[0, rows.CMD_SPEED_MAX] = 5.0
-    return row
+def vehicle(name: str = "iris", *, yaw_ned: float = 0.0, **params: float) -> Vehicle:
+    start, plant = Start(attitude_ned_rad=(0.0, 0.0, yaw_ned)), RotorPlant(WorldVehicle(AIRFRAMES[name]))
+    return Vehicle(IDENTITIES["px4"], Parameters(params), LocalFrame(47.0, 8.0, 0.0), start, plant)
 
 
 @pytest.mark.parametrize("name", AIRFRAMES)
 def test_the_law_takes_rotors_to_a_place_and_stays(name: str) -> None:
-    plants = [RotorPlant(WorldVehicle(AIRFRAMES[name])) for _ in range(2)]
-    for plant in plants:
-        plant.tune(NAMED["default"])
-        plant.start(
-            NAMED["default"],
-            position_nwu=(0, 0, 0),
-            velocity_nwu=(0, 0, 0),
-            attitude_rad=(0, 0, 0.5),
-            airborne=False,
-        )
-    wanted = command(10.0, -4.0, 5.0)
-    given = (plants[0].state, wanted)
-    before = [array.copy() for array in given]
-    thrust = plants[0].advance(wanted, time_s=0.0, steps=2500)
-    assert all(np.array_equal(*pair) for pair in zip(given, before, strict=True))
-    flown = plants[0].state
-    assert flown[0, rows.TRUE_POSITION] == pytest.approx([10.0, -4.0, 5.0], abs=0.02)
-    assert thrust[0, -1] == pytest.approx(airframes.GRAVITY_M_S2, rel=1e-3)
-    plants[1].advance(wanted, time_s=0.0, steps=1000)
-    plants[1].advance(wanted, time_s=4.0, steps=1500)
-    assert plants[1].state.tobytes() == flown.tobytes()
+    first, second = (vehicle(name, yaw_ned=-0.5, COM_OF_LOSS_T=60.0) for _ in range(2))
+    for one in (first, second):
+        one.armed, one.mode = True, Mode.OFFBOARD
+        one.set_point(OffboardSetPoint((10.0, 4.0, -5.0), (0.0, 0.0, 0.0), (True, True, True), None, 0.0))
+    first.advance(10_000)
+    assert first.state[0, rows.TRUE_POSITION] == pytest.approx([10.0, -4.0, 5.0], abs=0.02)
+    assert first.thrust_m_s2.shape == (1, 2500)
+    assert first.thrust_m_s2[0, -1] == pytest.approx(airframes.GRAVITY_M_S2, rel=1e-3)
+    second.advance(4000)
+    second.advance(10_000)
+    assert second.state.tobytes() == first.state.tobytes()
 
 
 def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:
@@ -69,8 +49,7 @@ def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:
         one.advance(t_ms)
     assert one.p_ned[2] == pytest.approx(-3.0, abs=0.1)
     assert not one.landed
-    one.mode = Mode.LAND
-    one._enter(Mode.LAND)
+    assert one.trigger(Trigger.LAND)
     for t_ms in range(8100, 18100, 100):
         one.receive_gcs_heartbeat()
         one.advance(t_ms)

@@ -67,7 +67,15 @@ def known(bench: Any) -> Any:
     """All that decides how a vehicle flies: its motion, its order, home, plans, parameters and battery."""
     v = bench.vehicle
     motion = (v.p_ned, v.v_ned, v.attitude_ned, v.mode, v.armed, v.remaining_j)
-    order = (v.setpoint, v.home_ned, v.mission, v.fence, v.rally_ned, vars(v.exchange), v.failed)
+    order = (
+        v.setpoint,
+        v.home_ned,
+        v.mission,
+        v.fence,
+        v.rally_ned,
+        (v.exchange.given_j, v.exchange.received_j, v.exchange.current),
+        v.failed,
+    )
     return motion, order, dict(v.parameters)
 
 

@@ -7,7 +7,7 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import ReceivedFrame, message, split
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.lockstep import Bundle, Grants, bundles, together
+from simvehicle.mavlink.lockstep import Bundle, Grants, bundles
 
 EPOCH_US = 1_700_000_000_000_000
 
@@ -43,7 +43,7 @@ def supervisor() -> Supervisor:
 
 
 def fed(grants: Grants, datagram: bytes) -> Bundle | list[bytes] | None:
-    return grants.feed(tuple(split(datagram)))
+    return grants.feed(split(datagram))
 
 
 def taken(grants: Grants, datagram: bytes) -> Bundle:
@@ -125,7 +125,7 @@ def test_relayed_frames_are_passed_on_and_not_counted(grants: Grants, supervisor
 @pytest.mark.parametrize("ids", [(254, 190), (255, 191), (255, 1), (1, 1)])
 def test_grant_of_anybody_else_is_ignored(grants: Grants, ids: tuple[int, int]) -> None:
     assert fed(grants, Supervisor(*ids).grant(100)) is None
-    assert grants.time_ms is None
+    assert grants.time_ms == -1
 
 
 @pytest.mark.parametrize("datagram", [b"", b"console text", b"\xfd" * 60, bytes(1400)])
@@ -167,7 +167,7 @@ def test_long_answer_is_split_numbered_through_and_closed_by_the_time(count: int
 def test_frames_of_a_bundle_are_what_split_gives(grants: Grants, supervisor: Supervisor) -> None:
     datagram = supervisor.heartbeat() + supervisor.grant(0)
     bundle = taken(grants, datagram)
-    assert bundle.frames == tuple(split(datagram))[:-1]
+    assert [frame.raw for frame in bundle.frames] == [frame.raw for frame in split(datagram)[:-1]]
     assert all(isinstance(frame, ReceivedFrame) for frame in bundle.frames)
 
 
@@ -195,19 +195,3 @@ def test_bundles_of_a_datagram_are_told_apart_by_the_ping_before_each() -> None:
 
 def test_what_stands_before_the_first_ping_is_nobodys() -> None:
     assert [sysid for sysid, _ in bundles(Supervisor().grant(100) + marker(3))] == [0]
-
-
-def test_answers_leave_in_few_datagrams_in_their_order_as_soon_as_there_is_enough() -> None:
-    made: list[int] = []
-
-    def answers() -> Any:
-        for k in range(20):
-            made.append(k)
-            yield bytes([k]) * 1400
-
-    sent = together(answers())
-    first = next(sent)
-    assert made == [0, 1, 2], "the others fly while these are read"
-    rest = list(sent)
-    assert b"".join([first, *rest]) == b"".join(bytes([k]) * 1400 for k in range(20))
-    assert len(rest) == 6

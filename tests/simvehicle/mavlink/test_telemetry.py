@@ -1,7 +1,6 @@
 """What telemetry says of a vehicle whose state is known, in MAVLink's own units."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pymap3d
@@ -11,21 +10,25 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law import rows
 from simvehicle.mavlink.codec import encode
-from simvehicle.mavlink.telemetry import TELEMETRY, VehicleState, autopilot_version
+from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, message_of
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 
 
-def flying(vehicle_bench: Any) -> VehicleState:
-    bench = vehicle_bench(start=Start((30.0, -40.0, -12.0), (1.5, -2.0, 0.5), (0.1, -0.2, 0.3), airborne=True))
-    made: VehicleState = bench.vehicle.snapshot()
-    return made
+def flying(vehicle_bench: Any, params: dict[str, float] | None = None, **state: Any) -> Vehicle:
+    """A vehicle in flight, with other numbers in its plant's row, nwu."""
+    start = Start((30.0, -40.0, -12.0), (1.5, -2.0, 0.5), (0.1, -0.2, 0.3), airborne=True)
+    vehicle: Vehicle = vehicle_bench(params=params, start=start).vehicle
+    for name, numbers in state.items():
+        vehicle.plant.state[0, rows.STATE[name]] = numbers
+    return vehicle
 
 
-def told(snapshot: VehicleState, key: str) -> Any:
-    (stream,) = [s for s in TELEMETRY if s.key == key]
-    (read,) = mav.MAVLink(None).parse_buffer(encode(stream.build(snapshot), seq=0, sysid=1, compid=1))
+def told(vehicle: Vehicle, key: str) -> Any:
+    (read,) = mav.MAVLink(None).parse_buffer(encode(message_of(vehicle, key), seq=0, sysid=1, compid=1))
     return read
 
 
@@ -39,7 +42,8 @@ def test_local_state_is_ned_in_si(vehicle_bench: Any) -> None:
 
 @pytest.mark.parametrize("p_ned", [(30.0, -40.0, -12.0), (-80.0, 55.0, 0.0)])
 def test_global_position_agrees_with_the_ellipsoid(vehicle_bench: Any, p_ned: tuple[float, float, float]) -> None:
-    s = flying(vehicle_bench)._replace(p_ned=p_ned)
+    north, east, down = p_ned
+    s = flying(vehicle_bench, position=(north, -east, -down))
     m = told(s, "GLOBAL_POSITION_INT")
     lat, lon, alt = pymap3d.ned2geodetic(*p_ned, *ORIGIN)
     assert 1e-7 * m.lat == pytest.approx(lat, abs=7e-8)  # 0.5 of rounding, and 1 mm at 100 m
@@ -67,7 +71,8 @@ def test_origin_home_and_follow_target_stand_in_one_frame(vehicle_bench: Any) ->
 
 
 def test_battery_is_told_in_hectojoules_and_percent(vehicle_bench: Any) -> None:
-    s = flying(vehicle_bench)._replace(drawn_j=12_399.0, remaining_j=11_000.0, capacity_j=20_000.0, power_w=210.0)
+    s = flying(vehicle_bench, {"SIM_BAT_CAP_J": 20_000.0}, drawn_j=12_399.0, remaining_j=11_000.0)
+    s.power_w = 210.0
     battery, status = told(s, "BATTERY_STATUS"), told(s, "SYS_STATUS")
     assert battery.energy_consumed == 123
     assert battery.battery_remaining == status.battery_remaining == 55
@@ -129,24 +134,26 @@ def test_position_target_is_what_is_really_flown(vehicle_bench: Any) -> None:
 @pytest.mark.parametrize(
     "wild",
     [
-        {"p_ned": (1e9, -1e9, 1e9), "v_ned": (1e7, -1e7, 1e7)},
-        {"p_ned": (-1e12, 1e12, -1e12), "v_ned": (-1e7, 1e7, -1e7)},
+        {"position": (1e9, -1e9, 1e9), "velocity": (1e7, -1e7, 1e7)},
+        {"position": (-1e12, 1e12, -1e12), "velocity": (-1e7, 1e7, -1e7)},
         {"power_w": 1e9, "drawn_j": 1e13},
-        {"power_w": 1e-12, "remaining_j": 1e9, "capacity_j": 1e9},
+        {"power_w": 1e-12, "remaining_j": 1e9},
         {"given_j": 2**40, "received_j": 2**40},
-        {"remaining_j": 2e9, "capacity_j": 1.0},
-        {"attitude_ned": (100.0, -100.0, 1e6)},
+        {"remaining_j": 2e13},
+        {"attitude": (100.0, -100.0, 1e6)},
     ],
 )
 def test_no_state_is_too_great_for_its_telemetry(vehicle_bench: Any, wild: dict[str, Any]) -> None:
-    s = flying(vehicle_bench)._replace(**wild)
+    s = flying(vehicle_bench, **{name: numbers for name, numbers in wild.items() if name in rows.STATE})
+    s.power_w = wild.get("power_w", 210.0)
+    s.exchange.given_j, s.exchange.received_j = wild.get("given_j", 0), wild.get("received_j", 0)
     for stream in TELEMETRY:
         told(s, stream.key)
 
 
 def test_version_is_new_enough_and_of_no_release(vehicle_bench: Any) -> None:
-    snapshot = flying(vehicle_bench)._replace(identity=replace(IDENTITIES["px4"], capabilities=5))
-    version = autopilot_version(snapshot, 9).flight_sw_version
+    told = autopilot_version(flying(vehicle_bench), 9)
+    version = told.flight_sw_version
     assert (version >> 24, version >> 16 & 255) >= (1, 4)
     assert version & 255 != mav.FIRMWARE_VERSION_TYPE_OFFICIAL
-    assert autopilot_version(snapshot, 9).capabilities == 5
+    assert told.capabilities == IDENTITIES["px4"].capabilities

@@ -10,8 +10,10 @@ from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
-from simvehicle.sitl import loop
+from simvehicle.sitl import supervised
 from simvehicle.sitl.link import SupervisedLink, parse_address
+from simvehicle.sitl.loop import ConnectedUnit
+from simvehicle.sitl.unit import Unit
 from skytender import exit
 
 
@@ -21,12 +23,12 @@ class Clock:
     def __init__(self) -> None:
         self.now_s = 0.0
 
-    def monotonic(self) -> float:
+    def __call__(self) -> float:
         self.now_s += 0.5
         return self.now_s
 
 
-class Slow:
+class Slow(Unit):
     """A unit that the machine does not let run for long, while its supervisor speaks on."""
 
     def __init__(self, clock: Clock, supervisor: socket.socket) -> None:
@@ -45,7 +47,7 @@ class Slow:
 
     def advance(self, to_ms: int) -> None:
         self.advanced_ms.append(to_ms)
-        self._clock.now_s += 3.0 * loop.SILENCE_S
+        self._clock.now_s += 3.0 * supervised.SILENCE_S
         if to_ms < 300:
             self.grant(to_ms + 100)
 
@@ -57,10 +59,9 @@ class Slow:
 
 
 def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     clock = Clock()
-    monkeypatch.setattr(loop, "time", clock)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
@@ -68,7 +69,7 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
             unit = Slow(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
             with pytest.raises(SystemExit) as left:
-                loop.run_supervised([loop.ConnectedUnit(unit, Connection(1), ())], link)
+                supervised.run_supervised([ConnectedUnit(unit, Connection(1), ())], link, clock=clock)
     assert unit.advanced_ms == [0, 100, 200, 300]
     assert left.value.code == exit.ABANDONED
     assert "silent for 10 s" in capsys.readouterr().err
@@ -76,8 +77,6 @@ def test_a_vehicle_that_was_kept_from_running_hears_what_waits_before_it_leaves(
 
 def test_a_vehicle_of_a_fork_server_waits_for_a_suspended_supervisor(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its supervisor goes on after a minute; without a fork server a vehicle would have left after ten seconds."""
-    clock = Clock()
-    monkeypatch.setattr(loop, "time", clock)
 
     class Enough(Exception):
         pass
@@ -88,23 +87,22 @@ def test_a_vehicle_of_a_fork_server_waits_for_a_suspended_supervisor(monkeypatch
             if to_ms == 100:
                 raise Enough
 
+    class Suspended(Clock):
+        def __call__(self) -> float:
+            if self.now_s == 150.0:
+                unit.grant(100)
+            return super().__call__()
+
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))
         address = parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")
-        receives = iter(range(1000))
-
-        class Counted(SupervisedLink):
-            def fileno(self) -> int:
-                if next(receives) == 300:  # 150 s by the clock
-                    unit.grant(100)
-                return super().fileno()
-
-        monkeypatch.setattr(loop, "HELLO_EVERY_S", 1e-3)
-        with Counted(address) as link:
+        monkeypatch.setattr(supervised, "HELLO_EVERY_S", 1e-3)
+        with SupervisedLink(address) as link:
+            clock = Suspended()
             unit = Waiting(clock, supervisor)
             unit.grant(0, link.socket.getsockname())
             with pytest.raises(Enough):
-                loop.run_supervised([loop.ConnectedUnit(unit, Connection(1), ())], link, secret=1)
+                supervised.run_supervised([ConnectedUnit(unit, Connection(1), ())], link, 1, clock)
     assert unit.advanced_ms == [0, 100]
 
 
@@ -113,6 +111,6 @@ def test_a_hello_carries_the_secret_of_the_fork_server() -> None:
         supervisor.bind(("127.0.0.1", 0))
         with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
             unit = Slow(Clock(), supervisor)
-            loop._Granted(unit, Connection(1), (), 0xFEDC_BA98_7654_3210, shared=False).look(0.0, 0, link)
+            supervised.Granted(unit, Connection(1), (), 0xFEDC_BA98_7654_3210, False).look(0.0, link)
             (_, time) = mav.MAVLink(None).parse_buffer(supervisor.recv(2048))
     assert time.time_unix_usec == 0xFEDC_BA98_7654_3210

@@ -115,7 +115,7 @@ def test_disk_that_fills_in_the_middle_of_a_record_is_an_error_at_once(vehicle_b
         try:
             resource.setrlimit(resource.RLIMIT_FSIZE, ((tmp_path / "1.truth").stat().st_size + 100, limits[1]))
             with pytest.raises(OSError, match="large") as error:
-                writer.write(bench.vehicle, 25)
+                writer.write()
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert error.value.errno == errno.EFBIG

@@ -15,7 +15,7 @@ from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law.plants import RotorPlant
-from simvehicle.mavlink.telemetry import battery_status, sys_status
+from simvehicle.mavlink.telemetry import message_of
 from simvehicle.world import power
 from simvehicle.world.airframes import AIRFRAMES, pack
 from simvehicle.world.description import WorldVehicle
@@ -65,9 +65,9 @@ def test_voltage_and_current_are_on_the_wire_and_sag_under_load() -> None:
     plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], resistance_ohm=0.1))
     start = Start((0.0, 0.0, -20.0), airborne=True)
     one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
-    rested = sys_status(one.snapshot())
+    rested = message_of(one, "SYS_STATUS")
     one.advance(5000)
-    status, battery = sys_status(one.snapshot()), battery_status(one.snapshot())
+    status, battery = message_of(one, "SYS_STATUS"), message_of(one, "BATTERY_STATUS")
     charge = one.remaining_j / one.capacity_j
     volts, amperes, taken_w = power.discharge(210.0, charge, 0.1)
     assert status.voltage_battery / 1e3 == pytest.approx(volts, abs=0.01)

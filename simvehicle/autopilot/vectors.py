@@ -1,0 +1,3 @@
+"""A vector as Python's numbers."""
+
+Vec3 = tuple[float, float, float]

@@ -1,0 +1,64 @@
+from simvehicle.autopilot.body cimport Body
+from simvehicle.autopilot.energy_transfer cimport Exchange
+
+cdef struct SetPoint:  # of offboard control
+    double[3] p_ned  # m
+    double[3] v_ned  # m/s
+    bint[3] use_position  # axes on which a position counts beside the velocity
+    double yaw_ned  # rad; of yaw and yaw rate at most one is a number, and without one the yaw stays
+    double yaw_rate  # rad/s
+    double time_s  # NaN: there is none
+
+cdef object _OFFBOARD, _REFUEL, _GUIDED
+
+cdef class Vehicle(Body):
+    cdef readonly object identity
+    cdef readonly object frame
+    cdef const double* origin  # of `frame`: latitude, longitude, height, degrees per metre north and east
+    cdef double[3] home  # NED, m
+    cdef public long long unix_epoch_us
+    cdef public object mode
+    cdef public bint armed
+    cdef readonly Exchange exchange
+    cdef public object mission
+    cdef object _fence
+    cdef bint _fenced
+    cdef public object rally_ned
+    cdef readonly set failed
+    cdef public bint booting
+    cdef readonly list announcements
+    cdef public object on_change
+    cdef readonly double gcs_seen_s  # NaN: never
+    cdef SetPoint set_point_now
+    cdef double gcs_loss_s
+    cdef double set_point_loss_s
+    cdef double fastest_m_s
+    cdef double floor_j
+    cdef readonly bint outside
+    cdef object _followed
+    cdef object _return_ned
+    cdef object _anchor
+    cdef double _takeoff_down_m
+    cdef readonly double yaw_ned
+
+    cpdef bint trigger(self, object event) except -1
+    cpdef arming_refusal(self)
+    cdef take_set_point(self, const SetPoint* wanted)
+    cpdef receive_gcs_heartbeat(self)
+    cpdef bint setpoints_fresh(self)
+    cpdef advance(self, long long to_ms)
+    cdef double voltage_v(self)
+    cdef double current_a(self)
+    cdef int percent(self)
+    cdef double shown_j(self)
+    cdef _fly(self, Py_ssize_t steps)
+    cdef _steer(self, double dt_s)
+    cdef _progress(self)
+    cdef _progress_mission(self, object p_ned)
+    cdef _check_failsafes(self)
+    cdef bint _fence_crossed(self)
+    cdef bint _battery_low(self)
+    cdef _apply(self, object rule)
+    cdef _enter(self, object mode)
+    cdef _move_joules(self, double dt_s)
+    cdef _settle(self, object order)

@@ -1,0 +1,143 @@
+"""The loop that gives vehicles the time that their supervisor grants."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable, Sequence
+
+import cython.cimports.simvehicle.mavlink.codec as codec
+import cython.cimports.simvehicle.mavlink.connection as connections
+import cython.cimports.simvehicle.mavlink.lockstep as lockstep
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING
+from cython.cimports.simvehicle.mavlink.lockstep import SHARED_BYTES
+from cython.cimports.skytender.system_calls import MSG_DONTWAIT, send
+
+from simvehicle.mavlink.codec import ReceivedFrame
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.lockstep import Bundle, Grants
+from simvehicle.sitl.datagram_reader import DatagramReader
+from simvehicle.sitl.link import SUPERVISED_BYTES, PlainLink, SupervisedLink
+from simvehicle.sitl.loop import ConnectedUnit
+from simvehicle.sitl.unit import Unit
+from skytender.exit import ABANDONED
+
+HELLO_EVERY_S = 0.1
+SILENCE_S = 10.0
+
+
+class Granted:
+    """One unit on its supervisor's clock, from its first hello to the supervisor's silence."""
+
+    connection: Connection
+    _unit: Unit
+    _plain: list[PlainLink]
+    _grants: Grants
+    _hello: bytes
+    _patience_s: float
+    _last_received_s: float
+    _started: bool
+
+    def __init__(
+        self, unit: Unit, connection: Connection, plain: Sequence[PlainLink], secret: int | None, shared: bool
+    ) -> None:
+        self._unit, self.connection, self._plain = unit, connection, list(plain)
+        self._grants = Grants(connection)
+        self._hello = self._grants.hello(unit.hello(), secret or 0, shared=shared)
+        self._patience_s = SILENCE_S if secret is None else math.inf
+        self._last_received_s = 0.0
+        self._started = False
+
+    def look(self, now_s: float, link: SupervisedLink) -> bool:
+        """Say hello until the first bundle has come; False once the supervisor has been silent for too long.
+
+        A vehicle that the machine has kept from running has not listened: what waits for it is no silence.
+        """
+        if self._started:
+            return now_s - self._last_received_s < self._patience_s or link.waiting
+        link.send([self._hello])
+        return True
+
+    def receive(self, frames: list[ReceivedFrame], now_s: float, answers: list[bytes]) -> None:
+        """Act on a bundle; the datagrams that answer it go behind `answers`."""
+        self._last_received_s = now_s
+        action = self._grants.feed(frames)
+        if action is None:
+            return
+        if isinstance(action, list):
+            answers += action
+            return
+        self._apply(action)
+        answers += self._grants.answer(action)
+        for other in self._plain:
+            other.flush()
+
+    def _apply(self, bundle: Bundle) -> None:
+        """The first bundle sets the clock, every later one is flown to."""
+        unit = self._unit
+        if not self._started:
+            self._started = True
+            unit.start_clock(bundle.time_ms, bundle.unix_us)
+        for frame in bundle.frames:
+            unit.receive(frame, self.connection)
+        for other in self._plain:
+            for frame in other.receive():
+                unit.receive(frame, other.connection)
+        unit.advance(bundle.time_ms)
+
+
+def run_supervised(
+    seats: Sequence[ConnectedUnit],
+    link: SupervisedLink,
+    secret: int | None = None,
+    clock: Callable[[], float] = time.monotonic,
+) -> None:
+    """Live on the supervisor's clock until it has been silent for 10 s of wall time, each unit by itself.
+
+    Raises SystemExit then: a supervisor that ends a session ends its vehicles. With a `secret`, by which the supervisor
+    knows them, they were started by its fork server, which ends them with the session: they wait for as long as that
+    lives, since a supervisor may be suspended.
+
+    Frames from plain connections wait for the next grant, so that they act at a definite time of the session.
+    """
+    shared = len(seats) > 1
+    granted = {
+        connection.sysid: Granted(unit, connection, plain, secret, shared)
+        for unit, connection, plain in seats
+        if connection is not None
+    }
+    link.wait_in_receive(HELLO_EVERY_S)
+    reader, fd, look_s = DatagramReader(link.fileno(), SUPERVISED_BYTES), link.fileno(), 0.0
+    now_s = clock()
+    while granted:
+        if now_s >= look_s:
+            look_s = now_s + HELLO_EVERY_S
+            granted = {sysid: one for sysid, one in granted.items() if one.look(now_s, link)}
+        datagram, answers = reader.receive(), list[bytes]()
+        now_s = clock()
+        if not datagram:
+            continue
+        if not shared:
+            for one in granted.values():
+                one.receive(codec.split(datagram), now_s, answers)
+            _send(fd, answers)
+            continue
+        for sysid, frames in lockstep.bundles(datagram):
+            if sysid not in granted:
+                continue
+            one = granted[sysid]
+            one.receive(frames, now_s, answers)
+            if connections.size_of(answers, 0, len(answers)) >= SHARED_BYTES:
+                _send(fd, [connections.together(answers, 0, len(answers))])
+                answers = list[bytes]()
+        if answers:
+            _send(fd, [connections.together(answers, 0, len(answers))])
+    print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
+    raise SystemExit(ABANDONED)
+
+
+def _send(fd: int, datagrams: list[bytes]) -> None:
+    """Send; a supervisor that is not there is no error."""
+    for datagram in datagrams:
+        send(fd, PyBytes_AS_STRING(datagram), len(datagram), MSG_DONTWAIT)

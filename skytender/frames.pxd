@@ -1,0 +1,15 @@
+cpdef enum:
+    MAGIC = 0xFD
+    HEADER_BYTES = 10
+    PAYLOAD_BYTES = 255
+    CHECKSUM_BYTES = 2
+    FRAME_BYTES = 267  # at most
+
+cdef Py_ssize_t write_frame(
+    unsigned char* out, const unsigned char* payload, Py_ssize_t size, unsigned int msgid, unsigned int seed,
+    unsigned int seq, unsigned int sysid, unsigned int compid) noexcept nogil
+cdef bytes framed(
+    const unsigned char* payload, Py_ssize_t size, unsigned int msgid, unsigned int seed, unsigned int seq,
+    unsigned int sysid, unsigned int compid)
+cpdef bytes frame(
+    bytes payload, unsigned int msgid, unsigned int seed, unsigned int seq, unsigned int sysid, unsigned int compid)

@@ -1,5 +1,4 @@
-"""Many frames that lie in one piece of memory, and where in it: nobody need cut them apart who reads them in compiled
-code."""
+"""Many frames in one buffer, with the place of each: compiled code reads them without cutting them apart."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ Spans = NDArray[np.int64]
 
 
 class FrameSpans(Sequence[bytes]):
-    """Whole frames as they stand on the wire, in order; a sequence of `bytes`, cut when somebody asks for one."""
+    """Whole frames as they stand on the wire, in order; a sequence of `bytes`, cut when one is asked for."""
 
     __slots__ = ("data", "spans")
 

@@ -3,8 +3,8 @@
     v_i(t)/v_j(t) = v_i(0)/v_j(0) · e^(c (τ_i - τ_j) t)
 
 The law's norm acts on all states alike, so that the ratio of any two is what their bids make it, whatever p is and
-whoever leads. The k greatest are decided once the last of them has left whoever comes next behind. States are kept as
-logarithms: a loser's v soon is smaller than any float, its ratio to another loser is not.
+whichever vehicle leads. The k greatest are decided once the last of them has left the next one behind. States are kept
+as logarithms: a loser's v soon is smaller than any float, its ratio to another loser is not.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Competitor(NamedTuple):
     ln_v: float
     time_s: float
     rank: tuple[float, ...]
-    """in which order those who tie are taken, the least first; no two are alike"""
+    """in which order vehicles that tie are taken, the least first; no two are alike"""
 
 
 class Reading(NamedTuple):
@@ -63,8 +63,8 @@ def bounded(ln_v: ArrayLike, places: int, floor: float) -> FloatArray:
 
 
 def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -> Reading:
-    """The k greatest, 1 <= k < n, by their states; those whose bids lie within `tie_s` of the k-th's take what places
-    they hold among them in the order of `rank`."""
+    """The k greatest, 1 <= k < n, by their states; vehicles with bids within `tie_s` of the k-th's take the places
+    that they hold among them in the order of `rank`."""
     ordered = sorted(competitors, key=lambda one: (-one.ln_v, one.rank))
     last = ordered[k - 1]
     ties = frozenset(one.sysid for one in ordered if abs(one.time_s - last.time_s) <= tie_s)

@@ -58,7 +58,7 @@ def ticks(unix_s: float) -> int:
 
 
 class Signing:
-    """One key at one end of a link: its own time stamps, and those of every stream that it has accepted."""
+    """One key at one end of a link: its own time stamps, and the stamps of every stream that it has accepted."""
 
     def __init__(
         self, key: bytes, *, latest: int = 0, streams: Mapping[Stream, int] | None = None, most_streams: int = 1024

@@ -1,7 +1,7 @@
 """Workers of a campaign on other machines, by a Dask scheduler that is reached by mutual TLS.
 
-A scheduler and its workers run what they are sent: whoever speaks to one without such a certificate would run code as
-its user, and so no other is spoken to.
+A scheduler and its workers run the code that they are sent, as their user. So connections without such a certificate
+are refused.
 """
 
 from __future__ import annotations

@@ -318,7 +318,7 @@ def _loss(rng: np.random.Generator) -> Document:
 
 
 def _delay(rng: np.random.Generator) -> Document:
-    """The same with 0.5 s of delay each way, and time for those who see everything a second late."""
+    """The same with 0.5 s of delay each way, and more time, since reports are a second old."""
     document = _any_of(rng) | {"radio": {"delay_s": 0.5}}
     document["goal"]["duration_s"] = 2.0 * LONGEST_S if "pursue" in document["goal"] else LONGEST_S
     return document
@@ -326,7 +326,7 @@ def _delay(rng: np.random.Generator) -> Document:
 
 def _blackout(rng: np.random.Generator) -> Document:
     """A ring among obstacles, one vehicle of which loses its link, both ways, for 30 s. Alone with its failsafe it
-    climbs, flies home above everything and lands, which nobody can keep it from: nothing floats over where it may
+    climbs, flies home above everything and lands, which the station cannot prevent: nothing floats over where it may
     begin to climb, and its way down home is clear."""
     clear: list[int] = []
     for _ in range(TRIES):

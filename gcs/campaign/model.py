@@ -40,7 +40,7 @@ Corner = tuple[Number, Number, Number]
 
 
 class RandomObstacles(Part):
-    """Obstacles of random kind, size and place beside those of the scenario."""
+    """Obstacles of random kind, size and place beside the scenario's own."""
 
     count: tuple[Count, Count]
     """least and most"""

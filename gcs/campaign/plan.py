@@ -86,7 +86,7 @@ class Plan:
         return row
 
     def resolved(self, row: PlannedRow) -> tuple[Scenario, dict[str, Any]]:
-        """Scenario of a row, on the lockstep clock, and all its values, those of each `*` included. Raises RowError."""
+        """Scenario of a row, on the lockstep clock, and all its values, including each `*`. Raises RowError."""
         try:
             return self._resolved(row)
         except NotAllowed:

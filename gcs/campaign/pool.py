@@ -111,7 +111,7 @@ class _Worker:
         try:
             self.pipe.send(row)
         except OSError:
-            return  # it is dead, as its pipe's end tells whoever reads
+            return  # it is dead, as a reader sees by the end of its pipe
 
     def take(self) -> dict[str, Any]:
         """The row that it has flown. Raises EOFError or OSError where it is dead."""

@@ -1,8 +1,9 @@
 """Whether some order of services keeps every vehicle: a search over all orders, depth first, by estimated service times
 (docs/model.md#service-orders) [choice].
 
-What the policies obey is obeyed: a tanker that is free takes one of those who want energy, or waits for the first who
-will. It is cut off where somebody would land unserved whatever comes, and after MOST_NODES, for then nothing is known.
+Tankers obey the same rules as under the policies: a free one takes one of the vehicles that want energy, or waits for
+the first that will. A branch is cut off where a vehicle would land unserved in any case. After MOST_NODES the search
+ends without a result.
 Times in s from the session's start, energies in J above the charge at which a vehicle lands.
 """
 
@@ -18,7 +19,7 @@ from skytender import elementary
 
 MOST_NODES = 200_000
 EARLY_S = 0.5
-"""A service must begin so long before its receiver lands: times are estimates, batteries are told to 100 J."""
+"""A service must begin so long before its receiver lands: times are estimates, batteries are reported to 100 J."""
 
 _T = TypeVar("_T")
 Place = tuple[float, float, float]
@@ -91,7 +92,7 @@ class _Search:
 
 def some_order_keeps_all(scenario: Scenario) -> bool | None:
     """Whether the search found an order that keeps every pursuer until the end; None where it was cut off before it
-    had seen all, and where there is nobody to serve or to be served, or tankers give less than vehicles draw."""
+    had seen all, and without pursuers or tankers, or where tankers give less than vehicles draw."""
     pursuers, tankers = scenario.vehicles.pursuers, scenario.vehicles.tankers
     if not pursuers or not tankers:
         return None

@@ -90,7 +90,7 @@ class Writer:
 
 
 def read(folder: Path, campaign: CampaignRules) -> pa.Table:
-    """All rows so far, in order of their numbers, without those of broken parts; raises OSError."""
+    """All rows so far, in order of their numbers, without broken parts; raises OSError."""
     pa, wanted = _arrow(), schema(campaign)
     parts = [part for part in _parts(folder, wanted).values() if part is not None]
     table = pa.concat_tables(parts) if parts else wanted.empty_table()

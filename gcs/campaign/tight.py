@@ -1,4 +1,5 @@
-"""Random scenarios in which tankers are barely enough: whom they serve first decides who is lost. Metres, NED.
+"""Random scenarios in which tankers are barely enough: the order of services decides which vehicles are lost. Metres,
+NED.
 
 Pursuers hover each at a place of its own, with batteries for half a minute to two; how many there are follows from what
 the tankers can carry to them, at a load drawn near 1. All is in the air from the beginning, and nothing else is in the

@@ -233,7 +233,7 @@ def init(context: click.Context, name: str, connect: Endpoint | None, station: t
     \b
     Exit status:
       0    the file was written
-      2    it exists already, or could not be written; or no vehicle was heard
+      2    it exists already, or could not be written; or no vehicle was received
     """
     from importlib import resources
 

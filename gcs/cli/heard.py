@@ -1,4 +1,4 @@
-"""A scenario from the vehicles that are heard at an address: `gcs init --connect`."""
+"""A scenario from the vehicles that are received at an address: `gcs init --connect`."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ MESSAGES = ("HOME_POSITION", "GLOBAL_POSITION_INT", "SYS_STATUS")
 
 def scenario(at: Endpoint, name: str, station: tuple[int, int]) -> str:
     """The scenario as YAML: each vehicle hovers above its home. `station`: our ids, which the scenario gets too where
-    they are not the usual ones. Raises click.ClickException where nobody is there, or
-    nobody says where it is."""
+    they are not the default ones. Raises click.ClickException where no vehicle is received, or none reports a
+    position."""
     with fleet_at(at, station) as fleet:
         told = fleet.request(MESSAGES, REPORTED_WITHIN_S)
         capacities = {sysid: _capacity(fleet, sysid, messages) for sysid, messages in sorted(told.items())}

@@ -47,8 +47,8 @@ def launch(
 ) -> int:
     """Start SCENARIO's pursuers, targets and tankers, and nothing else: no supervisor, no traffic, no goal.
 
-    They stand at their starts, on the wall clock, until another ground station commands them, targets included: nobody
-    flies their path. All are there from the beginning, also those that would join later. Ctrl-C ends them. A vehicle
+    They stand at their starts, on the wall clock, until another ground station commands them, targets included: their
+    paths are not flown. All are there from the beginning, also those that would join later. Ctrl-C ends them. A vehicle
     that dies is reported at once with its last lines.
 
     \b

@@ -44,7 +44,7 @@ def logs() -> None:
     Exit status:
       0    done
       1    a log, or a list of logs, did not come
-      2    bad input, or no vehicle was heard
+      2    bad input, or no vehicle was received
       130  stopped by Ctrl-C; what had come is kept
     """
 

@@ -53,7 +53,7 @@ def params() -> None:
     Exit status:
       0    done; diff: all vehicles agree
       1    a parameter is unknown to a vehicle, was refused, or did not come; diff: they differ
-      2    bad input, or no vehicle was heard
+      2    bad input, or no vehicle was received
       130  stopped by Ctrl-C
     """
 
@@ -117,7 +117,7 @@ def set_(settings: tuple[str, ...], dry_run: bool, compids: tuple[int, ...], as_
 def diff(file: Path | None, compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Show the parameters in which vehicles differ from each other, or from FILE where it is given.
 
-    Only parameters that FILE holds are compared with it; those of a file of one vehicle count for all. A parameter that
+    Only parameters in FILE are compared with it; a file of one vehicle counts for all of them. A parameter that
     a vehicle does not know is named.
     """
     saved = None if file is None else _load(file)

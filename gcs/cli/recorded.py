@@ -97,7 +97,7 @@ def replay(
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or
     of the scenario.yaml in the folder, does to a session that has been flown. A planner or policy that the scenario
-    names is somebody's code, found in the current folder or in the session's: it is asked for once.
+    names is code, found in the current folder or in the session's: you are asked once before it runs.
 
     \b
     Examples:

@@ -83,8 +83,8 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
 def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
     """The report at the end of a session that ended with `status`, as the last that `gcs run` does.
 
-    Where it lies is told; that it could not be made is a warning, whatever it was. Who has stopped the session waits at
-    the terminal, and is told at once what for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
+    The path is printed; any failure to make it is a warning. Where the user has stopped the session, the terminal says
+    at once what is waited for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
     left out, too, where that came before (`hurried`).
     """
     tlog = folder / "session.tlog"

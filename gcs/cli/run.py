@@ -116,7 +116,7 @@ def run(
     """Fly SCENARIO: start its vehicles, command them over MAVLink, and keep a record of everything.
 
     In a terminal a console shows fleet, map, competition and events, and takes an operator's commands; `?` there
-    explains it. Closing it (q) or losing it leaves the session flying, told in lines; `gcs monitor` opens it again.
+    explains it. Closing it (q) or losing it leaves the session flying, reported in lines; `gcs monitor` opens it again.
     Ctrl-C stops the session and saves it (the console asks first), then makes the report; a second Ctrl-C waits for
     neither.
 

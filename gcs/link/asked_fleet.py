@@ -58,15 +58,16 @@ class AskedFleet:
         self._seconds: dict[int, Where] = {}
         """where another autopilot of a vehicle's system id says HEARTBEAT from"""
         self.doubled: dict[int, Where] = {}
-        """the same, once the first one has been heard after it: a vehicle that has moved to another port is no two"""
+        """the same, once the first one has been received after it: a vehicle that has moved to another port is not
+        two"""
         self.profiles: dict[int, Profile] = {}
-        """by system id, of vehicles that have been heard"""
+        """by system id, of vehicles that have been received"""
         self.armed: set[int] = set()
         """whose last HEARTBEAT said so"""
 
     def find(self, wanted: Collection[int], within_s: float) -> bool:
-        """Listen until all of these vehicles have been heard, or, where none is named, until no more come; whether that
-        was within this time."""
+        """Listen until all of these vehicles have been received, or, where none is named, until no more come; whether
+        that was within this time."""
         begun_s = newest_s = time.monotonic()
         while (now_s := time.monotonic()) - begun_s < within_s:
             before = len(self.profiles)
@@ -107,7 +108,7 @@ class AskedFleet:
                 self.send_to(client.sysid, message, client.compid)
 
     def send_to(self, sysid: int, message: Message, compid: int = AUTOPILOT) -> None:
-        """Send a message to a vehicle that has been heard: to where its component speaks from, else its autopilot."""
+        """Send a message to a vehicle that has been received: to its component's address, else to its autopilot's."""
         to = self._address(sysid, compid)
         assert to is not None
         self._send(message, to)
@@ -164,7 +165,7 @@ class AskedFleet:
         return received
 
     def _address(self, sysid: int, compid: int) -> Where | None:
-        """Where a component speaks from, else its vehicle's autopilot; None where this has not been heard."""
+        """Address of a component, else of its vehicle's autopilot; None where that has not been received."""
         return self._components.get((sysid, compid), self._where.get(sysid)) if sysid in self._where else None
 
     def _send(self, message: Message, to: Where) -> None:

@@ -32,7 +32,7 @@ class Channel(Protocol):
 
     at: Endpoint
     to: Where | None
-    """whom it speaks to; None where it listens, and answers whoever spoke"""
+    """the address that it sends to; None where it listens, and answers any sender"""
     stream: bool
     """whether it carries a stream of bytes, whose pieces must not be cut or passed over"""
     problem: str
@@ -45,7 +45,7 @@ class Channel(Protocol):
 
     @property
     def senders(self) -> frozenset[Where]:
-        """Those who have connected to it."""
+        """Addresses of the clients that have connected to it."""
         return frozenset()
 
     def fileno(self) -> int:
@@ -62,7 +62,7 @@ class Channel(Protocol):
         """Frames that these bytes of a sender hold, or complete."""
 
     def send(self, raw: bytes, to: Where) -> None:
-        """Send a frame; it is lost where nobody is there or there is no room."""
+        """Send a frame; it is lost where the other end is missing or there is no room."""
 
     _reported: str = ""
 
@@ -88,7 +88,7 @@ class Channel(Protocol):
 
 
 class UdpConnection(Channel):
-    """Datagrams; docstrings are those of `Channel`."""
+    """Datagrams; see `Channel` for the methods."""
 
     stream = False
     problem = ""
@@ -176,7 +176,7 @@ class ByteStream:
         self.flush()
 
     def flush(self) -> None:
-        """Send what waits; whoever reads notices where the other end is gone."""
+        """Send what waits; a later read notices where the other end is gone."""
         with contextlib.suppress(OSError):
             while self._unsent:
                 self._unsent = self._unsent[os.write(self.descriptor, self._unsent) :]
@@ -190,7 +190,7 @@ class ByteStream:
 class StreamConnection(Channel):
     """Part that TCP and serial streams share: streams by sender, one descriptor for all, and who has gone.
 
-    Docstrings are those of `Channel`.
+    See `Channel` for the methods.
     """
 
     stream = True

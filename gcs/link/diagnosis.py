@@ -1,4 +1,4 @@
-"""Why no vehicle is heard at an address: from what came there, one sentence's end with what to do."""
+"""Why no vehicle is received at an address: the end of a sentence with what to do, from what came there."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class Diagnosis:
         """system ids of who speaks MAVLink 1"""
 
     def count(self, data: bytes, split: Split) -> bool:
-        """Take what came from somebody unknown, and what was found in it; whether that is MAVLink 1."""
+        """Take bytes from an unknown sender, and what was found in them; whether that is MAVLink 1."""
         self._bytes += len(data)
         self._frames += len(split.frames)
         self._old |= {frame.sysid for frame in split.older}
         return bool(split.older)
 
     def text(self, problem: str, sysid: int | None = None) -> str:
-        """Reason why this vehicle, or any, is not heard; empty where nothing does that can be seen here."""
+        """Reason why this vehicle, or any, is not received; empty where no reason can be seen here."""
         if problem:
             return problem
         if sysid in self._old or (self._old and not self._frames):

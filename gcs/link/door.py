@@ -49,7 +49,7 @@ class Door:
         return {to} if to is not None else self.speakers | self.unknown_senders | self.connection.senders
 
     def send(self, message: Message | bytes, address: Where) -> bytes:
-        """Send a message, or a frame as it is, to somebody there; the frame."""
+        """Send a message, or a frame as it is, to a peer there; the frame."""
         numbers = self.numbers.setdefault(address, sequence_numbers())
         raw = message if isinstance(message, bytes) else codec.frame(message, next(numbers), *self.station)
         raw = self.gate.signed(raw)

@@ -1,11 +1,11 @@
 """The link to vehicles that another program has started: plain MAVLink over UDP, TCP or a serial device.
 
-A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; whoever says the same
-from elsewhere is refused and reported. Two who say the same before the session begins are `rivals`: nobody can know
-which is the vehicle. One that was silent for a while, or whose stream has ended, may go on from another address.
-Several vehicles may speak to one port, each from its own address or all through one router or radio; one vehicle may
-speak to several (gcs/link/external_peer.py). What has come by the tick is delivered at the tick. Where a connection
-breaks it is made again, and the session goes on meanwhile.
+A vehicle is known by its system id and component 1, and by the address of its first HEARTBEAT; the same ids from
+another address are refused and reported. Two senders of the same ids before the session begins are `rivals`: it cannot
+be known which is the vehicle. One that was silent for a while, or whose stream has ended, may go on from another
+address. Several vehicles may speak to one port, each from its own address or all through one router or radio; one
+vehicle may speak to several (gcs/link/external_peer.py). What has come by the tick is delivered at the tick. Where a
+connection breaks it is made again, and the session goes on meanwhile.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ REPEAT_AFTER_S = 0.2
 """A session that stands still for longer goes on sending its last set points: autopilots leave offboard without."""
 MOST_UNKNOWN_SENDERS = 32
 UNKNOWN_READ = 256
-"""Datagrams of those who are no vehicle of the session that are looked into before anything else has its turn."""
+"""Most datagrams of unknown senders that are looked into before anything else has its turn."""
 UNKNOWN_BYTES = 512
 CLAIM_S = 1.5
-"""So long after a vehicle's first HEARTBEAT somebody else may say that it is the one: it comes once a second."""
+"""Time after a vehicle's first HEARTBEAT in which another sender may claim its id: a HEARTBEAT comes once a second."""
 MOVED_AFTER_S = 10.0
-"""A vehicle that has been silent for so long may be heard from another address."""
+"""A vehicle that has been silent for so long may be received from another address."""
 MOVED_SIGNED_S = 2.0
-"""The same of one that signs: nobody else has its key."""
+"""The same of one that signs: no other sender has its key."""
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _RADIO_STATUS = codec.msgid("RADIO_STATUS")
 RADIO_AGAIN_S = 30.0
@@ -273,7 +273,7 @@ class ExternalLink:
                 self._cut_off(door, sender)
 
     def _look_into(self, door: Door, data: bytes, address: Where) -> None:
-        """Bytes of somebody who is no vehicle yet: no more of a datagram is read than UNKNOWN_BYTES."""
+        """Bytes of a sender that is not yet a vehicle: no more of a datagram is read than UNKNOWN_BYTES."""
         if not door.connection.stream:
             data = data[:UNKNOWN_BYTES]
         split = door.connection.split(data, address)
@@ -317,7 +317,7 @@ class ExternalLink:
                     self._rebooted |= {frame.sysid} if rebooted else set()
 
     def _claim(self, key: Key, link: PeerLink, address: Where, now_s: float) -> None:
-        """Somebody says that it is this vehicle, from an address from which nobody did."""
+        """A new address claims to be this vehicle."""
         silent_s = MOVED_SIGNED_S if link.door.gate.has_key else MOVED_AFTER_S
         if link.address is None:
             link.found_s = now_s

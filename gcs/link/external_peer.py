@@ -4,10 +4,10 @@
 2. What comes over the link in use is taken, each frame once. What comes over another is taken where both carry one
    stream (a router's), for then it is the same frames, or such as the first one lost; else it only shows that this
    link lives: an autopilot's own second port has numbers and times of its own.
-3. A link is left when it is silent for so long as it never was, and another is heard: SILENT_S, or SILENCES of its
+3. A link is left when it is silent for unusually long while another one receives: SILENT_S, or SILENCES of its
    usual time from frame to frame; at once, when its stream has ended.
 4. A link is left for one that loses BETTER_SHARE less, and for one that the scenario names before it once that has been
-   heard for RETURN_S and loses no more; at most every DWELL_S.
+   received for RETURN_S and loses no more; at most every DWELL_S.
 Times are of the monotonic clock, s.
 """
 
@@ -73,7 +73,7 @@ class PeerLink:
         return self.address is not None and not self.cut_off and now_s - self.received_s < self.patience_s
 
     def lost_share(self, sysid: int) -> float:
-        """Frames lost of those of the last seconds, 0..1."""
+        """Share of frames lost in the last seconds, 0..1."""
         return self.quality.lost_share(sysid) or 0.0
 
     def count(self, frame: Frame, now_s: float) -> bool:
@@ -120,7 +120,7 @@ class ExternalPeer:
 
     @property
     def found(self) -> bool:
-        """Whether it has been heard at any of its addresses."""
+        """Whether it has been received at any of its addresses."""
         return any(link.address is not None for link in self.links)
 
     def link_of(self, door: Door) -> PeerLink | None:

@@ -13,7 +13,7 @@ from gcs.mavlink.codec import Frame, Message
 class FleetLink:
     """The supervised links, and the vehicles that live on the real clock: a tick waits for the first only.
 
-    Docstrings are those of `Link`.
+    See `Link` for the methods.
     """
 
     def __init__(self, fleet: LockstepLink, external: ExternalLink) -> None:

@@ -1,6 +1,6 @@
 """Other ground stations beside this one: all that vehicles say goes out to them, and what they say comes in.
 
-Addresses are those of `gcs/link/connection.py`. A `udpin` sends to those who have spoken MAVLink there lately. Nothing
+Addresses are as in `gcs/link/connection.py`. A `udpin` sends to the stations that sent MAVLink there lately. Nothing
 waits: what a station does not take is lost to it, and one that is not there costs nothing.
 """
 
@@ -41,7 +41,7 @@ class Forwarder:
         """Open them. Raises AddressRefused."""
         self._channels: list[Channel] = []
         self._stations: dict[tuple[int, Where], float] = {}
-        """when each who spoke to a udpin was heard last, by the place of its address"""
+        """when each station was last received at a udpin, by the place of its address"""
         self._gate = SignatureGate(None)
         for text in addresses:
             at = address(text)

@@ -46,7 +46,7 @@ def new_key(path: Path, key: bytes | None = None) -> None:
 
 
 def read_key(path: Path) -> bytes:
-    """The key in a file that nobody else can read. Raises KeyRefused."""
+    """The key in a file that only its user can read. Raises KeyRefused."""
     try:
         with path.open("rb") as file:
             mode = os.fstat(file.fileno()).st_mode
@@ -143,7 +143,7 @@ class SignatureGate:
         return passed
 
     def signed(self, raw: bytes) -> bytes:
-        """A frame as it is sent; one that somebody has signed stays as it is."""
+        """A frame as it is sent; one that is signed already stays as it is."""
         return raw if self._signing is None or raw[2] & codec.SIGNED else self._signing.sign(raw)
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""The link between a supervisor and its vehicles, whoever started them."""
+"""The link between a supervisor and its vehicles, launched and external ones."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ class TickGrants(NamedTuple):
     unix_us: int
     """the same since 1970, UTC"""
     keys: Sequence[Key]
-    """whom it goes to, in order"""
+    """the vehicles that it goes to, in order"""
     greeted: Collection[int]
-    """system ids of those who get our HEARTBEAT"""
+    """system ids of the vehicles that get our HEARTBEAT"""
     points: PlacedSetPoints
     more: Mapping[Key, tuple[Sequence[Message], Sequence[bytes]]]
-    """of those for whom there is more, or less, than HEARTBEAT and set point: all messages, and frames as they are"""
+    """of vehicles that get more, or less, than HEARTBEAT and set point: all messages, and frames as they are"""
 
     def content(self, key: Key) -> tuple[Sequence[Message], Sequence[bytes]]:
         """Messages for one of `keys`, and frames as they are."""
@@ -72,7 +72,7 @@ class TickLink(Protocol):
         """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames."""
 
     def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
-        """Send everybody what is for him, at `flush` at the latest; the frames, in order."""
+        """Send each vehicle its messages, at `flush` at the latest; the frames, in order."""
         return [
             raw for key in grants.keys for raw in self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
         ]

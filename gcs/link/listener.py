@@ -1,7 +1,7 @@
 """Any address without a fleet that is known before: split into frames, with their senders; sends only when asked to.
 
-Each is spoken to as it speaks. An autopilot may begin with MAVLink 1 and change when it hears MAVLink 2, or know no
-other: what is for all, as our HEARTBEAT, goes out in MAVLink 2, and to an address where somebody speaks MAVLink 1 also
+Each is spoken to as it speaks. An autopilot may begin with MAVLink 1 and change when it receives MAVLink 2, or know no
+other: what is for all, as our HEARTBEAT, goes out in MAVLink 2, and to an address with a MAVLink 1 sender also
 in that; what is for one vehicle in the version of its last frame.
 """
 
@@ -32,7 +32,7 @@ class Listener:
         """older: read MAVLink 1 too. Raises AddressRefused, KeyRefused."""
         self._older = older
         self._speaks_older: set[tuple[Where, int]] = set()
-        """addresses and system ids of those whose last frame was MAVLink 1"""
+        """addresses and system ids with a last frame in MAVLink 1"""
         self.gate = SignatureGate(key_file)
         self.connection = open_connection(at)
         self._diagnosis = Diagnosis(at)
@@ -40,7 +40,7 @@ class Listener:
 
     @property
     def silence(self) -> str:
-        """Reason why no vehicle is heard, where that can be seen."""
+        """Reason why no vehicle is received, where that can be seen."""
         return self._diagnosis.text(self.connection.problem)
 
     def wait(self, wait_s: float) -> None:

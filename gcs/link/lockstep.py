@@ -75,7 +75,7 @@ class _LockstepPeer:
 
 @dataclass
 class _Origin:
-    """Those who speak from one address."""
+    """The peers at one address."""
 
     number: int
     """of the address, as `Intake` knows it"""
@@ -86,7 +86,7 @@ class _Origin:
 
     @property
     def first(self) -> _LockstepPeer:
-        """The one of whom everything from there is, where it is not shared."""
+        """The sole peer at this address, where it is not shared."""
         return next(iter(self.peers.values()))
 
 
@@ -106,7 +106,7 @@ class LockstepLink(TickLink):
         self._drop = drop
         self._random = random.Random(seed)
         self.secret = secrets.randbits(SECRET_BITS - 1) + 1
-        """what a vehicle of this session says in its hello; never 0, which those say who have none"""
+        """the secret in this session's hellos; never 0, which stands for none"""
         self._peers: dict[Key, _LockstepPeer] = {}
         self._by_address: dict[Address, _Origin] = {}
         self._origins: dict[int, _Origin] = {}
@@ -119,19 +119,19 @@ class LockstepLink(TickLink):
         self._datagrams = DatagramGatherer(self._send_datagram)
         self._roster: Roster | None = None
         self._granted: list[_LockstepPeer] = []
-        """those of the roster"""
+        """the peers of the roster"""
         self._bundles: tuple[bytes, Ints, Mapping[Key, int], int] = (b"", np.empty((0, 3), np.int64), {}, -1)
         """bundles that were made at once: the bytes, where each lies, by key, and what they grant"""
         """of the last tick"""
         self._expected: set[Key] = set()
         self._awaited: set[Key] = set()
         self._waiting: set[Key] = set()
-        """those for whom more waits than fitted into their last bundle"""
+        """vehicles with more waiting frames than fitted into their last bundle"""
         self._whole: deque[Key] = deque()
         self.refused: dict[Key, Address] = {}
-        """who spoke with an id that is not its own, and from where; the first of each"""
+        """ids that were claimed by other senders, with the first address of each"""
         self.rivals: dict[Key, Address] = {}
-        """the same of those who know the session's secret: two of its own processes say that they are one vehicle"""
+        """the same of senders with the session's secret: two of its own processes claim one vehicle's id"""
         self.malformed = 0
         self.resent = 0
         self._clocks = ComparedClocks()
@@ -268,7 +268,7 @@ class LockstepLink(TickLink):
         return [*own, *foreign]
 
     def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
-        """Every vehicle's answer to the last grant: those that fill datagrams all together when everybody has answered,
+        """Every vehicle's answer to the last grant: answers that fill datagrams come all together at the end,
         the others each as soon as it is whole.
 
         Waits without spinning, but for some looks at the beginning; after 20 ms without progress, doubling to 200 ms,
@@ -338,11 +338,11 @@ class LockstepLink(TickLink):
         self._clocks = ComparedClocks(keys)
 
     def clock_offsets_s(self) -> dict[int, float]:
-        """As `Link.clock_offsets_s`, of those whose clocks are compared."""
+        """As `Link.clock_offsets_s`, of vehicles with compared clocks."""
         return self._clocks.offsets_s()
 
     def pop_rebooted(self) -> set[int]:
-        """As `Link.pop_rebooted`, of those whose clocks are compared."""
+        """As `Link.pop_rebooted`, of vehicles with compared clocks."""
         return self._clocks.pop_rebooted()
 
     def repeat(self) -> None:
@@ -453,7 +453,7 @@ class LockstepLink(TickLink):
         return progress
 
     def _admit(self, frames: Sequence[Frame], address: Address) -> None:
-        """Let somebody in who says hello with the session's secret; remember who says so without it."""
+        """Admit a peer that says hello with the session's secret; remember one that does so without it."""
         hello = hello_of(frames)
         if hello is None:
             return

@@ -42,11 +42,11 @@ class _Counts:
 
 @dataclass
 class _Together:
-    """Frames of vehicles that are heard together tick by tick, until they are counted for each."""
+    """Frames of vehicles that are received together tick by tick, until they are counted for each."""
 
     keys: Sequence[Key] = ()
     runs: list[AnswerRuns] = field(default_factory=list)
-    """of each tick, those of all vehicles"""
+    """of each tick, for all vehicles"""
     due_s: float = math.inf
     """when the first of them has gone without a sample for long enough, or a little before"""
 
@@ -120,7 +120,7 @@ class LinkQuality:
 
     @property
     def copied(self) -> set[int]:
-        """System ids of those to whom more than one copy goes."""
+        """System ids of vehicles that are sent more than one copy."""
         lost_of = self._gaps.lost_of
         return {sysid for sysid in lost_of if self.copies(sysid) > 1} if any(lost_of.values()) else set()
 

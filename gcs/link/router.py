@@ -13,8 +13,8 @@ MOST_VEHICLES = 254
 
 
 class VehicleRouter:
-    """Passes on what vehicles say at a port of this machine to whoever is at an address, and back to all of them: each
-    takes what names it."""
+    """Passes on what vehicles send at a port of this machine to an address, and what comes from there to all of them:
+    each takes what names it."""
 
     def __init__(self, at: Endpoint) -> None:
         """Raises AddressRefused."""

@@ -19,7 +19,7 @@ _BUSY = frozenset({errno.EBUSY, errno.EAGAIN, errno.EWOULDBLOCK})
 
 
 class SerialConnection(StreamConnection):
-    """One device, opened again when it has gone and come back. Docstrings are those of `Channel`."""
+    """One device, opened again when it has gone and come back. See `Channel` for the methods."""
 
     def __init__(self, at: Endpoint) -> None:
         """A device that is not there may be plugged in later; raises AddressRefused where trying again is no use."""
@@ -41,7 +41,7 @@ class SerialConnection(StreamConnection):
         self._retry_s = now_s + RETRY_S
         try:
             device = serial.Serial(self.at.host, self.at.port, timeout=0, write_timeout=0, exclusive=True)
-            device.reset_input_buffer()  # what came while nobody listened is old
+            device.reset_input_buffer()  # bytes from before the device was opened are old
         except (OSError, ValueError, NotImplementedError) as error:
             number = getattr(error, "errno", None)
             self.problem = _advice(self.at, number, error)

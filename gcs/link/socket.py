@@ -11,7 +11,7 @@ from typing import Any
 from gcs.scenario.endpoint import Endpoint
 
 RECEIVE_BYTES = 4096
-"""Datagrams that are longer are cut: nobody sends MAVLink so."""
+"""Longer datagrams are cut: no MAVLink sender makes any."""
 MOST_AT_ONCE = 4096
 """Datagrams of one socket that are taken in before anything else has its turn."""
 BUFFER_BYTES = 4 << 20

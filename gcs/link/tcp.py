@@ -22,7 +22,7 @@ _PATIENT = frozenset({errno.EINPROGRESS, errno.EWOULDBLOCK})
 
 
 class TcpClient(StreamConnection):
-    """One stream to a listener, made again when it has ended. Docstrings are those of `Channel`."""
+    """One stream to a listener, made again when it has ended. See `Channel` for the methods."""
 
     def __init__(self, at: Endpoint) -> None:
         """Raises AddressRefused where the host is not known."""
@@ -95,7 +95,7 @@ class TcpClient(StreamConnection):
 
 
 class TcpListener(StreamConnection):
-    """Streams of those who connect. Docstrings are those of `Channel`."""
+    """Streams of all clients that connect. See `Channel` for the methods."""
 
     def __init__(self, at: Endpoint) -> None:
         """Raises AddressRefused."""

@@ -31,7 +31,7 @@ class BootClock:
     def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
         """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew.
 
-        Messages are compared with those of their kind: a vehicle may fill in the time of one and leave another's 0.
+        Messages are compared with others of their kind: a vehicle may fill in the time of one and leave another's 0.
         """
         newest_s = self._newest_boot_s.get(msgid, -math.inf)
         rebooted = boot_s < newest_s - REBOOT_S
@@ -64,7 +64,7 @@ class ComparedClocks:
         return bool(self._clocks)
 
     def feed(self, key: tuple[int, int], frames: Sequence[Frame], arrival_s: float) -> None:
-        """Frames of a vehicle arrived then; those of one whose clock is not compared are passed over."""
+        """Take frames of a vehicle that arrived then; vehicles without a compared clock are passed over."""
         clock = self._clocks.get(key)
         if clock is None:
             return
@@ -75,11 +75,11 @@ class ComparedClocks:
                     self._rebooted.add(key[0])
 
     def offsets_s(self) -> dict[int, float]:
-        """Offset from boot time to the session's by system id, of those who have told a time."""
+        """Offset from boot time to the session's by system id, of vehicles that have reported a time."""
         offsets = {key[0]: clock.offset_s for key, clock in self._clocks.items()}
         return {sysid: offset_s for sysid, offset_s in offsets.items() if offset_s is not None}
 
     def pop_rebooted(self) -> set[int]:
-        """System ids of those who have booted anew since the last call."""
+        """System ids of vehicles that have rebooted since the last call."""
         rebooted, self._rebooted = self._rebooted, set()
         return rebooted

@@ -1,7 +1,7 @@
 """MAVLink frames ↔ messages: one decoder and one encoder, both driven by a table.
 
 The table comes from MAVLink's definitions (skytender/mavlink.py: id, CRC seed, wire format, field names) and is built
-per message when it is first met. Frames are those of MAVLink 2; what comes in MAVLink 1 is read in that form. A message
+per message when it is first met. Frames are in the form of MAVLink 2; MAVLink 1 is converted to it. A message
 is a named tuple with its fields in *wire order*, values in MAVLink's own units: arrays are tuples, character arrays are
 str, of UTF-8 up to the first NUL. Nothing that a network sends makes `split` raise.
 """

@@ -107,7 +107,8 @@ class _Pending:
 
 @dataclass
 class CommandQueue:
-    """The commands to one vehicle; `sysid` and `compid` are the commander's own, whom acknowledgements address."""
+    """The commands to one vehicle; `sysid` and `compid` are the commander's own, to which acknowledgements are
+    addressed."""
 
     sysid: int
     compid: int
@@ -134,7 +135,8 @@ class CommandQueue:
         return [self._attempt(line[0], now_s)] if len(line) == 1 else []
 
     def withdraw(self, unwanted: Callable[[Any], bool]) -> list[Any]:
-        """Send no more those whose token is `unwanted`; the tokens of those never sent, which so have no result.
+        """Send no more commands with a token that is `unwanted`; the tokens of commands never sent, which get no
+        result.
 
         One that is under way is not sent again: it ends by its acknowledgement or its time-out.
         """

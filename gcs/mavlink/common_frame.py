@@ -1,6 +1,6 @@
 """Where a vehicle's own local NED frame lies in the common frame of a session, by geodesy on WGS 84.
 
-The common frame is flat: north and east are those of the plane that touches the ellipsoid at its origin, down is the
+The common frame is flat: north and east lie in the plane that touches the ellipsoid at its origin, down is the
 difference of altitudes, so that a height means the same everywhere. A frame whose origin lies elsewhere is moved by
 
     offset = (north, east of its origin in that plane, altitude of the common origin - altitude of its own)

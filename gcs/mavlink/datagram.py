@@ -2,7 +2,7 @@
 found in one call of compiled code.
 
 Whether a frame is one is decided as by `codec.split`, which is asked about every other datagram. What reads such frames
-by compiled code too needs no `Frame` of each: a `FrameRun` makes them when somebody asks.
+by compiled code too needs no `Frame` of each: a `FrameRun` makes them on request.
 """
 
 from __future__ import annotations

@@ -150,7 +150,7 @@ class TickCollector:
         return None
 
     def _is_whole(self, frames: Sequence[Frame]) -> bool:
-        """Whether these are the next numbers, one after the other, of nobody else."""
+        """Whether these are the next numbers, one after the other, of this sender alone."""
         number, (system, component) = self._row[NEXT], self._sender
         if len(frames) >= HALF:
             return False

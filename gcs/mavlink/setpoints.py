@@ -35,7 +35,7 @@ class SetPoint(NamedTuple):
 class SetPoints(Sequence[SetPoint]):
     """Set points of one tick, in order of system id: a sequence of `SetPoint` that equals a list of the same ones.
 
-    Who wants all of them takes the columns, which nobody writes into; each `SetPoint` is made when it is asked for.
+    The columns hold all of them and are read-only; each `SetPoint` is made when it is asked for.
     """
 
     __slots__ = ("_made", "sysids", "values")

@@ -1,7 +1,7 @@
-"""Plans that go between ground stations and vehicles, overheard: messages of the mission protocol in, plans out.
+"""Plans that pass between ground stations and vehicles: messages of the mission protocol in, plans out.
 
-A download counts when all its items have come, an upload when the vehicle acknowledges it. `incomplete` gives those of
-which only a part was heard.
+A download counts when all its items have come, an upload when the vehicle acknowledges it. `incomplete` gives plans
+that were received only in part.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Transfers:
             self._complete(transfer, sysid, kind, t_s, from_vehicle)
 
     def incomplete(self) -> list[Held]:
-        """Parts of plans that were not heard whole: of the first ones, and of one by which the vehicle has another
+        """Parts of plans that were not received whole: of the first ones, and of one by which the vehicle has another
         number of items than before."""
         parts = []
         for under_way in (self._uploads, self._downloads):

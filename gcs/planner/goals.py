@@ -59,16 +59,16 @@ class ConstantSpeedPath:
 
 
 class Courses:
-    """Way points left to those of n vehicles that have any; arrays have a row for each of the n."""
+    """Way points left of n vehicles, where they have any; arrays have a row for each of the n."""
 
     def __init__(self, n: int, courses: Mapping[int, Sequence[Vec3]], reached_m: float, *, keeps_last: bool) -> None:
-        """courses: by row. keeps_last: who is pushed from the last way point comes back to it; else the course ends
-        there, and the vehicle stays where it is."""
+        """courses: by row. keeps_last: a vehicle that is pushed from its last way point comes back to it; else the
+        course ends there, and the vehicle stays where it is."""
         self.rows = np.array(sorted(courses), dtype=np.int64)
         self.goal_ned = np.zeros((n, 3))
         """(n, 3) m, of those with way points left"""
         self.ended = np.zeros(n, dtype=np.bool_)
-        """(n,) of those who have left their last way point behind"""
+        """(n,) True for vehicles that have left their last way point behind"""
         self._left = {row: list(course) for row, course in courses.items()}
         self.reached_m = reached_m
         self._least_left = 1 if keeps_last else 0

@@ -54,7 +54,7 @@ BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
 SAFE_RANGE_SHARE = 0.5
 """[choice] Of the range in which vehicles repel each other, where the safety filter keeps them apart: at all of it
-those who hover in a tight row push each other to and fro."""
+vehicles that hover in a tight row push each other to and fro."""
 ROLES = ("target", "pursuer", "tanker")
 NEAR_GOAL_M = 2.0
 """A route shorter than this is flown with the velocity of its goal."""
@@ -93,7 +93,7 @@ class _Followers(NamedTuple):
 
 
 class _Exempted(NamedTuple):
-    """Others from whom the leaders of one role need not keep away: the same for many ticks."""
+    """Others that the leaders of one role need not keep away from: the same for many ticks."""
 
     team: _Team
     callsigns: list[str]
@@ -432,8 +432,8 @@ class Planner(TickPlanner):
     def _exempt(
         self, part: _Part, snapshot: FleetSnapshot, rendezvous: Mapping[int, int]
     ) -> tuple[NDArray[np.bool_], bool]:
-        """Those that each leader need not keep away from (itself, partners of a transfer, whom it pursues, and what
-        attracts it), and whether that is everyone."""
+        """Others that each leader need not keep away from (itself, partners of a transfer, its target, and what
+        attracts it), and whether these are all."""
         callsigns = [aircraft.callsign for aircraft in snapshot.traffic] if snapshot.traffic else []
         pairs = tuple(rendezvous.items()) if rendezvous else ()
         known = self._exempted.get(part.role)

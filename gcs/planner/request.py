@@ -1,4 +1,4 @@
-"""Requests to planners: what one tick of planning is asked for, and by whom it is answered.
+"""Requests to planners: what one tick of planning is asked for, and which planner answers it.
 
 A user's own planner, which a scenario names (`planner: {method: MODULE:CLASS}`), is asked for the pursuers alone:
 

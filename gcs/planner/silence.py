@@ -42,7 +42,7 @@ AHEAD_S = 1.5
 
 @dataclass(frozen=True, slots=True)
 class Failsafe:
-    """Parameters of a vehicle that has lost its ground station; the names are those of its parameters."""
+    """Parameters of a vehicle that has lost its ground station; named as the parameters are."""
 
     loss_s: float = 5.0
     """COM_DL_LOSS_T"""

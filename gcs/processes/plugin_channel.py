@@ -1,6 +1,6 @@
 """Questions to, and answers of, the process of a user's planner and policy: frames on a socket pair, and their content.
 
-Questions are pickled by the supervisor, of plain tuples. Answers come from a process that runs somebody else's code:
+Questions are pickled by the supervisor, of plain tuples. Answers come from a process that runs a user's code:
 they are rows of a fixed size, and text.
 
 | frame | content |

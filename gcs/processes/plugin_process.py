@@ -5,7 +5,7 @@
 
 A call that Python can interrupt is cut off there (gcs/scenario/guard.py). Where nothing comes back for PATIENCE_S, as
 from compiled code that hangs, or where the process dies, it is over: it is ended, that is said once with the line where
-it was, and those who asked fly on without answers. The process ends with the supervisor, however that ends.
+it was, and the session flies on without answers. The process ends with the supervisor, however that ends.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def started(
     """The process of what a scenario names; None where that is nothing. It ends with this context.
 
     folder: whose policies.log takes what the user's code prints; None: our standard error. parent: a descriptor that is
-    readable when nobody waits for the session any more. Raises OSError.
+    readable when the session's parent no longer waits for it. Raises OSError.
     """
     if not any(plugins.named(scenario)):
         yield None
@@ -85,7 +85,7 @@ def check(scenario: Scenario, file: Path | None, folders: Sequence[Path]) -> Non
 
 
 class PluginProcess(PluginClient):
-    """The process, from its start to its end. Docstrings are those of `PluginClient`."""
+    """The process, from its start to its end. See `PluginClient` for the methods."""
 
     def __init__(
         self, scenario: Scenario, modules: Sequence[str], output: Any, parent: int | None = None, *, makes: bool = True

@@ -11,7 +11,8 @@ from gcs.scenario.external import External
 HELLO_WITHIN_S = 60.0
 """Wall time that launched vehicles have for their first word."""
 BOOTED_WITHIN_S = 300.0
-"""[choice] The same for those whose autopilot boots first: one that does not boot says why, by its own time."""
+"""[choice] The same for vehicles with a real autopilot, which boots first: one that does not boot says why, by its own
+time."""
 SAY_AGAIN_S = 5.0
 SAY_WHY_S = 1.0
 """Nothing is made of what has not come in so short a time."""
@@ -37,7 +38,7 @@ class Arrivals:
     def look(self, missing: Collection[int], waited_s: float, seen: Mapping[int, str]) -> list[tuple[int, str]]:
         """(system id, words) of what is new about external vehicles, now that these system ids are missing.
 
-        seen: what keeps them from being heard, by system id, where that is known.
+        seen: what keeps them from being received, by system id, where that is known.
         """
         awaited = self._external.keys() & set(missing)
         notices = [(sysid, f"{self._labels[sysid]} is there") for sysid in sorted(self._awaited - awaited)]

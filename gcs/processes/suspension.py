@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 LEAST_S = 3.0
-"""A gap is a suspension from so long on. Whoever runs looks many times as often."""
+"""A gap is a suspension from so long on. A running process looks many times as often."""
 IDLE_SHARE = 0.5
 """A process that computed, or waited for a processor, for more of the gap than this was not suspended."""
 SCHEDSTAT = Path("/proc/self/schedstat")

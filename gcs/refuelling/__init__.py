@@ -1,1 +1,2 @@
-"""Refuelling in the air and at bases: who is served next, by whom, and each service from decision to end."""
+"""Refuelling in the air and at bases: which vehicle is served next, by which giver, and each service from decision to
+end."""

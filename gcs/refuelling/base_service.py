@@ -49,7 +49,7 @@ class Stock:
         self.given_j = 0
         """its `XferOut`, which never falls"""
         self.taken_back_j = 0
-        """given, and never credited by whom it was for"""
+        """given, and never credited by its receiver"""
 
     @property
     def remaining_j(self) -> float:

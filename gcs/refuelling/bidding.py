@@ -37,13 +37,13 @@ class CompetitionState:
     share: float = 0.0
 
     def without(self, sysid: int) -> CompetitionState:
-        """The competition once this one has been given a giver: nobody leads."""
+        """The competition once this one has been given a giver: none leads."""
         v = {key: value for key, value in self.v.items() if key != sysid}
         return CompetitionState(v, self.tau, self.need)
 
 
 NO_COMPETITION = CompetitionState()
-"""While nobody competes."""
+"""While no vehicle competes."""
 
 
 class Award(NamedTuple):
@@ -57,23 +57,23 @@ class Award(NamedTuple):
 
 
 class BiddingRule(Protocol):
-    """Rule by which free givers choose whom they serve."""
+    """Rule by which free givers choose their receivers."""
 
     competition_state: CompetitionState
     waits_for_all: bool
-    """whether nothing is to be decided before everyone who is heard can be served, at a session's start"""
+    """whether nothing is to be decided before every vehicle received can be served, at a session's start"""
 
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
-        """Move on to the snapshot's time; `served` are those who take no part, `givers` all that there are, busy ones
-        too."""
+        """Move on to the snapshot's time; `served` are vehicles that take no part, `givers` all that there are, busy
+        ones too."""
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
         """The next services of free givers; `award` is called with each before the next is asked for."""
 
     def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Receiver by tanker, of free tankers that fly towards somebody while nothing is decided: usually none."""
+        """Receiver by tanker, of free tankers that fly towards a vehicle while nothing is decided: usually none."""
         return {}
 
     def award(self, sysid: int, now_s: float) -> None:
@@ -86,7 +86,7 @@ class NeedBidding(BiddingRule):
     waits_for_all = False
 
     def __init__(self, rules: CompetitionRules, reserve_s: float = 0.0) -> None:
-        """`reserve_s`: who would not last so long after a rendezvous is urgent."""
+        """`reserve_s`: a vehicle that would not last so long after a rendezvous is urgent."""
         self._rules = rules
         self._reserve_s = reserve_s
         self._able: list[int] = []
@@ -99,7 +99,7 @@ class NeedBidding(BiddingRule):
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
     ) -> None:
-        """Let those who compete do so up to the snapshot's time; `served` are those whose turn it is already."""
+        """Advance the competition to the snapshot's time; `served` are vehicles that are being served already."""
         now_s, rules = snapshot.time_s, self._rules
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
@@ -197,7 +197,7 @@ class EffortBidding(NeedBidding):
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver] = (), times: object = None
     ) -> None:
-        """As `NeedBidding`, once whoever has received energy since the last tick counts from zero again."""
+        """As `NeedBidding`, once vehicles that have received energy since the last tick count from zero again."""
         for view in snapshot.of_role("pursuer"):
             if view.received_j != self._received_j.get(view.sysid, 0):
                 self._received_j[view.sysid] = view.received_j
@@ -211,7 +211,7 @@ class EffortBidding(NeedBidding):
 def urgent_of(
     snapshot: FleetSnapshot, able: Iterable[int], places: Sequence[Vec3], speed_m_s: float, reserve_s: float
 ) -> int | None:
-    """The first to run empty of those who would not last until the nearest of some places and `reserve_s` after it;
+    """The first to run empty of the vehicles that would not last until the nearest place and `reserve_s` after it;
     common NED frame, m."""
     urgent = []
     for sysid in able:

@@ -37,11 +37,11 @@ class ReceiverCapability:
 
     @property
     def open(self) -> bool:
-        """Whether there is somebody to ask, or something to record."""
+        """Whether there is a vehicle to ask, or something to record."""
         return bool(self.unknown or self._unrecorded)
 
     def decide(self, snapshot: FleetSnapshot, requests: ServiceRequests) -> None:
-        """Ask whom there is to ask, and record who turned out to be unable."""
+        """Ask vehicles with unknown capability, and record those found unable."""
         for sysid in sorted(self.unknown):
             view = snapshot.vehicle(sysid)
             if view.last_received_s < 0.0:

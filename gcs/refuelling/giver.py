@@ -22,7 +22,7 @@ from skytender import elementary
 from skytender.assignment import least_cost
 
 WORTH_J = 500.0
-"""A giver with less to spare takes nobody on."""
+"""A giver with less to spare takes no receiver."""
 FloatArray = NDArray[np.float64]
 
 PRIOR_WEIGHT = 4.0
@@ -37,7 +37,7 @@ class Giver(NamedTuple):
     p_ned: Vec3
     """where it is when it is free"""
     free_in_s: float
-    """0 while it serves nobody"""
+    """0 while it serves no vehicle"""
     speed_m_s: float
     """of the tanker, or of the vehicle that flies to the base"""
     available_j: float
@@ -155,9 +155,9 @@ def ways_s(givers: Sequence[Giver], views: Sequence[VehicleView]) -> list[float]
 def served_if_passed_over_s(
     givers: Sequence[Giver], views: Sequence[VehicleView], times: ServiceTimes, rules: RefuellingRules
 ) -> FloatArray:
-    """(n,) time until energy could flow into each of n vehicles if another of them were served first by whoever is free
-    first, any of the others as likely; a giver that is free later may take it before any other. Without givers, or for
-    one alone, the time until it is served at all."""
+    """(n,) time until energy could flow into each of n vehicles if another of them were served first by the giver that
+    is free first, any of the others as likely; a giver that is free later may take it before any other. Without givers,
+    or for one alone, the time until it is served at all."""
     n = len(views)
     if not givers or n < 2:
         return np.array([nearest_s(givers, view, times) if givers else 0.0 for view in views])

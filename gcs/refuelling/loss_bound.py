@@ -3,7 +3,7 @@
 A relaxation that every schedule obeys: until t, each tanker delivers at most its rate since energy could first flow,
 and no more than it can spare; ways and pauses cost nothing, and what it gives is shared at will. A vehicle that still
 flies at t has needed at least what it drew beyond its charge. So no more of them fly at t than of the smallest such
-needs fit into what was delivered, and the least of that over t bounds those who are kept until the end.
+needs fit into what was delivered, and the least of that over t bounds how many are kept until the end.
 """
 
 from __future__ import annotations

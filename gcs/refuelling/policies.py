@@ -28,11 +28,11 @@ from skytender.assignment import least_cost
 
 WINNER_TAKE_ALL = "winner_take_all"
 MOST_PLANNED = 24
-"""Vehicles that are planned for: those who land first."""
+"""Most vehicles that are planned for: the first to land."""
 PLANNED_S = 90.0
 """How far ahead."""
 MARGIN_S = 3.0
-"""Beyond the session's end: estimates of who lasts until then are as wrong as that."""
+"""Beyond the session's end: estimates of which vehicles last until then are as wrong as that."""
 LONGEST_S = 1e6
 AUCTION_S = 0.01
 """How far a tanker raises its bid at least."""
@@ -45,7 +45,8 @@ class RefuellingRequest:
     time_s: float
     tanker: VehicleView
     candidates: tuple[VehicleView, ...]
-    """who may be served, in order of system id: in the air, below `competition.need_from`, not yet being served"""
+    """vehicles that may be served, in order of system id: in the air, below `competition.need_from`, not yet being
+    served"""
     free_tankers: tuple[VehicleView, ...]
     """`tanker` first, and all that are free beside it"""
     speed_m_s: Mapping[int, float]
@@ -54,7 +55,7 @@ class RefuellingRequest:
     givers: tuple[Giver, ...] = ()
     """every tanker that serves, the busy ones with where and when they are free"""
     later: tuple[VehicleView, ...] = ()
-    """who can be served but does not want it yet, in order of system id"""
+    """vehicles that can be served but do not want it yet, in order of system id"""
     times: ServiceTimes | None = None
     """how long services take, as learnt so far"""
     left_s: float = math.inf
@@ -64,12 +65,12 @@ class RefuellingRequest:
 class RefuellingPolicy(Protocol):
     """One-method protocol; made once, as CLASS(scenario).
 
-    One that can say for all free tankers at once whom each is to serve has `assign(request)` too, which returns system
-    ids by tanker's and is then asked instead, and before any rule of urgency.
+    One that chooses for all free tankers at once has `assign(request)` too, which returns system ids of receivers by
+    tanker's and is then asked instead, and before any rule of urgency.
     """
 
     def choose(self, request: RefuellingRequest) -> int | None:
-        """The candidate whom request.tanker is to serve, by system id; None: none, ask again in the next tick."""
+        """System id of the candidate that request.tanker is to serve; None: none, ask again in the next tick."""
 
 
 class PolicyCalls(Protocol):
@@ -77,17 +78,18 @@ class PolicyCalls(Protocol):
 
     @property
     def assigns(self) -> bool:
-        """Whether it says for all free tankers at once whom each is to serve."""
+        """Whether it chooses for all free tankers at once."""
 
     def pairs(self, request: RefuellingRequest) -> dict[int, int]:
-        """Receiver by tanker, both candidates of the request; empty where there is no good answer, or nobody now."""
+        """Receiver by tanker, both candidates of the request; empty where there is no good answer, or no vehicle
+        now."""
 
     def pop_faults(self) -> list[PluginFault]:
         """The problems since the last call."""
 
 
 class GuardedPolicy(PolicyCalls):
-    """A policy that is called here. Docstrings are those of `PolicyCalls`."""
+    """A policy that is called here. See `PolicyCalls` for the methods."""
 
     def __init__(self, policy: RefuellingPolicy, guard: Guard) -> None:
         self._policy = policy
@@ -146,7 +148,7 @@ class _Stateless:
 
 
 class _Assigning(_Stateless):
-    """Says for all free tankers at once whom each is to serve."""
+    """Chooses for all free tankers at once."""
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
@@ -175,7 +177,7 @@ class MostEmptyFirst(_Stateless):
 
 
 class Optimal(_Assigning):
-    """Plans all services of all tankers ahead, of those who want energy and those who soon will, and flies the first
+    """Plans all services of all tankers ahead, for vehicles that want energy or soon will, and flies the first
     (gcs/refuelling/rolling_horizon.py) [choice]."""
 
     def __init__(self, scenario: Scenario) -> None:
@@ -192,7 +194,7 @@ class Optimal(_Assigning):
             named = [views[i] for i, s in zip(planned.first, planned.starts_s, strict=True) if i >= 0 and s == 0.0]
             winners = [view for view in named if view.sysid in waiting]
             others = [view for view in views if view.sysid in waiting and view not in winners]
-            winners += others[: len(free) - len(winners)]  # whom the plan holds to be lost, rather than nobody
+            winners += others[: len(free) - len(winners)]  # vehicles that the plan gives up are better than none
         return _pairs(match(free, winners))
 
     def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
@@ -210,12 +212,12 @@ class Optimal(_Assigning):
 
 
 def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:
-    """Those who land first, at most MOST_PLANNED."""
+    """The first vehicles to land, at most MOST_PLANNED."""
     return sorted(views, key=lambda view: (lasts_s(view, rules.lands_at), view.sysid))[:MOST_PLANNED]
 
 
 class EarliestDeadline(_Assigning):
-    """Those who land first, matched to the free tankers by the least time (earliest deadline first)."""
+    """The first vehicles to land, matched to the free tankers by the least time (earliest deadline first)."""
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
@@ -256,7 +258,7 @@ def auction(benefit: ArrayLike, epsilon: float) -> NDArray[np.int64]:
     (D. P. Bertsekas, Annals of Operations Research 14, 1988).
 
     Every bidder without an object bids for the one that is worth most to it at the present prices, and raises its price
-    by what it prefers it to the second best, and epsilon; whoever held it is without one again.
+    by what it prefers it to the second best, and epsilon; its previous holder is without one again.
     """
     worth = np.asarray(benefit, dtype=np.float64)
     bidders, objects = worth.shape

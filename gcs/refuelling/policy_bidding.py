@@ -109,15 +109,15 @@ class PolicyBidding(BiddingRule):
         )
 
     def award(self, sysid: int, now_s: float) -> None:
-        """The one chosen is nobody else's any more."""
+        """The chosen vehicle is no longer available to other givers."""
         self._able = [one for one in self._able if one != sysid]
         self._wanting = tuple(view for view in self._wanting if view.sysid != sysid)
         self.competition_state = self.competition_state.without(sysid)
 
 
 class PluginPolicy(PolicyCalls):
-    """A user's policy, in a process of its own. Once that has ended, urgency alone decides: who would not last until a
-    rendezvous is served. Docstrings are those of `PolicyCalls`."""
+    """A user's policy, in a process of its own. Once that has ended, urgency alone decides: a vehicle that would not
+    last until a later rendezvous is served. See `PolicyCalls` for the methods."""
 
     def __init__(self, plugins: PluginClient) -> None:
         """Raises ScenarioError where it cannot be made."""

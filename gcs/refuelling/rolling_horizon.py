@@ -1,11 +1,11 @@
 """Services planned ahead for all tankers over a rolling horizon (docs/model.md#planned-services) [choice].
 
-A plan says whom each tanker serves one after another. The tanker that is free first takes one of those who want energy
-then; nobody waits whom a free tanker could serve. A service that begins s before its receiver would land keeps it with
-the probability q = 1/(1 + e^(-(s - s0)/σ)), since times are estimates. A plan costs the sum of -ln q, at most COST for
-each, which is least where most likely nobody is lost; and COST for each who lands unserved within the horizon. Plans
-grow service by service and the best of each length are kept (beam search), so that the time to plan is bounded for
-every fleet.
+A plan lists the vehicles that each tanker serves one after another. The tanker that is free first takes one of the
+vehicles that want energy then; none waits that a free tanker could serve. A service that begins s before its receiver
+would land keeps it with the probability q = 1/(1 + e^(-(s - s0)/σ)), since times are estimates. A plan costs the sum of
+-ln q, at most COST for each, which is least where most likely no vehicle is lost; and COST for each that lands unserved
+within the horizon. Plans grow service by service and the best of each length are kept (beam search), so that the time
+to plan is bounded for every fleet.
 
 Times in s from now, energies in J above the charge at which a vehicle lands; n vehicles, m tankers, b plans.
 """
@@ -47,7 +47,7 @@ class Receivers:
     p_ned: FloatArray
     """(n, 3), common NED frame, m"""
     lands_s: FloatArray
-    """(n,) when each lands if nobody serves it"""
+    """(n,) when each lands if it is not served"""
     power_w: FloatArray
     """(n,) draw, above 0"""
     full_j: FloatArray
@@ -61,9 +61,9 @@ class Planned:
     """The best plan found."""
 
     first: IntArray
-    """(m,) whom each tanker serves first, by index; -1: nobody within the horizon"""
+    """(m,) index of the vehicle that each tanker serves first; -1: none within the horizon"""
     starts_s: FloatArray
-    """(m,) when it sets off; inf where it serves nobody"""
+    """(m,) when it sets off; inf where it serves no vehicle"""
     cost: float
 
 
@@ -107,7 +107,7 @@ def plan(
         missing_j = fleet.full_j - np.maximum(spare, 0.0) * fleet.power_w
         flows = np.minimum(np.maximum(missing_j, 0.0) / net_w, left_j[rows, tanker][:, None] / rate_w)
         stuck = ~may.any(axis=1)
-        if stuck.any():  # who wants it can't be reached in time: the tanker stays out of it until somebody else does
+        if stuck.any():  # none that wants energy is reached in time: the tanker waits until another does
             free[rows[stuck], tanker[stuck]] += 1.0
             if stuck.all():
                 continue

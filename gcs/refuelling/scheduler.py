@@ -52,7 +52,7 @@ class Scheduler:
         transfers_until_s: float = math.inf,
     ) -> None:
         """`own` takes the competition's place for the tankers. `transfer_capable`: whether a vehicle can take energy in
-        the air, by system id, None where it is to be found out; those who are not named can. `cruise_m_s`: how fast
+        the air, by system id, None where it is to be found out; vehicles that are not named can. `cruise_m_s`: how fast
         they fly to a base. `transfers_until_s`: session time at which transfers are stopped."""
         competes = competition.enabled and refuelling.enabled
         self._bidding = (own or make_competition(competition, refuelling)) if competes else None
@@ -63,9 +63,9 @@ class Scheduler:
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self.services: list[Service] = []
         self.out: dict[int, str] = {}
-        """who neither competes, is served nor serves, and why; a service of theirs is broken off"""
+        """vehicles that neither compete, are served nor serve, and why; their services are broken off"""
         self.asked: list[int] = []
-        """who is served before anybody else, in this order"""
+        """vehicles that are served before all others, in this order"""
         self._requests = ServiceRequests()
         self._settlement = Settlement(self._requests)
         with_all = (refuelling, self._requests, self._settlement, self.out, transfers_until_s)
@@ -80,7 +80,7 @@ class Scheduler:
         self._last_s: float | None = None
         self._free: list[int | str] = []
         self.tanker_idle_s = 0.0
-        """tankers' time, summed, in which they stood free although somebody waited"""
+        """tankers' time, summed, in which they were free although a vehicle waited"""
         self._up: set[int] = set()
         self._settled = False
 
@@ -176,7 +176,7 @@ class Scheduler:
 
     @property
     def _nothing_to_do(self) -> bool:
-        """Whether nobody is, was or can soon be served, so that time changes nothing."""
+        """Whether no vehicle is, was or can soon be served, so that time changes nothing."""
         if self._bidding is not None or self._base_bidding is not None:
             return False
         return not (self.services or self.asked or self._ability.open)
@@ -222,7 +222,7 @@ class Scheduler:
         return waited or all(view.sysid in self._up for view in pursuers)
 
     def _idle_tankers(self, snapshot: FleetSnapshot) -> int:
-        """How many tankers stand free after this tick's decisions although somebody waits for each, once all are up."""
+        """How many tankers are free after this tick's decisions although a vehicle waits for each, once all are up."""
         if self._bidding is None or not self._rules.enabled or (self._bidding.waits_for_all and not self._settled):
             return 0
         busy = {service.tanker for service in self.open_services} | self._approaches.keys()
@@ -291,7 +291,7 @@ class Scheduler:
         return None
 
     def _award_asked(self, free: Sequence[Giver], bidding: BiddingRule | None, snapshot: FleetSnapshot) -> list[Giver]:
-        """Give those whom the operator asked for the nearest of the free givers; who is still free."""
+        """Assign the nearest free givers to the vehicles that the operator asked for; the givers still free."""
         left = list(free)
         while left:
             asked = self._asked_for(snapshot, base=not left[0].is_tanker)

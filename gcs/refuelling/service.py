@@ -146,7 +146,7 @@ class Decision:
 
 
 NOTHING_DECIDED = Decision()
-"""Of a tick in which nobody is served; only to be read, as every decision."""
+"""Of a tick in which no vehicle is served; only to be read, as every decision."""
 
 
 class ServiceRequests:

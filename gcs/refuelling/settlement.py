@@ -1,6 +1,6 @@
 """Joules that were on the way when a transfer ended: they come back to their giver (docs/protocol.md#settlement).
 
-A transfer over a slow or bad radio ends with more given than credited. Once both sides have ended it and have told
+A transfer over a slow or bad radio ends with more given than credited. Once both sides have ended it and have reported
 their counters since, what is missing is known for good, and the tanker is ordered to take it back; a base's books are
 the supervisor's own. Until then neither side begins another transfer, so that a counter means one transfer only.
 """
@@ -36,7 +36,7 @@ class EndedTransfer:
     out_at_start_j: int
     in_at_start_j: int
     since_s: float
-    """nobody's counter rises after that"""
+    """no counter rises after that"""
     given_j: int | None = None
     credited_j: int | None = None
     take_back: Callable[[int], None] | None = None
@@ -63,7 +63,7 @@ class Settlement:
         self._open: list[EndedTransfer] = []
 
     def add(self, ended: EndedTransfer) -> None:
-        """A transfer has just ended: both sides were told to stop, and have said that they did or been waited for."""
+        """A transfer has just ended: both sides were ordered to stop, and have acknowledged or been waited for."""
         self._open.append(ended)
 
     def awaits(self, sysid: int, now_s: float) -> bool:
@@ -145,7 +145,7 @@ def _unknown(one: EndedTransfer, sysid: int) -> bool:
 
 
 def _has_ended(view: VehicleView) -> bool:
-    """Whether a vehicle is heard, and in no transfer."""
+    """Whether a vehicle is received, and in no transfer."""
     return view.fresh and view.mode is not FlightMode.REFUEL
 
 

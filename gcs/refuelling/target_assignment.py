@@ -5,7 +5,7 @@ wins. That is the effort that it is predicted to need to reach the target, or th
 winner pursues, the others hold. All is decided anew at each tick: a challenger takes over when its state holds the
 share that the rules demand, while the present pursuer is forgiven some of its effort, so that near ties do not swap
 back and forth [choice]. By prediction the least of a first tick pursues at once; measured efforts are alike then, so
-nobody does before one has won. Targets choose in order of system id; whoever pursues one races for no other.
+none does before one has won. Targets choose in order of system id; a pursuer of one target races for no other.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
-"""The competition of those who wait, as many winners at once as givers are free
+"""The competition of vehicles that wait, as many winners at once as givers are free
 (docs/protocol.md#refuelling-schedule, docs/model.md#k-winners) [choice].
 
 A bid is the time until the vehicle must land, less the time until energy could reach it if another were served first,
 and the way to it, which all others wait for, added: the least bids most. The law is the paper's; the k greatest win at
-once when the last of them has left the next one behind for the dwell time. While nobody is free the competition goes on
-for every k, so that a giver that becomes free is seldom kept waiting.
+once when the last of them has left the next one behind for the dwell time. While no giver is free the competition goes
+on for every k, so that a giver that becomes free is seldom kept waiting.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class TimeBidding:
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes
     ) -> None:
-        """Let those who compete do so up to the snapshot's time; `givers` are all that there are, busy ones too."""
+        """Advance the competition to the snapshot's time; `givers` are all that there are, busy ones too."""
         now_s, rules, self._times = snapshot.time_s, self._rules, times
         dt_s = now_s - self._last_s if self._last_s is not None else 0.0
         self._last_s = now_s
@@ -126,7 +126,7 @@ class TimeBidding:
         return min(max(self._spare_s[sysid] + LATEST_S, 0.0), self._rules.horizon_s)
 
     def _rank(self, view: VehicleView) -> tuple[float, ...]:
-        """Of those who tie: the hopeless last, then need to the percent, way to the second, system id."""
+        """Order of vehicles that tie: the hopeless last, then need to the percent, way to the second, system id."""
         slack_s = self.slack_s[view.sysid]
         way_s = lasts_s(view, self._refuelling.lands_at) - slack_s
         way = round(way_s) if math.isfinite(way_s) else 0
@@ -203,7 +203,7 @@ class TimeBidding:
         self._begun_s = now_s if self.competition_state.v else None
 
     def _matched(self, winners: Sequence[int], by: str, snapshot: FleetSnapshot, free: Sequence[Giver]) -> list[Award]:
-        """The winners' givers. Whom its giver would reach too late leaves the place to the next one whom it would not:
+        """The winners' givers. A winner that its giver would reach too late leaves its place to the next one in time:
         another giver that is free soon may be nearer."""
         assert self._times is not None
         begins_in_s = self._times.begins_in_s

@@ -124,7 +124,7 @@ class WatchedSchedule(Scheduler):
         return CompetitionState(v, tau, need, order[0], held)
 
     def _idle(self, fresh: dict[int, tuple[float, ...]]) -> int:
-        """How many tankers stand free although somebody waits for each."""
+        """How many tankers are free although a vehicle waits for each."""
         called = {int(row[_PARTNER]) for sysid, row in fresh.items() if sysid not in self._tankers}
         free = sum(
             fresh[sysid][_STAGE] == FREE and sysid not in called and fresh[sysid][_REMAINING] >= WORTH_J

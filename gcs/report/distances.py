@@ -1,6 +1,6 @@
 """Time series of distances in a session: between vehicles, to obstacles, to targets, to planned paths.
 
-Times are the planner's ticks, and places those that the ground station knew then, so that the extremes are those of the
+Times are the planner's ticks, and places as the ground station knew them then, so that the extremes equal the
 summary's `believed_` figures (gcs/telemetry/proximity.py measures with the same kernels).
 """
 

@@ -192,7 +192,7 @@ class Findings:
         return goal.asked(self.scenario) if self.scenario is not None else {}
 
     def violations(self, part: str) -> list[tuple[float, int, str]]:
-        """(when, whom, what to say) of each time that a part of the goal was broken."""
+        """(when, which vehicle, what to say) of each time that a part of the goal was broken."""
         return [
             (d["at_s"], d["sysids"][0] if d["sysids"] else 0, d["text"])
             for d in self.recorded.decisions
@@ -201,7 +201,7 @@ class Findings:
 
     @property
     def faults(self) -> list[tuple[float, int, str]]:
-        """(when, whom or 0, what) of each fault that was injected, where it begins."""
+        """(when, which vehicle or 0, what) of each fault that was injected, where it begins."""
         return [
             (d["t_s"], d["sysid"], d["text"])
             for d in self.recorded.decisions

@@ -43,7 +43,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
     vehicles = []
     for sysid, track in sorted(found.tracks.items()):
         turns = found.attitudes.get(sysid)
-        # Of many vehicles nobody sees how each one leans, and the page would be twice as large.
+        # With many vehicles attitudes are too small to see, and the page would be twice as large.
         shown = () if turns is None else ((2, "heading"),) if many else ((2, "heading"), (0, "roll"), (1, "pitch"))
         angles = {} if turns is None else {name: pack.column(_angle(turns[i], t_s)) for i, name in shown}
         places = [pack.column(column) for column in _places(track, t_s).T]
@@ -68,7 +68,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
 
 
 def _places(track: Track, t_s: Floats) -> Floats:
-    """(k, 3) where a vehicle was, straight on between what it told; NaN in silences."""
+    """(k, 3) where a vehicle was, straight on between its reports; NaN in silences."""
     if not len(track.t_s):
         return np.full((len(t_s), 3), np.nan)
     places = np.column_stack([np.interp(t_s, track.t_s, axis) for axis in track.p_ned.T])

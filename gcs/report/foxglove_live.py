@@ -1,6 +1,6 @@
 """A source's messages for Foxglove as they come, by its WebSocket protocol on this machine; foxglove-sdk serves it.
 
-It shows and takes no command. Whoever is on this machine may look: the protocol knows no token.
+It shows and takes no command. Any program on this machine may look: the protocol has no token.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ LOOK_EVERY_S = 0.05
 
 
 class _Arrivals:
-    """Notes that somebody has come who must be shown what stands."""
+    """Notes that a new client must be shown the present state."""
 
     def __init__(self) -> None:
         self.new = False

@@ -1,6 +1,6 @@
 """One colour for each vehicle, by its place in the scenario, in every picture: console, page, report and plan.
 
-Told apart by colour-blind readers (Okabe and Ito 2008: hues of different lightness), darkened until each has a contrast
+Distinct to colour-blind readers (Okabe and Ito 2008: hues of different lightness), darkened until each has a contrast
 of 3 against white, or lightened until it has 3 against the dark ground. After the last colour the first comes again;
 dashes, shapes and names tell those apart.
 """

@@ -93,7 +93,7 @@ class External(Part):
 
     @property
     def addresses(self) -> tuple[str, ...]:
-        """Every address that it may be heard at."""
+        """Every address that it may be received at."""
         return (self.connect,) if isinstance(self.connect, str) else self.connect
 
     @property

@@ -25,7 +25,7 @@ LAUNCHED_ONLY = frozenset({"kill", "hang", "battery", "gps_jump"})
 RADIO = frozenset({"blackout", "loss", "delay", "gcs_silent"})
 """Faults of the radio: frames are lost or late."""
 COMMANDED = frozenset({"battery", "motor", "gps_off", "gps_jump"})
-"""Faults that a vehicle is told to have, by MAV_CMD_INJECT_FAILURE."""
+"""Faults that a vehicle is commanded to have, by MAV_CMD_INJECT_FAILURE."""
 OF_ALL = frozenset({"loss", "delay", "gcs_silent"})
 """Faults that befall all vehicles where none is named."""
 _NEEDS: Mapping[str, tuple[str, ...]] = {

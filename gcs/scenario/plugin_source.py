@@ -54,7 +54,7 @@ def _find(module_name: str, folders: Sequence[Path]) -> ModuleSpec:
 
 
 def _bound(body: Sequence[ast.stmt]) -> Iterator[str]:
-    """Names that statements of a module may bind, also under a condition; `*` for those of another module."""
+    """Names that statements of a module may bind, also under a condition; `*` for all names of another module."""
     for statement in body:
         for node in ast.walk(statement):
             if isinstance(node, ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):

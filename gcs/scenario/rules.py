@@ -125,7 +125,7 @@ class PursuitRules(Part):
     """`all`: every pursuer follows its target; `competition`: per target the one with the least control effort"""
     bids: Literal["predicted", "measured"] = "predicted"
     """`predicted`: the effort that it would take to meet the target, and the least pursues from the first tick on;
-    `measured`: the effort that each has reported so far, the paper's, and nobody pursues before one has won"""
+    `measured`: the effort that each has reported so far, the paper's, and no vehicle pursues before one has won"""
     p: Annotated[float, Exact(ge=1, le=100)] = 2.0
     """exponent of the competition, at least 1"""
     rate: Positive = 5.0

@@ -15,11 +15,12 @@ MOST_FORWARDED = 8
 
 
 class Station(Part):
-    """Our system and component id, on every link to an external vehicle; launched ones always hear 255/190."""
+    """Our system and component id, on every link to an external vehicle; launched ones are always commanded by
+    255/190."""
 
     sysid: Annotated[int, Exact(ge=1, le=255)] = 255
-    """system id; ArduPilot obeys by its SYSID_MYGCS (MAV_GCS_SYSID) alone the sticks of whom it names; QGroundControl
-    and MAVProxy are 255 too"""
+    """system id; ArduPilot accepts stick input only from its SYSID_MYGCS (MAV_GCS_SYSID); QGroundControl and MAVProxy
+    are 255 too"""
     compid: Annotated[int, Exact(ge=2, le=255)] = 190
     """component id; 1 is an autopilot's"""
 
@@ -30,7 +31,7 @@ class Station(Part):
 
 
 def station_conflicts(station: Station, sysids: Collection[int]) -> Iterator[Conflict]:
-    """An id that somebody else has."""
+    """An id that a vehicle or the traffic has."""
     if station.sysid in sysids:
         yield Conflict(("station", "sysid"), f"{station.sysid} is the sysid of a vehicle: the station needs its own")
     if station.ids == TRAFFIC:
@@ -50,6 +51,6 @@ class Forward(Part):
         tuple[Annotated[str, Asks("address", beyond_this_machine), AfterValidator(_is_address)], ...],
         Field(max_length=MOST_FORWARDED),
     ] = ()
-    """addresses to which everything goes that vehicles say, such as udpout:127.0.0.1:14550 for QGroundControl"""
+    """addresses that get everything that vehicles send, such as udpout:127.0.0.1:14550 for QGroundControl"""
     control: Annotated[Flag, Asks("control")] = False
-    """whether what is said there reaches the vehicles; a vehicle that somebody flies there is left to them"""
+    """allow control from these ground stations; a vehicle that one of them flies is left to it"""

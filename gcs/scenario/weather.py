@@ -98,7 +98,7 @@ class Wind(Part):
     from_deg: Compass = 0.0
     """where the mean wind comes from, degrees clockwise from north"""
     turbulence_m_s: WindSpeed = 0.0
-    """gusts after Dryden: those of a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
+    """gusts after Dryden, for a wind of this speed at 6 m; 7.7 is light, 15 moderate, 23 severe; 0 none"""
     gusts: tuple[Gust, ...] = ()
     """discrete gusts; none by default"""
     field: WindTable | None = None

@@ -35,7 +35,7 @@ class ForkServerDied(SessionFailed):
 def arriving(
     scenario: Scenario, labels: Mapping[int, str], link: Link, lockstep: LockstepLink, external: ExternalLink | None
 ) -> Iterator[list[tuple[int, str]]]:
-    """Wait for all vehicles; every WATCH_EVERY_S what is new of whom, in words. Raises SessionFailed.
+    """Wait for all vehicles; every WATCH_EVERY_S yield news as (system id, words). Raises SessionFailed.
 
     `link` is all of the two others.
     """

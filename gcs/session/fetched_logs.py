@@ -1,11 +1,11 @@
 """After a session: the logs that external vehicles wrote themselves, downloaded into the session's folder.
 
 1. A vehicle that comes down is waited for until it is disarmed: before that its log is not whole, and ArduPilot keeps
-   it back. One that was told to hold is not waited for.
+   it back. One that was ordered to hold is not waited for.
    Autopilots write a log on for seconds then: its size is asked for until it stands.
 2. The newest log of each is downloaded, all side by side, for FETCH_WITHIN_S at most. What came whole stays.
-3. Whose log did not come whole is named, with where the part that came is. That changes nothing about how the session
-   ended.
+3. A vehicle whose log did not come whole is named, with the path of the part that came. That changes nothing about how
+   the session ended.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def fetch_logs(
 ) -> list[str]:
     """Download into SESSION/logs, with a logs.json of what is there; sentences about what did not come.
 
-    `say` is told what is waited for and how far it is.
+    `say` gets what is waited for and the progress.
     """
     folder = session / FOLDER
     try:
@@ -76,7 +76,7 @@ def fetch_logs(
 
 
 def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, AskedFleet], list[str]]:
-    """The fleet by which each external vehicle is heard, by system id, and who is not."""
+    """The fleet by which each external vehicle is received, by system id; sentences about the ones that are not."""
     found: dict[int, AskedFleet] = {}
     expected, missed = scenario.vehicles.external, []
     for connect in dict.fromkeys(text for rules in expected.values() for text in rules.addresses):

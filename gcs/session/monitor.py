@@ -32,7 +32,7 @@ SNAPSHOT_EVERY_S = 0.1
 HEARTBEAT_EVERY_S = 1.0
 COMMAND_TIMEOUT_S = 1.0
 MOST_REFUSED = 64
-"""Of so many who say that they are a vehicle which is elsewhere it is told."""
+"""Most duplicate-id warnings: addresses that claim the id of a vehicle at another address."""
 SILENT_AFTER_S = 0.5
 """A connection has so long to be made before it is said that it is not."""
 GONE_S = 5.0
@@ -164,7 +164,7 @@ class MonitorSource:
                 self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
 
     def _report_connection(self, t_s: float) -> None:
-        """A connection that is broken or mended; or why nobody is heard, once that can be seen."""
+        """Report a connection that is broken or mended, or why no vehicle is received, once that can be seen."""
         problem = self._listener.connection.problem
         if problem != self._problem and t_s >= SILENT_AFTER_S:
             self._problem = problem

@@ -76,7 +76,7 @@ class Observer:
         self._folder = folder
         self.scenario = scenario
         self.control = False
-        """whether whoever feeds this observer takes commands for vehicles"""
+        """whether the source of this observer takes commands for vehicles"""
         self.duration_s: float | None = None
         self.ordered: dict[int, End] = {}
         """what an operator wants vehicles of a scenario to fly: that is no failsafe"""
@@ -85,7 +85,7 @@ class Observer:
         self._zero = CommonZero(given)
         self.fleet = Fleet(members, given or GlobalOrigin(0.0, 0.0, 0.0))
         self._adapters: dict[int, TelemetryAdapter] = {}
-        # A session's own vehicles send all that the fleet reads, on its clock; those of others are unknown here too.
+        # A session's own vehicles send all that the fleet reads, on its clock; external ones are unknown here too.
         self._known = set() if scenario is None else {vehicle.sysid for vehicle in scenario.vehicles.launched}
         self._expected = {member.sysid for member in members} - self._known
         self._gaps = GapCounter()
@@ -93,7 +93,7 @@ class Observer:
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
         self._nameless = False
-        """whether a vehicle of system id 0 has been heard"""
+        """whether a vehicle of system id 0 has been received"""
         self._modes: dict[int, str] = {}
         self._events: list[Event] = []
         self._aims: dict[int, Vec3] = {}
@@ -101,7 +101,7 @@ class Observer:
         self.plans: Sequence[PlanRow] = ()
         """missions, fences and rally points to show beside the scenario's own"""
         self.changed = True
-        """whether `session` has something new to say; whoever sends it says that it has"""
+        """whether `session` has changed since it was last sent; the sender resets it"""
 
     @property
     def sysids(self) -> list[int]:
@@ -209,7 +209,7 @@ class Observer:
         return None if zero is None else (zero.lat_deg, zero.lon_deg, zero.alt_m)
 
     def view(self, t_s: float) -> FleetSnapshot:
-        """The fleet at `t_s`, for those who want to know more of it than a snapshot's line says."""
+        """The fleet at `t_s`, with more than a snapshot's line holds."""
         return self.fleet.snapshot(t_s)
 
     def snapshot(

@@ -54,7 +54,7 @@ def minutes(duration_s: float | None) -> str:
 
 
 def event_text(snapshot: Snapshot, event: Mapping[str, Any]) -> str:
-    """An event with the name of whom it concerns in front, unless its text begins with that."""
+    """An event with the name of its vehicle in front, unless its text begins with that."""
     who, text = name_of(snapshot, event.get("sysid")), clean(event["text"])
     return text if text.startswith(who) else f"{who}: {text}"
 

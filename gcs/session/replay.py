@@ -39,7 +39,7 @@ DECIDED, INDEXED = 0.25, 0.9
 SNAPSHOT_EVERY_S = 0.1
 """of wall time, as from a session"""
 SILENCE_S = 60.0
-"""Where nobody waits, a longer time in which nothing was recorded is passed over."""
+"""In a replay without waiting, a longer time in which nothing was recorded is passed over."""
 PATIENCE_S = 0.05
 """Wall time that one call may take to keep up; what is faster than the machine goes as fast as that."""
 

@@ -56,7 +56,7 @@ class Publisher:
         try:
             self._server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM | socket.SOCK_NONBLOCK)
             self._server.bind(f"/proc/self/fd/{directory}/{SOCKET}")
-            os.chmod(f"/proc/self/fd/{directory}/{SOCKET}", 0o600)  # before anybody can connect
+            os.chmod(f"/proc/self/fd/{directory}/{SOCKET}", 0o600)  # before any client can connect
             self._server.listen(16)
         finally:
             os.close(directory)
@@ -78,9 +78,10 @@ class Publisher:
         return bool(self._clients)
 
     def poll(self) -> list[ClientRequest]:
-        """Take new clients and what the present ones ask for; never waits. Who sends a line that is none is told so.
+        """Take new clients and what the present ones ask for; never waits. An invalid line is answered by a reply that
+        says so.
 
-        Clients and what each may ask for in one poll are bounded: who asks for more than that is slow, nobody else.
+        Clients and what each may ask for in one poll are bounded: a client that asks for more delays itself alone.
         """
         self._accept()
         commands: list[ClientRequest] = []
@@ -119,7 +120,7 @@ class Publisher:
         for _ in range(MOST_CLIENTS):
             try:
                 client, _address = self._server.accept()
-            except OSError:  # nobody is there, or no descriptor is left: who is there waits
+            except OSError:  # no client is there, or no descriptor is left: clients wait
                 return
             client.setblocking(False)
             if len(self._clients) >= MOST_CLIENTS:

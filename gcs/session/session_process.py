@@ -286,7 +286,7 @@ class SessionProcess:
             self._publish()
 
     def _go_on_after(self, away_s: float) -> None:
-        """The supervisor did not run for so long: nobody is to blame for the silence meanwhile."""
+        """The supervisor did not run for so long: no vehicle counts as silent for that time."""
         now_s = time.monotonic()
         if not self._begun:
             return  # there is no session yet that could have stood still
@@ -301,7 +301,7 @@ class SessionProcess:
         """Say whose answer the session waits for; after a minute, go on without them."""
         for key in self._link.awaited:
             label = self._labels.get(key[0], f"vehicle {key[0]}")
-            if key[0] in self._supervisor.hung:  # nobody need wait to see whether it comes back
+            if key[0] in self._supervisor.hung:  # no wait: it is known to hang
                 self._supervisor.lose(key, f"{label} hangs, and is given up")
                 continue
             if waited_s < (GIVE_UP_SOON_S if self._scenario.vehicles.external else GIVE_UP_S):

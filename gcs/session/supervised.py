@@ -84,7 +84,7 @@ def make_folder(out: Path | None, name: str) -> Path:
     suffix = 1
     while True:
         try:
-            folder.mkdir(mode=0o700, parents=True)  # nobody else has anything to read, or to connect to, in it
+            folder.mkdir(mode=0o700, parents=True)  # no other user may read, or connect to, anything in it
             break
         except FileExistsError:
             if out is not None or not folder.is_dir():

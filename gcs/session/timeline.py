@@ -89,7 +89,7 @@ class Timeline:
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
-        """the decisions and orders that say who pursues whom"""
+        """the decisions and orders that assign targets to pursuers"""
         self.violations: list[dict[str, Any]] = []
         """the goal's parts that were broken, in the order of their times"""
         self.unmet: Sequence[GoalPartSummary] | None = None

@@ -1,4 +1,4 @@
-"""A .tlog to be played: what was said when, and from whom to whom, from any time on.
+"""A .tlog to be played: which frame was sent when, from which sender to which receiver, from any time on.
 
 One compiled pass over the file makes an index: it is cut into blocks, and each block knows the last place of every kind
 of message of every sender in it. What was known at a time is then fed from the last of each before its block, and what
@@ -205,8 +205,8 @@ class TlogIndex:
                 raw = tlog_reader.raw_at(file.read(tlog_reader.LARGEST), 0)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
-        # Batteries last: what they say is read by what was armed, given and received. Of those of which everything is
-        # recorded it stands among it.
+        # Batteries last: their reports are read with what was armed, given and received. Where everything of a vehicle
+        # is recorded, that is in the recording too.
         return sorted(frames, key=lambda each: each.frame.msgid == _BATTERY and each.frame.sysid not in self._metered)
 
     def gaps_before(self, from_s: float) -> GapCounter:

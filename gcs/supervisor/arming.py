@@ -28,7 +28,7 @@ RETRY_S = 1.0
 SELDOM_S = 32.0
 """A vehicle of ours that refuses to be armed is asked again after 1, 2, 4 s and so on, in the end so seldom."""
 MOST_REFUSALS = 64
-"""Different refusals that are remembered, so that none is told twice."""
+"""Different refusals that are remembered, so that none is reported twice."""
 CHARGED_SHARE = 0.01
 """Of its battery: so much more in it, and it is asked at once."""
 _ROUNDING_S = 1e-6
@@ -93,7 +93,7 @@ class ArmingSequence:
         self.left_out = ""
         """why it takes no part, as a sentence; empty while it does"""
         self.touched: set[int] = set()
-        """where it enters itself when somebody wants something of it, for whoever asks it only then"""
+        """set into which it enters its id when something is requested of it, so that it is asked only then"""
 
     @property
     def sends_set_points(self) -> bool:
@@ -159,7 +159,7 @@ class ArmingSequence:
 
     def rests(self, view: VehicleView) -> bool:
         """Whether, having decided on this view, it would decide nothing and stay as it is at every later time, as long
-        as nobody wants anything of it and nothing of the vehicle changes but figures.
+        as nothing is requested of it and nothing of the vehicle changes but figures.
 
         It has no parameters to ask for then, and what it looks at is no figure: while a view is `fresh`, its age is
         none that cuts it off. Charge, check list and time count only on the way into the air.

@@ -12,7 +12,7 @@
    mode that is not steered by hand is but on its way there: a HEARTBEAT may be a second old.
 4. What an operator orders goes before all that, and so does the order to have it back.
 5. While it is silent nothing changes; it may come back. A return or a landing in which it does is its failsafe's or a
-   pilot's, nobody knows which: it is left alone, unless the scenario says `rejoins`.
+   pilot's, which cannot be known: it is left alone, unless the scenario says `rejoins`.
 """
 
 from __future__ import annotations
@@ -47,11 +47,11 @@ LATE_S, STALE_S = 0.5, 1.0
 that stood still for longer, or a link that was silent for longer, may have been why."""
 BLAMED_S = 3.0
 """How long after that a hold is our own doing: it may need a HEARTBEAT or two to be reported. A return or a landing is
-left alone even then, for whoever looks on may have wanted it; a PX4 that did so by itself, as it does by its defaults,
+left alone even then, for a pilot may have wanted it; a PX4 that did so by itself, as it does by its defaults,
 goes back to offboard by itself when set points flow again."""
 COMING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 """Modes in which one that flies when it is met is waited for until it stands, and then armed: as a rule it is what an
-earlier session told it at its end."""
+earlier session ordered at its end."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
 _FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})

@@ -42,7 +42,7 @@ class Estimators:
         }
 
     def requests(self, sysid: int, profile: Profile, now_s: float) -> list[Message]:
-        """Messages to a vehicle that is heard, which ask for it."""
+        """Messages that ask a vehicle that is received for its estimator."""
         asked = self._asked.get(sysid)
         if asked is None or not profile.estimator_parameter or asked.tries >= ASK_TIMES or now_s < asked.due_s:
             return []
@@ -51,7 +51,7 @@ class Estimators:
         return [codec.message("PARAM_REQUEST_READ", **to, param_id=profile.estimator_parameter, param_index=-1)]
 
     def receive(self, sysid: int, frames: Iterable[Frame], now_s: float) -> Event | None:
-        """Event that says what a vehicle flies on, where it has just told."""
+        """Event that says what a vehicle flies on, where it has just reported that."""
         asked = self._asked.get(sysid)
         if asked is None or asked.profile is None:
             return None

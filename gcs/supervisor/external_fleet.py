@@ -26,12 +26,12 @@ SILENT_S = CHECK_S * SLOW_SHARE
 """A silence so long would make every stream look slow."""
 SAY_AGAIN_S = 10.0
 MOST_SAID = 1000
-"""Different texts of all external vehicles that are told within SAY_AGAIN_S."""
+"""Most different texts of all external vehicles that are shown within SAY_AGAIN_S."""
 NO_ORIGIN_S = 5.0
 DISTANT_M = 5000.0
 """An origin that is farther from the scenario's is reported: it may be a mistake."""
 BEHIND_S = 2.0
-"""At another speed than 1: a clock that has fallen so much further behind the session's is told."""
+"""At another speed than 1: a clock that has fallen so much further behind the session's is reported."""
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
@@ -63,7 +63,7 @@ class ExternalFleet:
         self._now_s = 0.0
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
         self._offset_s: dict[int, float] = {}
-        """from each one's own time to the session's, as it was when it was told last"""
+        """from each one's own time to the session's, as last reported"""
 
     def receive(
         self,
@@ -246,7 +246,7 @@ class ExternalFleet:
 
 
 def _last_seen(view: VehicleView, silent_s: float) -> str:
-    """Words about a vehicle that is not heard, for a person who looks for it."""
+    """Words about a vehicle that is not received, for a person who looks for it."""
     height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
     return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; what it is told now it may not hear"
 

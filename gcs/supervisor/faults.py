@@ -1,7 +1,7 @@
 """Injects a scenario's faults when their time has come, and says what came of each (docs/protocol.md#faults).
 
-The radio's faults stand in the radio from the start. A vehicle is told by MAV_CMD_INJECT_FAILURE to have one of its
-own: a launched one past the radio, which would lose the order, an external one as any command. Processes are the
+The radio's faults stand in the radio from the start. A vehicle is commanded by MAV_CMD_INJECT_FAILURE to have one of
+its own: a launched one past the radio, which would lose the order, an external one as any command. Processes are the
 session's.
 """
 

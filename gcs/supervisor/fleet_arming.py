@@ -1,8 +1,8 @@
-"""The arming sequences of a fleet: whom a tick has to ask, and what follows from where all of them stand.
+"""The arming sequences of a fleet: which a tick has to ask, and what follows from the states of all of them.
 
 A sequence need not be asked while three things hold: of its vehicle nothing but figures has changed, which the stamp
-says (gcs/telemetry/columns.py); nobody has wanted anything of it since; and it `rests`. Then it would command nothing
-and change nothing. In flight that is nearly everybody in nearly every tick.
+says (gcs/telemetry/columns.py); nothing has been requested of it since; and it `rests`. Then it would command nothing
+and change nothing. In flight that is nearly every vehicle in nearly every tick.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class FleetArming:
         self.sequences = sequences
         self._restless = set(sequences)
         self._touched: set[int] = set()
-        """of whom somebody has wanted something since it was looked at"""
+        """vehicles of which something was requested since they were looked at"""
         self._stamps = StampWatch()
         self._states = {sysid: _state_of(sequence) for sysid, sequence in sequences.items()}
         self._steered = frozenset(sysid for sysid, state in self._states.items() if state.sends_set_points)
@@ -67,13 +67,13 @@ class FleetArming:
 
     @property
     def steered(self) -> frozenset[int]:
-        """To whom set points should flow; the same object while they are the same."""
+        """Vehicles that set points should be sent to; the same object while they are the same."""
         self._look_at_touched()
         return self._steered
 
     @property
     def yielded(self) -> frozenset[int]:
-        """Vehicles that somebody else flies."""
+        """Vehicles under other control: another ground station's or a pilot's."""
         self._look_at_touched()
         return self._yielded
 
@@ -84,7 +84,7 @@ class FleetArming:
         return self._ordered
 
     def listen(self) -> set[int]:
-        """A set that gets everyone whose `ArmingState` changes from now on; whoever reads it empties it."""
+        """A set that gets each vehicle whose `ArmingState` changes from now on; the reader empties it."""
         changed: set[int] = set()
         self._listeners.append(changed)
         return changed

@@ -28,10 +28,10 @@ class FleetCommandQueue:
         known = stations or {}
         self._queues = {sysid: CommandQueue(*known.get(sysid, STATION)) for sysid in sysids}
         self._waiting: defaultdict[int, list[Message]] = defaultdict(list)
-        """of those for whom something waits"""
+        """by system id, of vehicles for which something waits"""
         self._under_way: set[tuple[int, str]] = set()
         self._commanded: set[int] = set()
-        """those of whom a command has been under way since `pending` was asked for last"""
+        """vehicles with a command under way since `pending` was last called"""
 
     @property
     def resent(self) -> int:

@@ -2,9 +2,10 @@
 
 1. Nothing passes unless the session lets others command (`forward: {control: true}`).
 2. A message passes to the vehicle of the session that it names. One that claims to come from a vehicle does not pass,
-   nor do those over which two masters would fight without either knowing: rates of streams, transfers of energy, keys.
+   nor do messages over which two masters would fight without either knowing: rates of streams, transfers of energy,
+   keys.
 3. A message that only asks for something passes, and the supervisor goes on flying the vehicle. What asks is named
-   here; every other message takes the vehicle, also one that nobody knows yet: from then on the supervisor sends it
+   here; every other message takes the vehicle, also an unknown one: from then on the supervisor sends it
    nothing but its HEARTBEAT, until an operator's `rejoin`. So two masters never fly one vehicle.
 """
 
@@ -60,7 +61,7 @@ MOST_AT_ONCE = 32
 """Messages to one vehicle that pass in a tick."""
 SAY_AGAIN_S = 10.0
 MOST_SAID = 1000
-"""Different messages that are told within SAY_AGAIN_S."""
+"""Most different messages that are reported within SAY_AGAIN_S."""
 
 
 class Passed(NamedTuple):

@@ -60,7 +60,7 @@ class GoalWatch:
         self._waypoints = WayPoints(scenario)
         self._stamps, self._others_moved = StampWatch(), arming.listen()
         self._restless: set[int] = set()
-        """those who have to be looked at again though nothing of them changes but figures"""
+        """vehicles to look at again though nothing of them changes but figures"""
         count = len(self._vehicles)
         self._flying, self._ours_now, self._up, self._flew = ([False] * count for _ in range(4))
         self._counts = [False] * count
@@ -173,7 +173,7 @@ class GoalWatch:
         return height_m, False
 
     def _exempt(self, partners: Collection[tuple[int, int]], now_s: float) -> list[tuple[int, int]]:
-        """Rows of those who may come near each other: partners, also over the interval in which they cease to be."""
+        """Rows of pairs that may come near each other: partners, also over the interval in which they cease to be."""
         kept = {pair: until_s for pair, until_s in self._partners.items() if until_s >= now_s - 1e-9}
         period_s = self._scenario.clock.period_s
         for a, b in partners:

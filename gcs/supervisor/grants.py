@@ -28,14 +28,14 @@ class Addressees:
         self._keys: list[Key] = []
 
     def granted(self, joined: set[Key], grant_ms: int) -> Sequence[Key]:
-        """Those of the joined who may fly until then, in order."""
+        """The joined vehicles that may fly until then, in order."""
         if joined != self._joined or len(self._keys) < len(joined):
             self._joined, self._next_ms = set(joined), 0
             self._keys = [key for key in sorted(joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
         return self._keys
 
     def greeted(self, keys: Iterable[Key], now_ms: int) -> set[int]:
-        """System ids of those whose HEARTBEAT is due now: it goes out."""
+        """System ids of vehicles whose HEARTBEAT from us is due now; they count as sent."""
         if now_ms < self._next_ms:
             return set()
         due_ms = self._due_ms
@@ -56,7 +56,7 @@ class OwnFrames:
         self._turns_rad: list[float] = []
 
     def placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot, time_ms: int) -> PlacedSetPoints:
-        """These set points as they are sent. Every vehicle of theirs has told where its frame lies."""
+        """These set points as they are sent. Each of their vehicles must have reported where its frame lies."""
         points, stamps = SetPoints.of(set_points), snapshot.columns.stamps
         if stamps is not self._stamps or (points.sysids is not self._sysids and points.sysids != self._sysids):
             views = [snapshot.vehicle(sysid) for sysid in points.sysids]

@@ -1,7 +1,7 @@
-"""A scenario's check list over its external vehicles, without a flight: nobody is armed, no mode is changed.
+"""A scenario's check list over its external vehicles, without a flight: no vehicle is armed, no mode is changed.
 
-The parts are the session's own, so that who passes here passes there. Fence and rally points are uploaded as a session
-would. Time is an argument: s since `begin` of the link.
+The parts are the session's own, so that a vehicle that passes here passes there. Fence and rally points are uploaded as
+a session would. Time is an argument: s since `begin` of the link.
 """
 
 from __future__ import annotations
@@ -81,20 +81,20 @@ class GroundCheck:
 
     @property
     def done(self) -> bool:
-        """Whether nothing is open any more of those who were heard."""
+        """Whether nothing is open any more for the vehicles that were received."""
         return self._now_s >= STREAMS_S and all(self._preflight.ended(sysid) for sysid in self._received)
 
     @property
     def ready(self) -> bool:
-        """Whether nobody says that it could not be armed. Who knows its place from now on sends it from now on, so what
-        streams lack is judged by a count that began after that."""
+        """Whether no vehicle reports that it could not be armed. A vehicle that knows its place only now sends it only
+        now, so missing streams are judged by a count that began after that."""
         if any(self._ready.get(sysid) is False for sysid in self._received):
             return False
         counted = self._now_s - self._ready_since_s >= CHECK_S + STREAMS_S
         return counted or not any(map(self._externals.missing_streams, self._received))
 
     def lists(self, waits: Mapping[int, str]) -> dict[int, list[CheckItem]]:
-        """Check lists by system id; `waits` are reasons why somebody has not been heard."""
+        """Check lists by system id; `waits` are reasons why a vehicle has not been received."""
         snapshot = self._fleet.snapshot(self._now_s)
         links = self._link.links()
         found = {}

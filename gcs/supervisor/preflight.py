@@ -1,11 +1,11 @@
 """The check list of every vehicle before it is armed: fence and rally points uploaded and read back, clock compared.
 
 1. What the scenario has no fence or rally points for is not touched on a vehicle.
-2. A vehicle that takes no such plan (MAV_MISSION_UNSUPPORTED) passes: it is told, and flies without.
-3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not tell it, passes.
+2. A vehicle that takes no such plan (MAV_MISSION_UNSUPPORTED) passes: that is reported, and it flies without.
+3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not report it, passes.
    At another speed than 1 only the pace of its own time counts, by `time_boot_ms`, over PACE_OVER_S of the session: a
    simulator has to keep the session's, within PACE_OFF.
-4. Until its list has ended a vehicle is not armed; who fails is not armed at all, unless `preflight: warn`.
+4. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
 Origins are judged where frames are (`arming_external`): one that is too far away is left out.
 """
 
@@ -124,7 +124,7 @@ class Preflight:
                     self._pace(checks, frame.msgid, codec.fields(frame).time_boot_ms / 1e3, now_s)
 
     def decide(self, snapshot: FleetSnapshot) -> dict[int, list[Message]]:
-        """Messages by system id that bring the lists of those who have been received further."""
+        """Messages by system id that advance the lists of vehicles that have been received."""
         now_s, out = snapshot.time_s, {}
         for sysid in self.under_way:
             view, checks = snapshot.vehicle(sysid), self._lists[sysid]

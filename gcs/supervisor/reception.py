@@ -36,8 +36,8 @@ class Reception:
     def receive(
         self, answers: Iterable[Answers], now_s: float
     ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
-        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes; all frames, and those of
-        each vehicle.
+        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes; all frames, and the
+        frames of each vehicle.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.

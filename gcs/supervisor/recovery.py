@@ -1,7 +1,7 @@
 """Brings vehicles back that their failsafe has taken while the supervisor was away.
 
-Only those that it flew, that say themselves that a failsafe flies them or that hold, and that have energy left: whoever
-a person may have taken over meanwhile stays with that person.
+Only vehicles that it flew, that report that a failsafe flies them or that hold, and that have energy left: one that a
+person may have taken over meanwhile stays with that person.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ class Recovery:
         self._until_s = 0.0
 
     def returned(self, now_s: float) -> None:
-        """The supervisor goes on at a session time; whom it flew until now may have flown a failsafe meanwhile."""
+        """The supervisor goes on at a session time; the vehicles that it flew until now may have flown a failsafe
+        meanwhile."""
         self._flown = {sysid for sysid, arming in self._arming.items() if arming.stage in _FLOWN}
         self._until_s = now_s + WATCHED_S
 

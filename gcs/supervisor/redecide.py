@@ -102,7 +102,7 @@ class Comparison:
     differences: list[Difference] = field(default_factory=list)
     by_kind: Counter[str] = field(default_factory=Counter)
     subjects: dict[tuple[Any, ...], Subject] = field(default_factory=dict)
-    """the same by kind and whom they are about, in the order in which they begin"""
+    """the same by kind and vehicles, in the order in which they begin"""
     problems: list[str] = field(default_factory=list)
 
     @property
@@ -114,7 +114,7 @@ class Comparison:
 class RecordedLink(TickLink):
     """A link of a supervisor without vehicles: it hands out what was recorded, and lets the grants go.
 
-    Docstrings are those of `TickLink`.
+    See `TickLink` for the methods.
     """
 
     def __init__(self, keys: Sequence[Key]) -> None:
@@ -128,7 +128,7 @@ class RecordedLink(TickLink):
 
     @property
     def silent(self) -> bool:
-        """Whether nobody flies: nothing is sent then, and nothing recorded."""
+        """Whether no vehicle flies: nothing is sent then, and nothing recorded."""
         return not self._granted
 
     def leave(self, key: Key) -> None:
@@ -288,7 +288,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
         return True
 
     def decide_silent(until_ms: int) -> None:
-        """The same of the ticks in which nobody flies: nothing is recorded of them but what was decided."""
+        """The same of the ticks in which no vehicle flies: only decisions are recorded of them."""
         while supervisor.time_ms < until_ms and not recorded.ended:
             relive(supervisor.time_s)
             if not link.silent:
@@ -349,7 +349,7 @@ def _compare(
 
 
 def _by_subject(decisions: Sequence[dict[str, Any]]) -> dict[tuple[Any, ...], dict[str, Any]]:
-    """Decisions of one tick by their kind and whom they are about; equal ones are distinguished by their number."""
+    """Decisions of one tick by their kind and vehicles; equal ones are distinguished by their number."""
     found: dict[tuple[Any, ...], dict[str, Any]] = {}
     for decision in decisions:
         subject = (decision["kind"], *(decision.get(key) for key in _ABOUT))

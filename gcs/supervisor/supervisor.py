@@ -60,7 +60,7 @@ if TYPE_CHECKING:  # most sessions have none
 
 WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20
-"""Texts of one vehicle that are told in one tick."""
+"""Most texts of one vehicle that are shown in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSID_AT = 5  # in a frame
 
@@ -298,7 +298,7 @@ class Supervisor:
     def _receive(
         self, answers: Iterable[Answers], now_s: float
     ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
-        """Let everybody read what came who is to: all frames, and those of each vehicle, in order of system id."""
+        """Pass what came to all its readers: all frames, and the frames of each vehicle, in order of system id."""
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
@@ -348,7 +348,8 @@ class Supervisor:
     # decide
 
     def _serve_at_bases(self, decision: Decision) -> None:
-        """Let land who is to land, and let bases speak to those they charge, or their books for those who cannot."""
+        """Let vehicles land that are to land; bases speak to the vehicles that they charge, or keep books for
+        others."""
         if decision.grounded != self.grounded:
             self.grounded = decision.grounded
             self._fleet_arming.ground(decision.grounded)
@@ -434,7 +435,7 @@ class Supervisor:
         )
 
     def _flown(self, set_points: Sequence[SetPoint]) -> Sequence[SetPoint]:
-        """Those of vehicles that nobody else flies."""
+        """Set points of vehicles under our control."""
         yielded = self._fleet_arming.yielded
         return [point for point in set_points if point.sysid not in yielded] if yielded else set_points
 
@@ -466,7 +467,7 @@ class Supervisor:
         self.time_ms = grant_ms
 
     def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
-        """Those of these to whom more goes than HEARTBEAT and set point, or over a radio that may hold it back."""
+        """Keys with more to send than HEARTBEAT and set point, or with a radio that may hold it back."""
         if not self._radio.clear or self._peer_radio is not None:
             return [key for key in keys if key != TRAFFIC]
         copied = self.quality.copied

@@ -1,4 +1,5 @@
-"""The server of the page: static files for anybody on this machine, and the session's lines for who has a token.
+"""The server of the page: static files for any client on this machine, and the session's lines for clients with a
+token.
 
 Bound to 127.0.0.1. A page of another origin gets nothing: Host must name this machine (against DNS rebinding), and the
 stream's Origin must be the page's own. The token is in the link's fragment, which no browser sends or logs; the page
@@ -55,7 +56,7 @@ class Tokens(NamedTuple):
 
     @classmethod
     def fresh(cls) -> Tokens:
-        """Two that nobody can guess."""
+        """Two tokens that cannot be guessed."""
         return cls(secrets.token_urlsafe(18), secrets.token_urlsafe(18))
 
     def commands(self, given: str) -> bool | None:

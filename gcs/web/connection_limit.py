@@ -1,7 +1,7 @@
-"""ConnectionLimit of the page's server: whoever has shown a token keeps one, all others share a few for a short while.
+"""ConnectionLimit of the page's server: a client with a token keeps one, all others share a few for a short while.
 
-A connection that sends no request, or asks for nothing but files, ends by itself; of too many the oldest ends. So those
-without a token, who may be anybody on this machine, use up no descriptors and keep nobody with a token out.
+A connection that sends no request, or asks for nothing but files, ends by itself; of too many the oldest ends. So
+clients without a token, any program on this machine, use up no descriptors and keep no client with a token out.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Passes a source's lines (`gcs.session.message_types`) on to any number of pages; no socket, clock or thread.
 
-A page that comes late is first told the session with every event so far, then what it has missed, thinned out, then the
+A page that comes late first gets the session with every event so far, then what it has missed, thinned out, then the
 newest. A page that reads slowly misses snapshots but no event, no reply and not the end; one that reads nothing is let
-go of, and comes back by itself. Nobody who feeds a hub ever waits.
+go of, and comes back by itself. The source that feeds a hub never waits.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class Hub:
         return self._end is not None
 
     def take(self, messages: Iterable[Message]) -> None:
-        """Pass on what the source has told."""
+        """Pass on a message of the source."""
         for message in messages:
             kind = message.get("type")
             if kind == "session":
@@ -113,7 +113,7 @@ class Hub:
                     listener.put(self._end)
 
     def join(self, commands: bool, wake: Callable[[], object]) -> PageListener:
-        """A page that has come; what it is told first waits for it already."""
+        """A page that has come; its first lines wait for it already."""
         self._number += 1
         greeting = None if self._session is None else self._greeting(commands)
         listener = PageListener(self._number, commands, wake, greeting, (line for _, line in self._past))
@@ -130,7 +130,7 @@ class Hub:
         self._listeners.pop(listener.number, None)
 
     def command(self, listener: PageListener, text: str) -> Message | None:
-        """The command of a page, as the source is to be told; None where it was answered already."""
+        """The command of a page, as it is sent to the source; None where it was answered already."""
         try:
             content = msgspec.json.decode(text)
         except (ValueError, RecursionError):
@@ -166,7 +166,7 @@ class Hub:
             self._past_bytes -= len(past.pop()[1])
         if past and t_s - past[-1][0] < self._past_every_s:
             return
-        bare = line  # events are told with the session
+        bare = line  # events are sent with the session
         if not plain or message.get("inspected"):
             bare = self._encoder.encode({**message, "events": [], "inspected": {}})
         past.append((t_s, bare))

@@ -36,7 +36,7 @@ def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, st
                 links = dict(json.loads(out.readline()))
         yield links
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(ENDS_WITHIN_S)  # its pages are told how the session ended, and it ends by itself
+            process.wait(ENDS_WITHIN_S)  # its pages learn how the session ended, and it ends by itself
     finally:
         process.terminate()
         end(process, ENDS_WITHIN_S)

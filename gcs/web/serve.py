@@ -1,4 +1,4 @@
-"""Serves a source (`gcs.session.client.MessageSource`) to browsers until it is told to end."""
+"""Serves a source (`gcs.session.client.MessageSource`) to browsers until it is asked to end."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from gcs.web.hub import Hub
 
 LOOK_EVERY_S = 0.05
 GRACE_S = 1
-"""in which the pages are told that the server ends"""
+"""time for the pages to learn that the server ends"""
 
 
 def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:

@@ -53,8 +53,8 @@ def fly_autopilot(
         raise click.UsageError("give either --supervised or --connect")
     try:
         if supervised is not None:
-            # It and its autopilot answer each other hundreds of times in a grant: whoever is woken may wait for its
-            # turn, not interrupt another pair or the supervisor. The autopilot inherits it.
+            # It and its autopilot answer each other hundreds of times in a grant: a process that is woken may wait for
+            # its turn, not interrupt another pair or the supervisor. The autopilot inherits it.
             os.sched_setscheduler(0, os.SCHED_BATCH, os.sched_param(0))
         connection = Connection(sysid)
         wanted, plant = read_wanted(yaml.safe_load(file.read_text(encoding="utf-8")), sysid, kind.step_ms / 1e3)

@@ -22,7 +22,7 @@ LATEST_S = 15.0
 START_S, PER_WAY, END_S = 3.0, 1.14, 0.5
 """From the decision to the first joule, as START_S + PER_WAY · way; and from the last joule to the end [choice]."""
 WORTH_J = 500.0
-"""A tanker that can spare less takes nobody on."""
+"""A tanker that can spare less takes no receiver."""
 LONG_S = 1e6
 """Stands for a time without an end in a report."""
 
@@ -75,7 +75,7 @@ def meeting_s(offset_ned: Sequence[float], v_ned: Sequence[float], speed_m_s: fl
 
 
 def offers(now_s: float, peers: Mapping[int, PeerReport], rules: FleetRules) -> list[Offer]:
-    """Tankers that are heard and have something to spare, busy ones from where and when their service ends."""
+    """Tankers that are received and have something to spare, busy ones from where and when their service ends."""
     found = []
     for sysid, tanker in peers.items():
         if sysid not in rules.tankers or tanker.stage is PeerStage.APART:
@@ -125,8 +125,8 @@ def _passed_over_s(
     reach_s: Sequence[float],
     rules: FleetRules,
 ) -> float:
-    """Time until energy reaches a place if another is served first by whoever is free first, any of the others as
-    likely; a tanker that is free later may come before that."""
+    """Time until energy reaches a place if another is served first by the tanker that is free first, any of the others
+    as likely; a tanker that is free later may come before that."""
     if not givers:
         return 0.0
     if not others:

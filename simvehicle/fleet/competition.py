@@ -45,8 +45,7 @@ class FleetCompetition:
         self._last_s: float | None = None
 
     def advance(self, now_s: float, competing: Mapping[int, PeerReport], places: int) -> None:
-        """Let those who compete, by their reports, do so up to a time; `places`: tankers that there are, busy ones
-        too."""
+        """Advance the competition, by peers' reports, to a time; `places`: tankers that there are, busy ones too."""
         rules, places = self._rules, max(places, 1)
         dt_s = 0.0 if self._last_s is None else now_s - self._last_s
         self._last_s = now_s
@@ -118,8 +117,8 @@ class FleetCompetition:
                 self._held_since_s.setdefault(k, now_s)
 
     def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[FleetAward]:
-        """The winners' tankers, by the least sum of the ways' times. Whom its tanker would reach too late leaves the
-        place to the next one whom it would not."""
+        """The winners' tankers, by the least sum of the ways' times. A winner that its tanker would reach too late
+        leaves its place to the next one in time."""
         cost_s = [[self._way_s(now_s, offer, sysid) for offer in free] for sysid in winners]
         _, tanker_of = least_cost(np.reshape(cost_s, (len(winners), len(free))))
         others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
@@ -144,5 +143,5 @@ class FleetCompetition:
 
 
 def _rank(sysid: int, report: PeerReport) -> tuple[float, ...]:
-    """Of those who tie: the hopeless last, then need to the percent, way to the second, system id."""
+    """Order of vehicles that tie: the hopeless last, then need to the percent, way to the second, system id."""
     return (float(report.slack_s < HOPELESS_S), -round(100.0 * report.need), round(report.way_s), sysid)

@@ -130,7 +130,7 @@ class FleetMember:
                 self.receiver.call(won, now_s)
 
     def _free(self, now_s: float, peers: Mapping[int, PeerReport], givers: list[Offer]) -> list[Offer]:
-        """Tankers that serve nobody, that nobody calls, and that answer."""
+        """Tankers that serve no vehicle, that no vehicle calls, and that answer."""
         assert self.receiver is not None
         called = {peer.partner for sysid, peer in peers.items() if sysid not in self._rules.tankers}
         return [
@@ -224,7 +224,7 @@ class FleetMember:
         self._meet_ned = self._goal_ned or self._flight.hold_ned
 
     def _aim_tanker(self, peers: Mapping[int, PeerReport]) -> None:
-        """Above the place where its receiver waits, until energy flows; a tanker that serves nobody stays."""
+        """Above the place where its receiver waits, until energy flows; a tanker without a receiver stays."""
         assert self.tanker is not None
         receiver = peers.get(self.tanker.receiver)
         if not self.tanker.receiver:

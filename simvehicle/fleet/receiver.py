@@ -25,7 +25,7 @@ from simvehicle.fleet.rules import FleetRules
 from simvehicle.fleet.settlement import ReceiverSettlement
 
 CALL_WITHIN_S = 3.0
-"""A tanker that has not answered a call for so long is called by nobody of ours for as long again."""
+"""A tanker that has not answered a call for so long is not called by this vehicle for as long again."""
 MEET_WITHIN_S = 60.0
 SILENT_S = 5.0
 """A tanker that has been silent for so long is waited for no more."""
@@ -94,7 +94,7 @@ class Receiver:
 
     @property
     def stage(self) -> PeerStage:
-        """The stage that the others are told."""
+        """The stage in this vehicle's report."""
         return _STAGES.get(self.phase, PeerStage.TRANSFERS)
 
     def blocked(self, tanker: int, now_s: float) -> bool:
@@ -251,7 +251,7 @@ class Receiver:
         self.orders.append(OrderToPeer(self.tanker, replace(self._order, partner=self._sysid, role=role)))
 
     def _stop_own(self, now_s: float) -> None:
-        """End the own side of a transfer, whoever ended the other one; what it credited is known for good."""
+        """End the own side of a transfer, however the other side ended; what it credited is known for good."""
         self._vehicle.end_transfer("stopped")
         if self._order is not None:
             credited_j = self._vehicle.received_j - self._in_at_start_j

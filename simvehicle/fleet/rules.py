@@ -42,7 +42,7 @@ class TankerShare(NamedTuple):
 
 @dataclass(frozen=True)
 class FleetRules:
-    """Competition, service and distances; names and units are those of the scenario's keys."""
+    """Competition, service and distances; names and units are as in the scenario's keys."""
 
     p: float
     rate: float

@@ -1,7 +1,7 @@
 """A tanker's side of services that receivers arrange: it takes one caller at a time and leaves with its reserve.
 
-The tanker is the one place where two claims meet: whoever it names in its report has it, and everybody hears the same
-(docs/protocol.md#competition-on-board).
+The tanker is the one place where two claims meet: the pursuer that its report names has it, and every peer receives the
+same (docs/protocol.md#competition-on-board).
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class TankerDuty:
 
     @property
     def stage(self) -> PeerStage:
-        """The stage that the others are told."""
+        """The stage in this vehicle's report."""
         if self.receiver:
             return PeerStage.MEETS if self._vehicle.transfer is None else PeerStage.TRANSFERS
         return PeerStage.FREE if self._free else PeerStage.APART

@@ -25,7 +25,7 @@ Differentiate = Callable[[float], tuple[float, float]]
 """A signal's next sample → its first and second derivative."""
 
 SHARES = (0.0, 0.5, 1.0, 2.0)
-"""[choice] Errors over those of `sensors: {}`."""
+"""[choice] Errors relative to the errors of `sensors: {}`."""
 SEED = 12
 DURATION_S, COUNTED_FROM_S = 40.0, 10.0
 SPEED_M_S, TURN_RAD_S = 2.0, 0.6
@@ -97,7 +97,7 @@ def fly(make: Callable[[], Differentiate], share: float) -> tuple[Floats, Floats
 
     Args:
         make: of the differentiators for φ_d and θ_d.
-        share: of the estimate's errors over those of `sensors: {}`.
+        share: of the estimate's errors, relative to the errors of `sensors: {}`.
 
     Returns:
         Times (k,) s at the steps' ends, the true velocity minus the wanted one (k, 3) nwu m/s there, and tau (k, 3)

@@ -1,5 +1,5 @@
-"""Errors of the sensors that are told to an autopilot which estimates its motion by itself (docs/model.md#sensors)
-[choice]: first-order Gauss-Markov, as those of an estimate."""
+"""Errors of the sensor readings for an autopilot that estimates its motion by itself (docs/model.md#sensors)
+[choice]: first-order Gauss-Markov, as an estimate's errors."""
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ def check(
     nothing else changes on the vehicle but the rates of its streams.
 
     With a SCENARIO instead: its check list over its external vehicles, as `gcs run` goes through it before it arms
-    them, and no flight. They get the scenario's fence and rally points; nobody is armed.
+    them, and no flight. They get the scenario's fence and rally points; no vehicle is armed.
 
     \b
     Examples:

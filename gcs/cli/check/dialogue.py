@@ -1,7 +1,7 @@
 """Asking a vehicle one question after another, as its peers do: no socket and no clock here, time is an argument.
 
 A question is asked, asked again as patient peers do, and judged by what came back meanwhile. What a missing answer
-means to whom stands with the question (`misses`): nothing here knows one peer from another.
+means, and to which peer, is kept with the question (`misses`): nothing here distinguishes peers.
 """
 
 from __future__ import annotations
@@ -173,7 +173,7 @@ class Dialogue:
     def __init__(
         self, questions: Iterable[Question], sysid: int | None = None, station: tuple[int, int] = STATION
     ) -> None:
-        """`sysid`: who is asked, None: the first that is heard. `station`: our ids."""
+        """`sysid`: the vehicle to ask; None: the first one received. `station`: our ids."""
         self.vehicle: CheckedVehicle | None = None
         self.others: set[int] = set()
         """system ids of further vehicles that were received"""

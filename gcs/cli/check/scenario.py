@@ -19,7 +19,7 @@ MOST_S = 60.0
 def check_scenario(
     scenario: Scenario, say: Callable[[str], object], *, ready_within_s: float = 0.0
 ) -> dict[int, list[CheckItem]]:
-    """Check lists of the external vehicles, by system id; `say` is told what is waited for. Raises AddressRefused,
+    """Check lists of the external vehicles, by system id; `say` gets what is waited for. Raises AddressRefused,
     KeyRefused."""
     begun_s, speed = time.monotonic(), scenario.clock.speed
     link = ExternalLink(scenario.vehicles.external, lambda: speed * (time.monotonic() - begun_s), scenario.station.ids)

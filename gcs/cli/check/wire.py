@@ -46,7 +46,7 @@ class ClockWithoutStalls:
 
 
 class Wire:
-    """One connection; a listener answers whoever spoke last. Raises AddressRefused, KeyRefused."""
+    """One connection; a listener answers the last sender. Raises AddressRefused, KeyRefused."""
 
     def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:
         """`station`: our system and component id."""

@@ -121,8 +121,8 @@ def _bids(watch: SessionModel, glyphs: Glyphs) -> StyledLines:
 
 
 def _past(watch: SessionModel, *, brief: bool) -> StyledLines:
-    """Services that have ended, the last one first: when it ended, how much, who by whom, and why; `brief`: in 40
-    cells."""
+    """Services that have ended, the last one first: when it ended, how much energy, receiver, giver, and why; `brief`:
+    in 40 cells."""
     lines: StyledLines = []
     for service in reversed(watch.snapshot.get("history") or ()):
         when = service.get("end_s")

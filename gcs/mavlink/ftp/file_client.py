@@ -4,7 +4,7 @@
     open     OpenFileRO → ACK with a session
     burst    BurstReadFile from behind the last piece that came → pieces …, again and again, until NAK, end of file
     fill     ReadFile, piece by piece → what the burst lost
-    close    TerminateSession, whose answer nobody needs
+    close    TerminateSession; its answer is not needed
 
 Every piece but the last has PIECE_BYTES: ArduPilot reads its packed parameters in pieces of one size only.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html

@@ -253,7 +253,7 @@ class ParameterClient:
         self.results.append(ParameterResult(task.name, outcome, task.before, now, why, task.wanted))
 
     def _list(self, listing: _Listing, content: Any, now_s: float) -> None:
-        if content.param_index < content.param_count:  # 65535: told unasked, or by name
+        if content.param_index < content.param_count:  # 65535: sent unasked, or by name
             listing.count = content.param_count
             listing.named[content.param_index] = content.param_id
             listing.last_s, listing.asked = now_s, 0

@@ -50,7 +50,7 @@ def line(address: Address, name: str, value: ParameterValue) -> str:
 
 
 def of_vehicle(saved: dict[Address, Numbers], sysid: int) -> dict[int, Numbers]:
-    """Numbers by component that a vehicle gets of a file: those of lines without a system id, and its own; of a file of
+    """Numbers by component that a vehicle gets of a file: from lines without a system id, and its own; of a file of
     one vehicle all."""
     vehicles = {of for of, _ in saved} - {ANY_VEHICLE}
     found: dict[int, Numbers] = {}

@@ -22,7 +22,7 @@ _CAST = int(mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST)
 
 
 class Encodings:
-    """The encoding of each component heard so far: what its capabilities say, else its HEARTBEAT's autopilot's, else
+    """The encoding of each component received so far: what its capabilities say, else its HEARTBEAT's autopilot's, else
     that of its vehicle's autopilot."""
 
     def __init__(self) -> None:

@@ -47,7 +47,7 @@ class Reached(NamedTuple):
 
 
 def is_foreign_code(name: str) -> bool:
-    """Whether MODULE:NAME, or the name of what is shipped, is code of somebody else's."""
+    """Whether MODULE:NAME, or the name of what is shipped, is code that is not shipped."""
     return ":" in name and not name.startswith("gcs.")
 
 

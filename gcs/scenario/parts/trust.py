@@ -1,4 +1,4 @@
-"""Whatever a scenario names beyond its session is used once somebody has agreed to it, until the scenario changes.
+"""Whatever a scenario names beyond its session is used once the user has agreed to it, until the scenario changes.
 
 The answer is a file in the user's state folder, by the hash of the scenario's place and content.
 """
@@ -17,7 +17,7 @@ if TYPE_CHECKING:  # the command has it late
 
 
 class TrustError(PermissionError):
-    """A scenario or campaign names code, programs, key files, devices or addresses that nobody has agreed to.
+    """A scenario or campaign names code, programs, key files, devices or addresses that the user has not agreed to.
 
     `named` lists them; `trust=True` lets it use them.
     """
@@ -68,7 +68,7 @@ def folder() -> Path:
 
 
 def remembered(key: str) -> bool:
-    """Whether this user has answered before; what anybody else put there is no answer."""
+    """Whether this user has answered before; a file of another user is no answer."""
     try:
         found = (folder() / key).lstat()
     except OSError:

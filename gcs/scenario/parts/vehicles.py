@@ -91,7 +91,7 @@ class VehicleBase(Part):
 
     @property
     def foreign(self) -> External | None:
-        """Rules for a vehicle whose autopilot is not ours, whoever started it; None where it is ours."""
+        """Rules for a vehicle whose autopilot is not ours, launched or external; None where it is ours."""
         if self.real is None:
             return self.external
         return External(
@@ -178,7 +178,7 @@ class Vehicles(Part):
 
     @property
     def followed(self) -> dict[int, int]:
-        """The target's system id by the pursuer's, of those who follow one."""
+        """The target's system id by the pursuer's, of pursuers that follow one."""
         return {p.sysid: target for p in self.pursuers if (target := self.target_of(p)) is not None}
 
     @property

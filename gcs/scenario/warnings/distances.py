@@ -184,7 +184,7 @@ def _of_the_pursuit(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 
 def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """Places that somebody is to be at and that the fence forbids."""
+    """Places for vehicles that the fence forbids."""
     places: list[tuple[str, Sequence[float]]] = [
         *((f"base {base.name}", base.position_m) for base in scenario.bases),
         *((f"rally point {k}", place) for k, place in enumerate(scenario.rally_m, 1)),
@@ -220,7 +220,7 @@ def _of_the_ground(scenario: Scenario) -> Iterator[ScenarioWarning]:
 
 
 def _of_the_charge(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """A service after which its receiver wants the next one at once, and bases that nobody may use."""
+    """A service after which its receiver wants the next one at once, and bases that no vehicle may use."""
     rules, competition, pursuers = scenario.refuelling, scenario.competition, scenario.vehicles.pursuers
     givers = scenario.vehicles.tankers or scenario.bases
     if scenario.bases and not scenario.vehicles.tankers and pursuers and all(p.transfer_capable for p in pursuers):

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import threading
 from collections.abc import Callable
 from pathlib import Path
@@ -158,7 +159,11 @@ def run(
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
+    from gcs.processes.fork_server import early
     from gcs.processes.forked import can_fork
+
+    lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
+    server = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import named
     from gcs.session.plain_text import logged, mute_stdout
     from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
@@ -204,8 +209,13 @@ def run(
     shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
     arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
     fork = None
-    if can_fork() and not any(named(resolved)):
-        fork = SupervisorFork(folder, resolved, drop_datagrams)
+    own = bool(resolved.vehicles.launched or resolved.traffic)
+    forks = can_fork() and not any(named(resolved))
+    if server is not None and not (own and forks):
+        server.discard()
+        server = None
+    if forks:
+        fork = SupervisorFork(folder, resolved, drop_datagrams, server)
     else:
         write_scenario(folder, resolved)
     if not (strict or quiet):

@@ -10,7 +10,7 @@ import shutil
 import socket
 import subprocess
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
@@ -111,6 +111,21 @@ class ForkServer:
             raise LaunchError("the program 'simvehicle' is not installed beside gcs; install Skytender again with pip")
         return cls.started(lambda **streams: subprocess.Popen([program, "fork-server"], **streams))
 
+    def adopted(self) -> Self:
+        """The same one for a fork of this process that has inherited the socket."""
+        return type(self)(self._socket)
+
+    def hand_over(self) -> None:
+        """Leave it to a fork of this process that has inherited the socket: it ends with the fork."""
+        self._socket.close()
+
+    def discard(self) -> None:
+        """Kill it, and wait for its end; the kernel kills its processes with it."""
+        self._socket.close()
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+
     def __enter__(self) -> Self:
         return self
 
@@ -176,3 +191,17 @@ class ForkServer:
         self.alive = False
         if self._process is not None:
             end(self._process, 0.0 if time.monotonic() >= deadline_s else ENDED_WITHIN_S)
+
+
+@contextlib.contextmanager
+def early(wanted: bool) -> Iterator[ForkServer | None]:
+    """The vehicles' fork server, which loads while it is found out what is to fly; it ends with this context."""
+    server = None
+    if wanted:
+        with contextlib.suppress(LaunchError, OSError):  # the session tries again, and says why
+            server = ForkServer.of_vehicles()
+    try:
+        yield server
+    finally:
+        if server is not None:
+            server.discard()

@@ -19,6 +19,7 @@ from typing import IO, Any, Self
 
 import click
 
+from gcs.processes.fork_server import ForkServer
 from gcs.processes.forked import ForkedProcess, end
 from gcs.processes.python import start_python
 from gcs.scenario.file import dump, load
@@ -110,15 +111,21 @@ def write_scenario(folder: Path, scenario: Scenario) -> None:
 
 @dataclass(frozen=True)
 class SupervisorFork:
-    """The supervisor of the session prepared in `folder`, to be run in a fork of this process."""
+    """The supervisor of the session prepared in `folder`, to be run in a fork of this process, with the vehicles' fork
+    server that has been started already, if there is one."""
 
     folder: Path
     scenario: Scenario
     drop: float
+    server: ForkServer | None = None
 
     def start(self, stderr: IO[bytes] | None) -> ForkedProcess:
-        """Fork."""
-        return ForkedProcess(self._fly, f"{SUPERVISOR} {self.folder}", stderr)
+        """Fork; the fork server is the fork's from now on."""
+        keep = () if self.server is None else (self.server.fileno(),)
+        process = ForkedProcess(self._fly, f"{SUPERVISOR} {self.folder}", stderr, keep)
+        if self.server is not None:
+            self.server.hand_over()
+        return process
 
     def _fly(self) -> int:
         if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
@@ -127,7 +134,8 @@ class SupervisorFork:
         with unplugged():
             from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
-            return process.fly(self.folder, drop=self.drop, scenario=self.scenario)
+            server = None if self.server is None else self.server.adopted()
+            return process.fly(self.folder, drop=self.drop, scenario=self.scenario, server=server)
 
 
 class Supervised:

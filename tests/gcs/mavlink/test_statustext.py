@@ -13,6 +13,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink2
 
 from gcs.mavlink import codec
 from gcs.mavlink.statustext import CHUNK_BYTES, MOST_BYTES, PATIENCE_S, TextChunk, Texts, chunk_of, recorded
+from simvehicle.mavlink import codec as vehicle_codec
 from simvehicle.mavlink import dispatcher
 
 FIRST = "Arming denied: Resolve system health failures firs"
@@ -130,6 +131,6 @@ def test_what_a_simulated_vehicle_says_comes_whole(text: str) -> None:
     text = text.encode()[: MOST_BYTES - 50].decode("utf-8", "ignore")
     texts, told = Texts(), []
     for message in dispatcher._status_texts(6, text, 4):
-        raw = message.SCHEMA.encode(message, 0, 1, 1)
+        raw = vehicle_codec.encode(message, seq=0, sysid=1, compid=1)
         told += texts.add(chunk_of(codec.split(raw).frames[0]), 0.0)
     assert told + texts.give_up() == [(6, text)]

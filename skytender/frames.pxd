@@ -3,7 +3,9 @@ cpdef enum:
     HEADER_BYTES = 10
     PAYLOAD_BYTES = 255
     CHECKSUM_BYTES = 2
-    FRAME_BYTES = 267  # at most
+    FRAME_BYTES = 267  # at most, unsigned
+    SIGNED = 1  # flag of a frame that a signature follows
+    SIGNATURE_BYTES = 13
 
 cdef Py_ssize_t write_frame(
     unsigned char* out, const unsigned char* payload, Py_ssize_t size, unsigned int msgid, unsigned int seed,

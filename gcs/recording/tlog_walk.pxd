@@ -3,6 +3,10 @@ cimport cython
 cdef Py_ssize_t _NO_STAMP
 cdef const unsigned char[::1] _SOME_SEED
 
+@cython.locals(octets="const unsigned char*", signature=Py_ssize_t)
+cpdef bytes raw_at(bytes data, Py_ssize_t at)
+@cython.locals(at=Py_ssize_t)
+cpdef list raws_at(bytes data, list places)
 @cython.locals(at=Py_ssize_t, begin=Py_ssize_t, size=Py_ssize_t)
 cdef void _gather(
     const unsigned char[::1] data, const Py_ssize_t[:, ::1] heads, unsigned char[:, ::1] rows,

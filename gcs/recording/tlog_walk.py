@@ -13,10 +13,12 @@ from typing import Any
 
 import cython
 import numpy as np
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING
 from cython.cimports.gcs.mavlink.frame_runs import seed_of, seed_of_id
 from cython.cimports.gcs.recording.frame_heads import head_at
 from cython.cimports.libc.string import memcpy
 from cython.cimports.skytender.checksum import crc_of, ended
+from cython.cimports.skytender.frames import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, SIGNATURE_BYTES, SIGNED
 from numpy.typing import NDArray
 
 from gcs.mavlink import codec, dialect, records
@@ -57,9 +59,8 @@ class Chunk:
 
     def frames(self) -> Iterator[tuple[int, Frame]]:
         """(time in µs since the Unix epoch, frame) in the file's order."""
-        data = self.octets.tobytes()
-        for t_us, at, sysid, compid, seq, msgid in self.heads.tolist():
-            yield t_us, Frame(sysid, compid, seq, msgid, raw_at(data, at))
+        times, places, *numbers = self.heads.T.tolist()
+        return zip(times, map(Frame._make, zip(*numbers, raws_at(self.octets.tobytes(), places))))  # noqa: B905
 
     def places(self, message: int | str) -> IntArray:
         """(n,) where in the file the rows of `table` begin."""
@@ -85,13 +86,18 @@ class Chunk:
 
 def raw_at(data: bytes, at: int) -> bytes:
     """The frame at a place, of MAVLink 1 in the form of MAVLink 2."""
-    length = data[at + 1]
-    if data[at] == codec.MARKER:
-        signature = codec.SIGNATURE_BYTES if data[at + 2] & codec.SIGNED else 0
-        return data[at : at + codec.HEADER_BYTES + length + codec.CRC_BYTES + signature]
+    octets = cython.cast("const unsigned char *", PyBytes_AS_STRING(data))
+    if octets[at] == MAGIC:
+        signature = SIGNATURE_BYTES if octets[at + 2] & SIGNED else 0
+        return data[at : at + HEADER_BYTES + octets[at + 1] + CHECKSUM_BYTES + signature]
     older = dialect.older_frame(data, at)
     assert older is not None  # as the walk has found
     return older.raw
+
+
+def raws_at(data: bytes, places: list[int]) -> list[bytes]:
+    """The frames at these places, as by `raw_at`."""
+    return [raw_at(data, at) for at in places]
 
 
 @lru_cache(maxsize=512)

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
 from gcs.mavlink.datagram import AnswerRuns, FrameRun, frame_at
-from gcs.mavlink.frame_runs import COLUMNS, LAST, NUMBERS, SYSID
+from gcs.mavlink.frame_runs import LAST, NUMBERS, SYSID
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.statustext import chunk_of
 from gcs.telemetry import energy, plausibility
@@ -54,8 +54,8 @@ from gcs.telemetry.readings import (
     V_DOWN,
     V_EAST,
     V_NORTH,
+    Reader,
     kept_elsewhere,
-    read,
 )
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
@@ -112,9 +112,9 @@ class Fleet:
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
         self._seen, self._stamps = np.full(count, -1), np.full(count, self._stamps.max(initial=0) + 1)
-        self._lanes = np.full(NUMBERS, -1)
-        for sysid, row in self._rows.items():
-            self._lanes[sysid] = row
+        lanes = np.full(NUMBERS, -1)
+        lanes[list(self._rows)] = list(self._rows.values())
+        self._reader = Reader(lanes, self._readings, self._accounts, _ELSEWHERE, self._found)
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]
@@ -130,19 +130,16 @@ class Fleet:
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
-        track = self._tracks.get(frame.sysid)
-        if frame.msgid not in _KEPT:
-            if track is not None and frame.compid == AUTOPILOT and frame.msgid != mav.MAVLINK_MSG_ID_SYSTEM_TIME:
-                track.readings[MESSAGE_S] = time_s
-        elif track is not None:
-            self._read(track, frame.raw, 0, len(frame.raw), time_s)
+        lane = self._rows.get(frame.sysid)
+        if lane is not None:
+            self._read(frame.sysid, lane, frame.raw, 0, len(frame.raw), time_s)
         elif frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
             self._receive_traffic(fields(frame), time_s)
 
     def ingest_all(self, frames: Iterable[Frame], time_s: float) -> None:
         """Take frames that were delivered at a session time, in their order."""
-        if isinstance(frames, FrameRun) and (track := self._tracks.get(frames.sender[0])) is not None:
-            self._read(track, frames.data, *frames.span, time_s)
+        if isinstance(frames, FrameRun) and (lane := self._rows.get(frames.sender[0])) is not None:
+            self._read(frames.sender[0], lane, frames.data, *frames.span, time_s)
             return
         for frame in frames:
             self.ingest(frame, time_s)
@@ -152,10 +149,7 @@ class Fleet:
         data, spans, rows = runs.frames.data, runs.frames.spans, runs.rows
         run = at = end = lane = 0
         while True:
-            run, at, why = read(
-                data, at, end, lane, run, spans, rows, self._lanes, time_s,
-                self._readings, self._accounts, _ELSEWHERE, self._found,
-            )  # fmt: skip
+            run, at, why = self._reader.read_runs(data, at, end, lane, run, spans, rows, time_s)
             if why == END:
                 return
             one = rows[run - 1]
@@ -167,17 +161,12 @@ class Fleet:
                 at = self._go_on(self._tracks[sysid], data, at, why, time_s)
                 lane = self._rows[sysid]
 
-    def _read(self, track: VehicleTrack, data: bytes, begin: int, end: int, time_s: float) -> None:
+    def _read(self, sysid: int, lane: int, data: bytes, at: int, end: int, time_s: float) -> None:
         """Read the frames of one vehicle, which lie there whole and one after the other."""
-        lane = self._rows[track.member.sysid]
-        while begin < end:
-            _, begin, why = read(
-                data, begin, end, lane, 0, _NO_FRAMES, _NO_RUNS, self._lanes, time_s,
-                self._readings, self._accounts, _ELSEWHERE, self._found,
-            )  # fmt: skip
-            if why == END:
-                return
-            begin = self._go_on(track, data, begin, why, time_s)
+        at, why = self._reader.read(data, at, end, lane, time_s)
+        while why != END:
+            at = self._go_on(self._tracks[sysid], data, at, why, time_s)
+            at, why = self._reader.read(data, at, end, lane, time_s)
 
     def _go_on(self, track: VehicleTrack, data: bytes, at: int, why: int, time_s: float) -> int:
         """Do what compiled code stopped for; where the next frame begins."""
@@ -395,5 +384,3 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
 """Of messages that are not among the readings, or not always: BATTERY_STATUS of a vehicle with several."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)
 _ELSEWHERE = kept_elsewhere(_HANDLERS.keys() - MESSAGES, _FROM_ANYBODY)
-_NO_FRAMES, _NO_RUNS = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64)
-_KEPT = MESSAGES | _HANDLERS.keys()

@@ -105,7 +105,18 @@ cdef struct Stop:
 cdef Stop _read_run(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t end, double now_s, Readings* row, Account* one,
     const unsigned char[::1] kept, double* found) noexcept nogil
-cpdef read(
-    bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, Py_ssize_t run, int64_t[:, ::1] spans,
-    int64_t[:, ::1] runs, const int64_t[::1] lanes, double now_s, double[:, ::1] readings, accounts,
-    const unsigned char[::1] kept, double[::1] found)
+
+cdef class Reader:
+    cdef const int64_t[::1] _lanes
+    cdef double[:, ::1] _readings
+    cdef Account[::1] _accounts
+    cdef const unsigned char[::1] _kept
+    cdef double[::1] _found
+
+    cpdef read(self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, double now_s)
+    @cython.locals(stop=Stop)
+    cpdef read_runs(
+        self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, Py_ssize_t run, int64_t[:, ::1] spans,
+        int64_t[:, ::1] runs, double now_s)
+    cdef Stop _read(
+        self, const unsigned char* data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, double now_s) noexcept nogil

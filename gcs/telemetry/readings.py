@@ -19,7 +19,6 @@ from cython.cimports.gcs.telemetry.energy import (
     DRAWN,
     IMPOSSIBLE_POWER,
     IMPOSSIBLE_TOTAL,
-    accounts_of,
     count,
     mean_power,
 )
@@ -65,8 +64,8 @@ __all__ = [
     "END", "EXTERNAL", "FOUND", "FROM_ANYBODY", "FROM_AUTOPILOT", "GIVEN_REPORTED_S", "HEADING", "LANDED",
     "LANDED_REPORTED", "MESSAGES", "MESSAGE_S", "MODE", "MOST_EFFORT", "NORTH", "ORIGIN_ALT", "ORIGIN_LAT",
     "ORIGIN_LON", "PITCH", "PLACE", "POSITION_S", "POWER_W", "READINGS", "RECEIVED_REPORTED_S", "RECEIVED_S", "ROLL",
-    "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST", "V_NORTH", "Row",
-    "kept_elsewhere", "new_readings", "read",
+    "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST", "V_NORTH", "Reader", "Row",
+    "kept_elsewhere", "new_readings",
 ]  # fmt: skip
 
 Row = NDArray[np.float64]
@@ -298,46 +297,65 @@ def _read_run(
     return Stop(at, BATTERY if counted else END)
 
 
-def read(
-    data: bytes,
-    at: int,
-    end: int,
-    lane: int,
-    run: int,
-    spans: NDArray[np.int64],
-    runs: NDArray[np.int64],
-    lanes: NDArray[np.int64],
-    now_s: float,
-    readings: NDArray[np.float64],
-    accounts: NDArray[Any],
-    kept: NDArray[np.uint8],
-    found: Row,
-) -> tuple[int, int, int]:
-    """Read the frames of the vehicle `lane` that lie in data[at:end], one after the other, and then the runs from `run`
-    on; (which run is next, where in the one before it the next frame begins, why it stops).
+class Reader:
+    """Reads frames into the rows of a fleet's vehicles."""
 
-    Args:
-        spans: (frames, 2) of all frames of the runs.
-        runs: (n, COLUMNS of gcs/mavlink/frame_runs.py).
-        lanes: (256,) by system id.
-        now_s: session time.
-        readings, accounts: (vehicles, READINGS) and (vehicles,).
-        kept: (SMALL_IDS,)
-        found: (FOUND,)
-    """
-    books = accounts_of(accounts)
-    while True:
-        if at < end:
-            row, one = readings_at(readings, lane), cython.address(books[lane])
-            stop = _read_run(data, at, end, now_s, row, one, kept, cython.address(found[0]))
-            at = stop.at
-            if stop.why != END:
-                return run, at, stop.why
-        if run == runs.shape[0]:
-            return run, at, END
-        next_run = run_at(runs, run)
-        at, end = spans[next_run.first, 0], spans[next_run.last - 1, 1]
-        lane = lanes[next_run.sysid]
-        run += 1
-        if lane < 0:
-            return run, at, UNKNOWN
+    def __init__(
+        self,
+        lanes: NDArray[np.int64],
+        readings: NDArray[np.float64],
+        accounts: NDArray[Any],
+        kept: NDArray[np.uint8],
+        found: Row,
+    ) -> None:
+        """Keep the tables, which are filled in place.
+
+        Args:
+            lanes: (256,) row of a vehicle by its system id; negative: none.
+            readings, accounts: (vehicles, READINGS) and (vehicles,).
+            kept: (SMALL_IDS,)
+            found: (FOUND,)
+        """
+        self._lanes, self._readings, self._accounts = lanes, readings, accounts
+        self._kept, self._found = kept, found
+
+    def read(self, data: bytes, at: int, end: int, lane: int, now_s: float) -> tuple[int, int]:
+        """Read the frames of the vehicle `lane` that lie in data[at:end], one after the other, at a session time;
+        (where the next frame begins, why it stops)."""
+        stop = self._read(data, at, end, lane, now_s)
+        return stop.at, stop.why
+
+    def read_runs(
+        self,
+        data: bytes,
+        at: int,
+        end: int,
+        lane: int,
+        run: int,
+        spans: NDArray[np.int64],
+        runs: NDArray[np.int64],
+        now_s: float,
+    ) -> tuple[int, int, int]:
+        """As `read`, and then the runs from `run` on; (which run is next, where in the one before it the next frame
+        begins, why it stops).
+
+        Args:
+            spans: (frames, 2) of all frames of the runs.
+            runs: (n, COLUMNS of gcs/mavlink/frame_runs.py).
+        """
+        while True:
+            stop = self._read(data, at, end, lane, now_s)
+            if stop.why != END or run == runs.shape[0]:
+                return run, stop.at, stop.why
+            next_run = run_at(runs, run)
+            at, end = spans[next_run.first, 0], spans[next_run.last - 1, 1]
+            lane = self._lanes[next_run.sysid]
+            run += 1
+            if lane < 0:
+                return run, at, UNKNOWN
+
+    def _read(self, data: Any, at: int, end: int, lane: int, now_s: float) -> Any:
+        if at >= end:
+            return Stop(at, END)
+        row, one = readings_at(self._readings, lane), cython.address(self._accounts[lane])
+        return _read_run(data, at, end, now_s, row, one, self._kept, cython.address(self._found[0]))

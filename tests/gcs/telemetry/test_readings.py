@@ -12,10 +12,9 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
 from gcs.mavlink.datagram import runs_of
-from gcs.mavlink.frame_runs import COLUMNS
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
-from gcs.telemetry.readings import FOUND, new_readings, read
+from gcs.telemetry.readings import FOUND, Reader, new_readings
 from gcs.telemetry.track import Member
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
@@ -31,9 +30,8 @@ def silent_account() -> Any:
 
 def read_alone(data: bytes, now_s: float, row: Any, account: Any, found: Any) -> tuple[int, int]:
     """Read frames of a fleet's only vehicle: where the next one begins, and why it stops."""
-    none = np.empty((0, 2), np.int64), np.empty((0, COLUMNS), np.int64), np.zeros(256, np.int64)
-    _, at, why = read(data, 0, len(data), 0, 0, *none, now_s, row[np.newaxis], account, NOTHING, found)
-    return at, why
+    reader = Reader(np.zeros(256, np.int64), row[np.newaxis], account, NOTHING, found)
+    return cast(tuple[int, int], reader.read(data, 0, len(data), 0, now_s))
 
 
 class Read:

@@ -184,6 +184,8 @@ class EarlierEvents:
                 )  # else it is another session, in the same place
                 missed = min(sent - known, len(events))
                 self._missed = events[len(events) - missed :]
+                if events and sent - known > missed:
+                    self._missed.insert(0, _left_out(sent - known - missed, float(self._missed[0]["t_s"])))
                 self._event_count = sent
             elif kind == "snapshot":
                 self._event_count += len(events)
@@ -192,6 +194,12 @@ class EarlierEvents:
                     self._missed = []
             made.append(message)
         return made
+
+
+def _left_out(count: int, t_s: float) -> dict[str, Any]:
+    """The event that stands for those before a time that a session no longer keeps for new clients."""
+    text = f"{count} earlier events are not shown here: the report shows them"
+    return {"t_s": t_s, "sysid": None, "level": "info", "text": text, "kind": "session"}
 
 
 class MessageSource(Protocol):

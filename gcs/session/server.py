@@ -26,8 +26,9 @@ from gcs.telemetry.events import Event
 
 BUFFER_BYTES = 1 << 20
 BACKLOG_BYTES = 1 << 20
-REMEMBERED = 200
-"""Earlier events that a new client is sent."""
+REMEMBERED = 1000
+"""Earlier events that a new client is sent: those of the start of 254 vehicles, in a greeting that a socket's buffer
+holds."""
 MOST_CLIENTS = 32
 MOST_COMMANDS = 4
 """Lines of one client that are taken in one poll; the rest wait, and it waits with them."""

@@ -50,7 +50,10 @@ def test_another_session_in_the_same_place_is_shown_from_its_start() -> None:
     assert told(earlier.joined([first, snapshot(5), other, snapshot(91)])) == [0, 1, 2, 3, 4, 5, 90, 91]
 
 
-def test_of_more_than_a_session_remembers_the_last_are_shown_and_a_session_that_tells_none_is_no_trouble() -> None:
-    some: dict[str, Any] = {"type": "session", "events": [{"n": n} for n in range(REMEMBERED)], "told": 10 * REMEMBERED}
-    assert told(EarlierEvents().joined([some, snapshot()])) == list(range(REMEMBERED))
+def test_events_that_a_session_no_longer_keeps_are_counted_and_a_session_that_sends_none_is_no_trouble() -> None:
+    kept = [{"n": n, "t_s": 0.1 * n} for n in range(REMEMBERED)]
+    some: dict[str, Any] = {"type": "session", "events": kept, "told": 10 * REMEMBERED}
+    ((_, shown),) = [(m, m["events"]) for m in EarlierEvents().joined([some, snapshot()]) if m["type"] == "snapshot"]
+    assert shown[1:] == kept
+    assert shown[0]["text"].startswith(f"{9 * REMEMBERED} earlier events are not shown here")
     assert told(EarlierEvents().joined([{"type": "session"}, snapshot(7), snapshot()])) == [7]

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 
 from gcs.session.client import READ_BYTES, SOCKET
+from gcs.session.messages import CONTEST_S
 from gcs.session.server import MOST_CLIENTS, MOST_COMMANDS, MOST_IN_ALL, REMEMBERED, TOO_MANY, Publisher
 
 
@@ -179,7 +180,8 @@ def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(
             assert [event["n"] for event in greeting["events"]] == list(range(5, REMEMBERED + 5))
             assert greeting["told"] == REMEMBERED + 5
             times = [t_s for t_s, v in greeting["contest"] if v == {"1": 0.5}]
-            assert times == [0.5 + 0.5 * k for k in range(102)], "twice a second"
+            last_s = 0.25 * (REMEMBERED + 4)
+            assert times == [last_s + 0.5 * k for k in range(1 - round(2 * CONTEST_S), 1)], "twice a second"
     publisher.close()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import subprocess
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -69,13 +70,16 @@ def test_who_has_not_the_key_flies_nothing_and_is_told_why_on_both_sides(
     if key is None:
         why, said = "signed, and there is no key to check it with", "not signed"
     one = vehicle("--connect", f"udpin:127.0.0.1:{port}", "--key-file", str(own))
-    with strangers(tmp_path / "said", one) as (log,):
+    with subprocess.Popen(one, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert f"udpin:127.0.0.1:{port}" in process.stdout.readline()
         refused = fly(scenario(f"udpout:127.0.0.1:{port}", key, found_within_s=2.5), tmp_path)
-        heard = log.read_text()
+        line = process.stdout.readline()
+        process.kill()
     assert refused.status == 1
     assert not (refused.folder / "summary.json").exists()
-    assert said in heard
-    assert "vehicle 7: 1 message refused, the last of system 255: " in heard
+    assert said in line
+    assert "vehicle 7: 1 message refused, the last of system 255: " in line
     # a vehicle that waits answers only whom it believes, so that nothing of it comes
     assert "no HEARTBEAT of pursuer 7" in refused.stderr
     spoken = free_port()

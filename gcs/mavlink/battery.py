@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import chain, takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,14 +18,8 @@ NO_CURRENT = frozenset({-1, -100})
 
 
 def voltage_v(cells_mv: Sequence[int], more_mv: Sequence[int] = ()) -> float | None:
-    """Sum of the cells: `cells_mv` up to the first that is 65535, and only if there is none `more_mv`, 0 where none."""
-    total_mv = 0
-    for cell_mv in cells_mv:
-        if cell_mv == NO_CELL:
-            break
-        total_mv += cell_mv
-    else:
-        total_mv += sum(more_mv)
+    """Sum of the cells up to the first that is 65535; `more_mv`, which follow `cells_mv`, are 0 where there is none."""
+    total_mv = sum(takewhile(lambda cell_mv: cell_mv != NO_CELL, chain(cells_mv, more_mv)))
     return 1e-3 * total_mv if total_mv else None
 
 
@@ -84,10 +79,10 @@ def status_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def _cells_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:
-    each_mv, more_mv = (rows[name].astype(np.int64) for name in ("voltages", "voltages_ext"))
+    each_mv = np.hstack([rows["voltages"], rows["voltages_ext"]]).astype(np.int64)
     beyond = np.logical_or.accumulate(each_mv == NO_CELL, axis=1)
-    rest_mv = np.where(beyond[:, -1], 0, more_mv.sum(axis=1))
-    return np.where(beyond, 0, each_mv).sum(axis=1) + rest_mv
+    total_mv: NDArray[np.int64] = np.where(beyond, 0, each_mv).sum(axis=1)
+    return total_mv
 
 
 def _status_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:

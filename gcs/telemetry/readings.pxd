@@ -33,8 +33,8 @@ cdef enum:
     _NAMED_VALUE_FLOAT = 251
     _NAMED_VALUE_INT = 252
     _NO_CELL = 65535
-    _CELLS = 10
-    _MORE_CELLS = 4
+    _FIRST_CELLS = 10
+    _CELLS = 14
     _NO_CURRENT = -1
     _PX4_NO_CURRENT = -100
 

@@ -28,12 +28,12 @@ from cython.cimports.gcs.telemetry.readings import (
     _BATTERY_STATUS,
     _CELLS,
     _EXTENDED_SYS_STATE,
+    _FIRST_CELLS,
     _GPS_GLOBAL_ORIGIN,
     _HEADER_BYTES,
     _HEARTBEAT,
     _HOME_POSITION,
     _LOCAL_POSITION_NED,
-    _MORE_CELLS,
     _NAMED_VALUE_FLOAT,
     _NAMED_VALUE_INT,
     _NO_CELL,
@@ -207,15 +207,13 @@ def _read_effort(data: Any, at: int, stop: int, row: Any, now_s: float) -> Any:
 
 
 def _cells_mv(data: Any, at: int, stop: int) -> Any:
-    """Cells up to the first that is _NO_CELL, and only if there is none the further ones of newer messages."""
+    """Cells up to the first that is _NO_CELL; the last ones are extension fields of newer messages."""
     total_mv = cython.cast(cython.longlong, 0)
     for k in range(_CELLS):
-        cell_mv = u16(data, at + 10 + 2 * k, stop)
+        cell_mv = u16(data, at + 2 * k + (10 if k < _FIRST_CELLS else 21), stop)
         if cell_mv == _NO_CELL:
-            return total_mv
+            break
         total_mv += cell_mv
-    for k in range(_MORE_CELLS):
-        total_mv += u16(data, at + 41 + 2 * k, stop)
     return total_mv
 
 

@@ -81,6 +81,12 @@ def test_more_cells_count_only_after_ten() -> None:
     assert report.power_w == pytest.approx(12.0)
 
 
+def test_further_cells_that_an_older_firmware_marks_as_missing_are_none() -> None:
+    """PX4 filled all fields with UINT16_MAX before it knew the extension's meaning of 0."""
+    report = status(voltages=[4000] * 10, voltages_ext=[4000, 65535, 65535, 65535], current_battery=100)
+    assert report.power_w == pytest.approx(44.0)
+
+
 def test_a_pack_above_65_v_spreads_over_two_cells() -> None:
     """The message's definition: cell 0 at 65534 mV, the rest in cell 1."""
     assert status(voltages=[65534, 4466] + [65535] * 8, current_battery=100).power_w == pytest.approx(70.0)

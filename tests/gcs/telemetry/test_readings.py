@@ -123,6 +123,9 @@ def test_batteries_are_counted_as_by_their_reports(name: str, convert: Any) -> N
         usual = bytearray(payload)
         if name == "BATTERY_STATUS" and rng.random() < 0.8:
             cells = [rng.choice([4000, 4000, 65535, 0]) for _ in range(10)]
+            if rng.random() < 0.3:
+                cells = [4000] * 10
+                struct.pack_into("<4H", usual, 41, *(rng.choice([4000, 65535, 0]) for _ in range(4)))
             rest = rng.choice([-1, -100, 0, 1310]), 0, 0, 1, rng.choice([-1, 0, 80, 100, 101])
             struct.pack_into("<ih10HhBBBb", usual, 4, rng.choice([-1, 0, 50, 5000]), 0, *cells, *rest)
         elif rng.random() < 0.8:

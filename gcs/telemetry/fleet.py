@@ -54,7 +54,7 @@ from gcs.telemetry.readings import (
     V_DOWN,
     V_EAST,
     V_NORTH,
-    Reader,
+    TelemetryReader,
     kept_elsewhere,
 )
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
@@ -114,7 +114,7 @@ class Fleet:
         self._seen, self._stamps = np.full(count, -1), np.full(count, self._stamps.max(initial=0) + 1)
         lanes = np.full(NUMBERS, -1)
         lanes[list(self._rows)] = list(self._rows.values())
-        self._reader = Reader(lanes, self._readings, self._accounts, _ELSEWHERE, self._found)
+        self._reader = TelemetryReader(lanes, self._readings, self._accounts, _ELSEWHERE, self._found)
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]

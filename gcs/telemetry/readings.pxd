@@ -106,7 +106,7 @@ cdef Stop _read_run(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t end, double now_s, Readings* row, Account* one,
     const unsigned char[::1] kept, double* found) noexcept nogil
 
-cdef class Reader:
+cdef class TelemetryReader:
     cdef const int64_t[::1] _lanes
     cdef double[:, ::1] _readings
     cdef Account[::1] _accounts

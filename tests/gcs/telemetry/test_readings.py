@@ -14,7 +14,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.datagram import runs_of
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
-from gcs.telemetry.readings import FOUND, Reader, new_readings
+from gcs.telemetry.readings import FOUND, TelemetryReader, new_readings
 from gcs.telemetry.track import Member
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
@@ -30,7 +30,7 @@ def silent_account() -> Any:
 
 def read_alone(data: bytes, now_s: float, row: Any, account: Any, found: Any) -> tuple[int, int]:
     """Read frames of a fleet's only vehicle: where the next one begins, and why it stops."""
-    reader = Reader(np.zeros(256, np.int64), row[np.newaxis], account, NOTHING, found)
+    reader = TelemetryReader(np.zeros(256, np.int64), row[np.newaxis], account, NOTHING, found)
     return cast(tuple[int, int], reader.read(data, 0, len(data), 0, now_s))
 
 

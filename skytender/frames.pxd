@@ -1,6 +1,8 @@
 cpdef enum:
     MAGIC = 0xFD
+    MAGIC_1 = 0xFE  # of MAVLink 1
     HEADER_BYTES = 10
+    HEADER_1_BYTES = 6
     PAYLOAD_BYTES = 255
     CHECKSUM_BYTES = 2
     FRAME_BYTES = 267  # at most, unsigned

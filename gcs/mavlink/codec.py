@@ -3,15 +3,14 @@
 The table comes from MAVLink's definitions (skytender/mavlink.py: id, CRC seed, wire format, field names) and is built
 per message when it is first met. Frames are in the form of MAVLink 2; MAVLink 1 is converted to it. A message
 is a named tuple with its fields in *wire order*, values in MAVLink's own units: arrays are tuples, character arrays are
-str, of UTF-8 up to the first NUL. Nothing that a network sends makes `split` raise.
+str, of UTF-8 up to the first NUL.
 """
 
 from __future__ import annotations
 
-import re
 import struct
 from collections import namedtuple
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache, partial
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
@@ -20,63 +19,33 @@ from fastcrc.crc16 import mcrf4xx
 
 from gcs.mavlink import dialect
 from gcs.mavlink.dialect import CRC_TERMS
+from gcs.mavlink.frames import MOST_TRIES, Frame, Split, split
 from skytender import mavlink
 from skytender.mavlink import MESSAGES
+
+__all__ = [
+    "BEFORE_MARKER", "CRC_BYTES", "HEADER_BYTES", "LARGEST_FRAME", "MARKER", "MOST_TRIES", "SIGNATURE_BYTES", "SIGNED",
+    "Frame", "Message", "Split", "WireFloat", "WireLayout", "encode", "fields", "frame", "layout", "message", "msgid",
+    "name", "seed_of", "sent_by", "split", "target_of",
+]  # fmt: skip
 
 MARKER, HEADER_BYTES, CRC_BYTES = dialect.MARKER, dialect.HEADER_BYTES, dialect.CRC_BYTES
 SIGNED = 0x01
 SIGNATURE_BYTES = 13
 LARGEST_FRAME = HEADER_BYTES + 255 + CRC_BYTES + SIGNATURE_BYTES
-MOST_TRIES = 64
-"""Places in a datagram that may look like a frame's beginning and be none, before the rest of it is passed over."""
 
 # Marker, payload length, incompatibility flags, compatibility flags, seq, sysid, compid, id (low 16 bits, high 8).
 _HEADER = "<BBBBBBBHB"
-# By payload length, what stands outside the payload: marker, both flags (incompatibility low), seq, sysid, compid, id,
-# CRC.
-_READ_FRAME = [struct.Struct(f"<BxHBBB3s{length}xH").unpack_from for length in range(256)]
-_ANY_MARKER = re.compile(rb"[\xFD\xFE]").search
-_SMALLEST_FRAME = HEADER_BYTES + CRC_BYTES
 _new = tuple.__new__  # fills a named tuple from a tuple without the detour over its constructor
 
 _IDS: dict[str, int] = {known.name: msgid for msgid, known in MESSAGES.items()}
-# The id as it stands in a frame → the id, and the seed that its checksum ends with.
-_SEEDS = {msgid.to_bytes(3, "little"): (msgid, bytes([known.seed])) for msgid, known in MESSAGES.items()}
-_UNKNOWN = (None, b"")
-_SEED_TERMS = frozenset(CRC_TERMS)
+# By the id as it stands in a frame.
+_SEEDS = {msgid.to_bytes(3, "little"): bytes([known.seed]) for msgid, known in MESSAGES.items()}
 
 # A checksum leaves the marker out. From this register the marker leads to the one that checksums begin with, so that a
 # frame need not be cut before it is summed: a byte makes crc >> 8 ^ term[crc & 0xFF ^ byte] of crc, here 0xFFFF.
 _INDEX = next(index for index, term in enumerate(CRC_TERMS) if term >> 8 == 0xFF)
 BEFORE_MARKER = (0xFF ^ CRC_TERMS[_INDEX] & 0xFF) << 8 | _INDEX ^ MARKER
-
-
-class Frame(NamedTuple):
-    """One MAVLink 2 frame: its header's numbers, and `raw`, the whole frame as it stood on the wire."""
-
-    sysid: int
-    compid: int
-    seq: int
-    msgid: int
-    raw: bytes
-
-    @property
-    def payload(self) -> bytes:
-        """Bytes as received: trailing zeros may be cut."""
-        return self.raw[HEADER_BYTES : HEADER_BYTES + self.raw[1]]
-
-
-class Split(NamedTuple):
-    """Content of a datagram. `malformed` counts runs of bytes that belong to no frame; `unknown` the frames whose
-    message id is not in the dialect, which no table can check or decode."""
-
-    frames: list[Frame]
-    malformed: int
-    unknown: int
-    older: list[Frame]
-    """that came in MAVLink 1, in the form of MAVLink 2"""
-    end: int
-    """where the last frame ends"""
 
 
 class Message(NamedTuple):
@@ -205,70 +174,7 @@ def msgid(message: str) -> int:
 
 def seed_of(raw: bytes) -> bytes:
     """The byte with which the checksum of a frame of the dialect ends."""
-    return _SEEDS[raw[7:10]][1]
-
-
-def seeds() -> Iterator[tuple[int, int]]:
-    """(message id, byte with which the checksums of its frames end) of each message of the dialect."""
-    return ((msgid, seed[0]) for msgid, seed in _SEEDS.values())
-
-
-def split(datagram: bytes) -> Split:
-    """Take a datagram apart into its frames; never raises.
-
-    A frame counts when its checksum is right. An unknown id's checksum has an unknown seed, so such a frame must fit
-    twice over: some seed must explain its checksum, and it must lie without a gap between other frames or the
-    datagram's ends. Signed frames are taken, their signature unchecked; any other incompatibility flag is malformed.
-    Size, marker and flags are looked at before a checksum is taken, and no more than MOST_TRIES places
-    that are no frame are tried: what a stranger can make this cost is bounded.
-    """
-    frames: list[Frame] = []
-    older: list[Frame] = []
-    malformed = unknown = tries = 0
-    size = len(datagram)
-    at = frame_end = 0  # where to look next; where the last frame ended
-    while at + dialect.SMALLEST_1 <= size:
-        length = datagram[at + 1]
-        end = at + _SMALLEST_FRAME + length
-        if datagram[at] == dialect.MARKER_1:
-            old = dialect.older_frame(datagram, at)
-            if old is not None and (old.known or _stands_between(datagram, at == frame_end, old.end)):
-                malformed += at != frame_end
-                unknown += not old.known
-                raw = old.raw
-                older.append(Frame(raw[5], raw[6], raw[4], raw[7], raw))
-                at = frame_end = old.end
-                continue
-        elif end <= size:
-            marker, flags, seq, sysid, compid, id_bytes, crc = _READ_FRAME[length](datagram, at)
-            body_end = end - CRC_BYTES
-            if flags & 0xFF:
-                end = end + SIGNATURE_BYTES if flags & 0xFF == SIGNED else size + 1
-            if marker == MARKER and end <= size:
-                msgid, seed = _SEEDS.get(id_bytes, _UNKNOWN)
-                body_crc = mcrf4xx(datagram[at + 1 : body_end] + seed)
-                if msgid is not None:
-                    valid = body_crc == crc
-                else:
-                    msgid = int.from_bytes(id_bytes, "little")
-                    valid = crc ^ body_crc >> 8 in _SEED_TERMS and _stands_between(datagram, at == frame_end, end)
-                    unknown += valid
-                if valid:
-                    malformed += at != frame_end
-                    frames.append(_new(Frame, (sysid, compid, seq, msgid, datagram[at:end])))
-                    at = frame_end = end
-                    continue
-        tries += 1
-        following = _ANY_MARKER(datagram, at + 1) if tries < MOST_TRIES else None
-        if following is None:
-            break
-        at = following.start()
-    return _new(Split, (frames, malformed + (frame_end != size), unknown, older, frame_end))
-
-
-def _stands_between(datagram: bytes, after_frame: bool, end: int) -> bool:
-    """Whether a frame lies without a gap between other frames or the datagram's ends."""
-    return after_frame and (end == len(datagram) or datagram[end] in (MARKER, dialect.MARKER_1))
+    return _SEEDS[raw[7:10]]
 
 
 def fields(frame: Frame) -> Any:
@@ -299,7 +205,7 @@ def target_of(raw: bytes) -> int:
 def sent_by(frame: Frame, compid: int, sysid: int | None = None) -> Frame:
     """The frame as if another component, or system, had sent it, unsigned; as it is where the dialect lacks its id."""
     raw = frame.raw
-    if raw[7:10] not in _SEEDS:
+    if frame.msgid not in MESSAGES:
         return frame
     sysid = frame.sysid if sysid is None else sysid
     body = raw[:2] + b"\0" + raw[3:5] + bytes([sysid, compid]) + raw[7 : HEADER_BYTES + raw[1]]
@@ -326,7 +232,7 @@ def _packer(msgid: int) -> Callable[..., bytes]:
     wire = struct.Struct(_HEADER + "".join(_struct_formats(shape)))
     pack, pack_crc, payload_bytes = wire.pack, struct.Struct("<H").pack, wire.size - HEADER_BYTES
     id_low, id_high = msgid & 0xFFFF, msgid >> 16
-    _, seed = _SEEDS[msgid.to_bytes(3, "little")]
+    seed = _SEEDS[msgid.to_bytes(3, "little")]
     plain = all(len(form) == 1 for form in shape.formats)
 
     def pack_frame(seq: int, sysid: int, compid: int, *values: Any) -> bytes:

@@ -8,7 +8,6 @@ tells the seed of a message that the table lacks.
 from __future__ import annotations
 
 import struct
-from typing import NamedTuple
 
 from fastcrc.crc16 import mcrf4xx
 
@@ -18,7 +17,6 @@ NAME = "ardupilotmega"
 MARKER, HEADER_BYTES = 0xFD, 10
 MARKER_1, HEADER_1_BYTES = 0xFE, 6
 CRC_BYTES = 2
-SMALLEST_1 = HEADER_1_BYTES + CRC_BYTES
 IDS_1 = 256
 """MAVLink 1 has no id above 255."""
 
@@ -28,40 +26,15 @@ CRC_TERMS = [mcrf4xx(bytes([seed]), 0) for seed in range(256)]
 _INDEX_OF = {term: index for index, term in enumerate(CRC_TERMS)}
 
 
-class OlderFrame(NamedTuple):
-    """A frame that came in MAVLink 1."""
-
-    raw: bytes
-    """in the form of MAVLink 2"""
-    end: int
-    """where it ends in what it was found in"""
-    known: bool
-    """whether the table has its id; of another only that some seed explains its checksum"""
-
-
-def seed_that_explains(body_crc: int, crc: int) -> int | None:
-    """The seed by which a frame's checksum follows from that of its body; None where there is none."""
-    index = _INDEX_OF.get(crc ^ body_crc >> 8)
-    return None if index is None else index ^ body_crc & 0xFF
-
-
-def older_frame(data: bytes, at: int) -> OlderFrame | None:
-    """The intact MAVLink 1 frame whose marker stands there; None where there is none."""
-    if at + SMALLEST_1 > len(data) or data[at] != MARKER_1:
-        return None
+def newer_form(data: bytes, at: int) -> bytes:
+    """The intact MAVLink 1 frame whose marker stands there, as MAVLink 2."""
     length, seq, sysid, compid, msgid = data[at + 1 : at + HEADER_1_BYTES]
     body_end = at + HEADER_1_BYTES + length
-    end = body_end + CRC_BYTES
-    if end > len(data):
-        return None
-    crc = int.from_bytes(data[body_end:end], "little")
-    seed = seed_that_explains(mcrf4xx(data[at + 1 : body_end]), crc)
-    known = MESSAGES.get(msgid)
-    if seed is None or (known is not None and seed != known.seed):
-        return None
+    crc = int.from_bytes(data[body_end : body_end + CRC_BYTES], "little")
+    body_crc = mcrf4xx(data[at + 1 : body_end])
+    seed = _INDEX_OF[crc ^ body_crc >> 8] ^ body_crc & 0xFF
     body = bytes([length, 0, 0, seq, sysid, compid, msgid, 0, 0]) + data[at + HEADER_1_BYTES : body_end]
-    raw = bytes([MARKER]) + body + mcrf4xx(body + bytes([seed])).to_bytes(CRC_BYTES, "little")
-    return OlderFrame(raw, end, known is not None)
+    return bytes([MARKER]) + body + mcrf4xx(body + bytes([seed])).to_bytes(CRC_BYTES, "little")
 
 
 def older_form(raw: bytes) -> bytes:

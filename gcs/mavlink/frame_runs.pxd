@@ -1,4 +1,7 @@
+cimport cython
 from libc.stdint cimport int64_t
+
+from skytender.intact_frames cimport Intact
 
 cpdef enum:
     NO_TIME = -1
@@ -12,8 +15,6 @@ cpdef enum:
 
 cdef enum:
     _MOST_FRAMES = MOST_BYTES // SMALLEST_FRAME
-    _IDS = 1 << 16
-    _NO_SEED = -1
     _SYSTEM_TIME = 2  # its message id,
     _TIME_BOOT_MS = 18  # and where in its frame this field stands
 
@@ -38,16 +39,8 @@ cdef struct Found:  # how many there are; -1 where a byte is of no frame of the 
     Py_ssize_t frames
     Py_ssize_t runs
 
-cdef short[_IDS] _SEEDS
 cdef int64_t[_MOST_FRAMES + 1] _BEGINS
 cdef Run[_MOST_FRAMES] _RUNS
-
-cdef inline int seed_of_id(unsigned int msgid) noexcept nogil:
-    # The byte that the checksums of a message's frames end with; -1 where the dialect lacks it.
-    return _SEEDS[msgid] if msgid < _IDS else _NO_SEED
-
-cdef inline int seed_of(const unsigned char* frame) noexcept nogil:
-    return seed_of_id(frame[7] | frame[8] << 8 | frame[9] << 16)
 
 cdef inline Run* run_at(int64_t[:, ::1] rows, Py_ssize_t i) noexcept nogil:
     return <Run*>&rows[i, 0]
@@ -55,5 +48,6 @@ cdef inline Run* run_at(int64_t[:, ::1] rows, Py_ssize_t i) noexcept nogil:
 cdef inline Awaited* awaited_at(int64_t[:, ::1] rows, Py_ssize_t i) noexcept nogil:
     return <Awaited*>&rows[i, 0]
 
+@cython.locals(intact=Intact)
 cdef Found find(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t size, int64_t* begins, Run* rows, Found found) noexcept nogil

@@ -14,10 +14,7 @@ import cython
 import cython.cimports.gcs.mavlink.payload as payload
 from cython.cimports.gcs.mavlink.frame_runs import (
     _BEGINS,
-    _IDS,
-    _NO_SEED,
     _RUNS,
-    _SEEDS,
     _SYSTEM_TIME,
     _TIME_BOOT_MS,
     HALF,
@@ -29,11 +26,8 @@ from cython.cimports.gcs.mavlink.frame_runs import (
     NUMBERS,
     SMALLEST_FRAME,
     Found,
-    seed_of,
 )
-from cython.cimports.skytender.checksum import crc_of, ended
-
-from gcs.mavlink import codec
+from cython.cimports.skytender.intact_frames import NO_SEED, intact_at
 
 __all__ = [
     "ADDRESS", "AWAITED", "COLUMNS", "COMPID", "COMPID_OF", "FIRST", "GRANTED_MS", "HALF", "HELD", "IN_STEP", "LAST",
@@ -46,11 +40,6 @@ FIRST, LAST, SYSID, COMPID, SEQ, IN_STEP, TIME_MS = range(COLUMNS)
 AWAITED = 6
 NEXT, GRANTED_MS, COMPID_OF, HELD, ADDRESS, RUN = range(AWAITED)
 
-for _msgid in range(_IDS):
-    _SEEDS[_msgid] = _NO_SEED
-for _msgid, _seed in codec.seeds():
-    _SEEDS[_msgid] = _seed
-
 
 def find(data: Any, at: int, size: int, begins: Any, rows: Any, found: Any) -> Any:
     """Find the frames of data[at:size], and go on filling begins and rows behind the frames and runs that were found
@@ -61,15 +50,8 @@ def find(data: Any, at: int, size: int, begins: Any, rows: Any, found: Any) -> A
     if at == size:
         return nothing
     while at < size:
-        if at + SMALLEST_FRAME > size or data[at] != 0xFD or data[at + 2] > 1:
-            return nothing
-        body_end = at + 10 + data[at + 1]
-        end = body_end + (15 if data[at + 2] else 2)
-        seed = seed_of(data + at)
-        if end > size or seed < 0:
-            return nothing
-        crc = ended(crc_of(data, at + 1, body_end), seed)
-        if data[body_end] != crc & 0xFF or data[body_end + 1] != crc >> 8:
+        intact = intact_at(data, at, size)
+        if not intact.end or intact.version != 2 or intact.seed == NO_SEED:
             return nothing
         seq, sysid, compid = data[at + 4], data[at + 5], data[at + 6]
         if runs == found.runs or row.sysid != sysid:
@@ -79,12 +61,12 @@ def find(data: Any, at: int, size: int, begins: Any, rows: Any, found: Any) -> A
         if compid != row.compid or seq != (row.seq + frames - row.first) & 0xFF:
             row.in_step = 0
         row.time_ms = NO_TIME
-        if data[at + 7] == _SYSTEM_TIME and data[at + 8] == 0:
-            row.time_ms = payload.u32(data, at + _TIME_BOOT_MS, body_end)
+        if intact.msgid == _SYSTEM_TIME:
+            row.time_ms = payload.u32(data, at + _TIME_BOOT_MS, intact.checksum)
         begins[frames] = at
         frames += 1
         row.last = frames
-        at = end
+        at = intact.end
     begins[frames] = size
     return Found(frames + 1, runs)
 

@@ -29,7 +29,7 @@ def _unfinished_at(data: bytes, begin: int) -> int:
     for at in range(begin, len(data)):
         left = len(data) - at
         if data[at] == dialect.MARKER_1:
-            if left < 2 or left < dialect.SMALLEST_1 + data[at + 1]:
+            if left < 2 or left < dialect.HEADER_1_BYTES + dialect.CRC_BYTES + data[at + 1]:
                 return at
         elif data[at] == dialect.MARKER and (
             left < 3

@@ -1,7 +1,7 @@
 cimport cython
+from skytender.intact_frames cimport Intact
 
 cdef Py_ssize_t _NO_STAMP
-cdef const unsigned char[::1] _SOME_SEED
 
 @cython.locals(octets="const unsigned char*", signature=Py_ssize_t)
 cpdef bytes raw_at(bytes data, Py_ssize_t at)
@@ -13,13 +13,9 @@ cdef void _gather(
     Py_ssize_t head_bytes) noexcept nogil
 @cython.locals(data="const unsigned char[::1]", rows="Py_ssize_t[:, ::1]")
 cpdef walk(octets, heads, Py_ssize_t last_end, Py_ssize_t look_at, bint final)
-@cython.locals(end=Py_ssize_t, total=Py_ssize_t, seed=int)
-cdef Py_ssize_t _frame_bytes(
-    const unsigned char* data, Py_ssize_t size, Py_ssize_t at,
-    const unsigned char[::1] some_seed) noexcept nogil
 @cython.locals(
-    n=Py_ssize_t, gaps=Py_ssize_t, skipped=Py_ssize_t, total=Py_ssize_t, end=Py_ssize_t, next_at=Py_ssize_t,
+    n=Py_ssize_t, gaps=Py_ssize_t, skipped=Py_ssize_t, intact=Intact, next_at=Py_ssize_t, numbers=Py_ssize_t,
     stamp_bytes=Py_ssize_t, begin=Py_ssize_t, follows=cython.bint, stamp="unsigned long long")
 cdef (Py_ssize_t, Py_ssize_t, Py_ssize_t, Py_ssize_t, Py_ssize_t) _walk(
-    const unsigned char[::1] octets, Py_ssize_t[:, ::1] heads, Py_ssize_t last_end, Py_ssize_t look_at, bint final,
-    const unsigned char[::1] some_seed) noexcept nogil
+    const unsigned char[::1] octets, Py_ssize_t[:, ::1] heads, Py_ssize_t last_end, Py_ssize_t look_at,
+    bint final) noexcept nogil

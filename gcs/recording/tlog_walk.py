@@ -14,17 +14,23 @@ from typing import Any
 import cython
 import numpy as np
 from cython.cimports.cpython.bytes import PyBytes_AS_STRING
-from cython.cimports.gcs.mavlink.frame_runs import seed_of, seed_of_id
 from cython.cimports.gcs.recording.frame_heads import head_at
 from cython.cimports.libc.string import memcpy
-from cython.cimports.skytender.checksum import crc_of, ended
-from cython.cimports.skytender.frames import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, SIGNATURE_BYTES, SIGNED
+from cython.cimports.skytender.frames import (
+    CHECKSUM_BYTES,
+    HEADER_1_BYTES,
+    HEADER_BYTES,
+    MAGIC,
+    MAGIC_1,
+    SIGNATURE_BYTES,
+    SIGNED,
+)
+from cython.cimports.skytender.intact_frames import NO_SEED, intact_at
 from numpy.typing import NDArray
 
 from gcs.mavlink import codec, dialect, records
 from gcs.mavlink.codec import Frame
 from gcs.recording.times.recorded_clock import NO_STAMP
-from skytender.checksum import mcrf4xx
 
 IntArray = NDArray[np.int64]
 ByteArray = NDArray[np.uint8]
@@ -36,8 +42,6 @@ T_US, AT, SYSID, COMPID, SEQ, MSGID = range(COLUMNS)
 in `Chunk.octets`."""
 
 _NO_STAMP = NO_STAMP
-_SOME_SEED = np.isin(np.arange(1 << 16), [mcrf4xx(bytes([seed]), 0) for seed in range(256)]).view(np.uint8)
-"""Which differences one unknown seed byte can make."""
 
 
 class Chunk:
@@ -90,9 +94,7 @@ def raw_at(data: bytes, at: int) -> bytes:
     if octets[at] == MAGIC:
         signature = SIGNATURE_BYTES if octets[at + 2] & SIGNED else 0
         return data[at : at + HEADER_BYTES + octets[at + 1] + CHECKSUM_BYTES + signature]
-    older = dialect.older_frame(data, at)
-    assert older is not None  # as the walk has found
-    return older.raw
+    return dialect.newer_form(data, at)
 
 
 def raws_at(data: bytes, places: list[int]) -> list[bytes]:
@@ -112,7 +114,7 @@ def _gather(data: ByteArray, heads: IntArray, rows: ByteArray, head_bytes: int) 
     """Copy payloads into rows (n, size) behind their first bytes, cut off or left zero as they fit."""
     for i in range(len(heads)):
         at = head_at(heads, i).at
-        begin = at + 10 if data[at] == 0xFD else at + 6
+        begin = at + HEADER_BYTES if data[at] == MAGIC else at + HEADER_1_BYTES
         size = min(data[at + 1], rows.shape[1] - head_bytes)
         memcpy(cython.address(rows[i, head_bytes]), cython.address(data[begin]), size)
 
@@ -127,34 +129,8 @@ def walk(
     """
     data, rows = octets, heads
     with cython.nogil:
-        n, last_end, look_at, gaps, skipped = _walk(data, rows, last_end, look_at, final, _SOME_SEED)
+        n, last_end, look_at, gaps, skipped = _walk(data, rows, last_end, look_at, final)
     return n, last_end, look_at, gaps, skipped
-
-
-def _frame_bytes(data: Any, size: int, at: int, some_seed: NDArray[np.uint8]) -> int:
-    """Length of the intact frame at a place; negative where only its seed is unknown; 0: none."""
-    if at < 0 or at + 8 > size or (data[at] != 0xFD and data[at] != 0xFE):
-        return 0
-    length = data[at + 1]
-    if data[at] == 0xFD:
-        end = at + 10 + length
-        if end + 2 > size or data[at + 2] > 1:
-            return 0
-        seed = seed_of(data + at)
-        total = end + 2 - at + (13 if data[at + 2] == 1 else 0)
-    else:
-        end = at + 6 + length
-        if end + 2 > size:
-            return 0
-        seed = seed_of_id(data[at + 5])
-        total = end + 2 - at
-    if at + total > size:
-        return 0
-    crc = crc_of(data, at + 1, end)
-    sent_crc = data[end] | data[end + 1] << 8
-    if seed >= 0:
-        return total if ended(crc, seed) == sent_crc else 0
-    return -total if some_seed[sent_crc ^ crc >> 8] else 0
 
 
 def _walk(
@@ -163,7 +139,6 @@ def _walk(
     last_end: int,
     look_at: int,
     final: bool,
-    some_seed: NDArray[np.uint8],
 ) -> tuple[int, int, int, int, int]:
     data = cython.address(octets[0])
     size = octets.shape[0]
@@ -171,13 +146,13 @@ def _walk(
     while look_at < size:
         if not final and look_at + 288 > size:
             break
-        total = _frame_bytes(data, size, look_at, some_seed)
-        if total < 0:
-            end, stamp_bytes = look_at - total, look_at - last_end
-            next_at = end + stamp_bytes
-            follows = end == size or (next_at < size and (data[next_at] == 0xFD or data[next_at] == 0xFE))
-            total = -total if stamp_bytes in (0, 8) and follows else 0
-        if total == 0:
+        intact = intact_at(data, look_at, size)
+        if intact.end and intact.seed == NO_SEED:
+            stamp_bytes = look_at - last_end
+            next_at = intact.end + stamp_bytes
+            follows = intact.end == size or (next_at < size and (data[next_at] == MAGIC or data[next_at] == MAGIC_1))
+            intact.end = intact.end if stamp_bytes in (0, 8) and follows else 0
+        if not intact.end:
             look_at = last_end if look_at == last_end + 8 else look_at + 1
             if look_at == last_end + 8:  # that place has been looked at, and means `in step`
                 look_at += 1
@@ -192,13 +167,10 @@ def _walk(
             skipped += begin - last_end
         head = head_at(heads, n)
         head.t_us, head.at = stamp, look_at
-        if data[look_at] == 0xFD:
-            head.sysid, head.compid, head.seq = data[look_at + 5], data[look_at + 6], data[look_at + 4]
-            head.msgid = data[look_at + 7] | data[look_at + 8] << 8 | data[look_at + 9] << 16
-        else:
-            head.sysid, head.compid, head.seq = data[look_at + 3], data[look_at + 4], data[look_at + 2]
-            head.msgid = data[look_at + 5]
+        head.msgid = intact.msgid
+        numbers = look_at + 4 if intact.version == 2 else look_at + 2
+        head.seq, head.sysid, head.compid = data[numbers], data[numbers + 1], data[numbers + 2]
         n += 1
-        last_end = look_at + total
+        last_end = intact.end
         look_at = last_end + 8
     return n, last_end, look_at, gaps, skipped

@@ -13,28 +13,16 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import cython
-import cython.cimports.skytender.checksum as checksum
 from cython.cimports.cpython.bytes import PyBytes_AS_STRING, PyBytes_FromStringAndSize
 from cython.cimports.libc.string import memchr
-from cython.cimports.simvehicle.mavlink.codec import (
-    _LOW_IDS,
-    _SEEDS,
-    CHECKSUM_BYTES,
-    HEADER_1_BYTES,
-    HEADER_BYTES,
-    MAGIC,
-    MAGIC_1,
-    MOST_TRIES,
-    SIGNATURE_BYTES,
-    SIGNED,
-)
+from cython.cimports.simvehicle.mavlink.codec import MOST_TRIES
+from cython.cimports.skytender.frames import MAGIC
+from cython.cimports.skytender.intact_frames import intact_at
 
 from skytender import frames, mavlink
-from skytender.checksum import mcrf4xx
 from skytender.mavlink import MESSAGES, Definition
 
 """Of a datagram MOST_TRIES places may look like a frame's beginning and be none, before its rest is passed over."""
-_CHECKSUM = struct.Struct("<H")
 
 
 class ReceivedFrame:
@@ -83,17 +71,6 @@ def schema(msgid: int) -> Schema | None:
 
 
 _rows: dict[int, Schema] = {}
-for _msgid in range(_LOW_IDS):
-    _known = MESSAGES.get(_msgid)
-    _SEEDS[_msgid] = _known.seed if _known is not None and _known.common else -1
-
-
-def _seed(msgid: int) -> int:
-    """CRC_EXTRA of a message; -1 where the dialect has none."""
-    if msgid < _LOW_IDS:
-        return _SEEDS[msgid]
-    row = schema(msgid)
-    return -1 if row is None else row.seed
 
 
 def _row(definition: Definition) -> Schema:
@@ -159,22 +136,15 @@ def unpacked(row: Schema, payload: bytes) -> Any:
 
 def speaks_mavlink_1(datagram: bytes) -> bool:
     """Whether a datagram begins with an intact MAVLink 1 frame of the dialect."""
-    if len(datagram) < HEADER_1_BYTES + CHECKSUM_BYTES or datagram[0] != MAGIC_1:
-        return False
-    check = HEADER_1_BYTES + datagram[1]
-    row = schema(datagram[5]) if check + CHECKSUM_BYTES <= len(datagram) else None
-    if row is None:
-        return False
-    crc = mcrf4xx(datagram[1:check] + bytes((row.seed,)))
-    return crc == int(_CHECKSUM.unpack_from(datagram, check)[0])
+    first = intact_at(cython.cast("const unsigned char *", PyBytes_AS_STRING(datagram)), 0, len(datagram))
+    return bool(first.end != 0 and first.version == 1 and first.common)
 
 
 def split(datagram: bytes) -> list[ReceivedFrame]:
     """Every intact MAVLink 2 frame of a datagram, in order; whatever is none is passed over.
 
-    A frame of an id that the dialect does not know cannot be checked and is passed over too. Size, flags and id are
-    looked at before a checksum is taken, and no more than MOST_TRIES places that are no frame are tried: what a
-    stranger can make this cost is bounded.
+    A frame of an id that the dialect does not know cannot be checked and is passed over too. No more than MOST_TRIES
+    places that are no frame are tried: what a stranger can make this cost is bounded.
     """
     found: list[ReceivedFrame] = []
     _split(datagram, found)
@@ -183,27 +153,22 @@ def split(datagram: bytes) -> list[ReceivedFrame]:
 
 def _split(datagram: bytes, found: list[ReceivedFrame]) -> None:
     data = cython.cast("const unsigned char *", PyBytes_AS_STRING(datagram))
-    start, end, tries = 0, len(datagram), 0
+    text = cython.cast("const char *", data)
+    at, size, tries = 0, len(datagram), 0
     while tries < MOST_TRIES:
-        place = cython.cast("const unsigned char *", memchr(data + start, MAGIC, end - start))
-        if not place or end - (place - data) < HEADER_BYTES + CHECKSUM_BYTES:
+        place = cython.cast("const unsigned char *", memchr(data + at, MAGIC, size - at))
+        if not place:
             return
-        start = place - data
-        check = start + HEADER_BYTES + data[start + 1]
-        stop = check + CHECKSUM_BYTES + (SIGNATURE_BYTES if data[start + 2] & SIGNED else 0)
-        msgid = data[start + 7] | data[start + 8] << 8 | data[start + 9] << 16
-        seed = _seed(msgid) if stop <= end and not data[start + 2] & ~SIGNED else -1
-        if seed >= 0:
-            crc = checksum.ended(checksum.crc_of(data, start + 1, check), seed)
-            if crc == data[check] | data[check + 1] << 8:
-                frame = ReceivedFrame.__new__(ReceivedFrame)
-                frame.sysid, frame.compid, frame.seq = data[start + 5], data[start + 6], data[start + 4]
-                frame.msgid, body = msgid, start + HEADER_BYTES
-                text = cython.cast("const char *", data)
-                frame.payload = PyBytes_FromStringAndSize(text + body, check - body)
-                frame.raw = PyBytes_FromStringAndSize(text + start, stop - start)
-                found.append(frame)
-                start = stop
-                continue
-        tries += 1
-        start += 1
+        at = place - data
+        intact = intact_at(data, at, size)
+        if intact.end and intact.common:
+            frame = ReceivedFrame.__new__(ReceivedFrame)
+            frame.sysid, frame.compid, frame.seq = data[at + 5], data[at + 6], data[at + 4]
+            frame.msgid = intact.msgid
+            frame.payload = PyBytes_FromStringAndSize(text + intact.payload, intact.checksum - intact.payload)
+            frame.raw = PyBytes_FromStringAndSize(text + at, intact.end - at)
+            found.append(frame)
+            at = intact.end
+        else:
+            tries += 1
+            at += 1

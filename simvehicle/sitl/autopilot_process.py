@@ -17,9 +17,10 @@ from typing import Any, Self
 from simvehicle.autopilot.energy_transfer import Envelope
 from simvehicle.law.params import BatteryParams
 from simvehicle.law.plants import RotorPlant
-from simvehicle.mavlink.codec import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, ReceivedFrame
+from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.world.description import read_world
 from simvehicle.world.sensors import SensorErrors
+from skytender.frames import CHECKSUM_BYTES, HEADER_BYTES, MAGIC
 from skytender.processes import end_with
 
 HOST = "127.0.0.1"

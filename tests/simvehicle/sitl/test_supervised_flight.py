@@ -13,8 +13,10 @@ import resource
 import select
 import socket
 import threading
+import time
 from collections import defaultdict
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +92,7 @@ class Flown:
         end: type[BaseException] = SystemExit,
     ) -> None:
         links: list[SupervisedLink] = []
+        self._speaks = True
 
         class Link(SupervisedLink):
             def __init__(self, address: Any) -> None:
@@ -100,7 +103,7 @@ class Flown:
             ground.bind(("127.0.0.1", 0))
             ground.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4 << 20)
             patch.setattr("simvehicle.sitl.block.SupervisedLink", Link)
-            patch.setattr(supervised, "SILENCE_S", 0.5)
+            patch.setattr("simvehicle.sitl.block.run_supervised", partial(supervised.run_supervised, clock=self._clock))
             vehicles = wanted(folder)
             block = Block(vehicles, IDENTITIES["px4"], FRAME, [], f"udpout:127.0.0.1:{ground.getsockname()[1]}")
             sent: list[bytes] = []
@@ -119,15 +122,18 @@ class Flown:
             for frame in split(datagram):
                 self.said[frame.sysid].append(frame.raw)
 
+    def _clock(self) -> float:
+        """Wall time, which leaps over the silence that ends a flight once all has been said."""
+        return time.monotonic() if self._speaks else math.inf
+
     @property
     def sha256(self) -> str:
         """Of what each vehicle said, and of the files of truth."""
         said = [raw for _, frames in sorted(self.said.items()) for raw in frames]
         return hashlib.sha256(b"".join([*said, *self.truth.values()])).hexdigest()
 
-    @staticmethod
     def _speak(
-        ground: socket.socket, links: Sequence[SupervisedLink], datagrams: Sequence[bytes], sent: list[bytes]
+        self, ground: socket.socket, links: Sequence[SupervisedLink], datagrams: Sequence[bytes], sent: list[bytes]
     ) -> None:
         """Send all, each when the one before has been taken; what came back meanwhile."""
         datagram, peer = ground.recvfrom(65536)
@@ -137,6 +143,7 @@ class Flown:
                 select.select([ground], [], [], 1e-3)
                 sent += _waiting(ground)
             ground.sendto(datagram, peer)
+        self._speaks = False
 
 
 def _waits(receiver: socket.socket) -> bool:

@@ -64,8 +64,8 @@ __all__ = [
     "END", "EXTERNAL", "FOUND", "FROM_ANYBODY", "FROM_AUTOPILOT", "GIVEN_REPORTED_S", "HEADING", "LANDED",
     "LANDED_REPORTED", "MESSAGES", "MESSAGE_S", "MODE", "MOST_EFFORT", "NORTH", "ORIGIN_ALT", "ORIGIN_LAT",
     "ORIGIN_LON", "PITCH", "PLACE", "POSITION_S", "POWER_W", "READINGS", "RECEIVED_REPORTED_S", "RECEIVED_S", "ROLL",
-    "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST", "V_NORTH", "TelemetryReader", "Row",
-    "kept_elsewhere", "new_readings",
+    "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST", "V_NORTH", "Row",
+    "TelemetryReader", "kept_elsewhere", "new_readings",
 ]  # fmt: skip
 
 Row = NDArray[np.float64]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import os
 import pkgutil
 import re
@@ -23,6 +23,7 @@ CITATION = re.compile(r"docs/(?P<page>[a-z/-]+\.md)(?:#(?P<anchor>[a-z0-9-]+))?"
 LINK = re.compile(r"\]\((?P<path>[^)#:\s]*)(?:#(?P<anchor>[a-z0-9-]+))?\)")
 PICTURE = re.compile(r'<img src="(?P<path>[^"]+)"')
 GENERATED = DOCS / "reference"
+TOPS = (ROOT / "gcs", ROOT / "simvehicle")
 EXAMPLES = {"my_planner.py": "own-planner.md", "my_policy.py": "own-policy.md"}
 
 
@@ -98,13 +99,9 @@ def test_the_printed_planner_and_policy_are_the_tested_examples() -> None:
 
 def generated() -> ModuleType:
     """The module that writes the generated pages."""
-    if "generate" not in sys.modules:
-        spec = importlib.util.spec_from_file_location("generate", SITE / "generate.py")
-        assert spec is not None
-        assert spec.loader is not None
-        sys.modules["generate"] = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(sys.modules["generate"])
-    return sys.modules["generate"]
+    if str(SITE) not in sys.path:
+        sys.path.append(str(SITE))
+    return importlib.import_module("generate")
 
 
 def test_the_scenario_reference_has_every_key_with_its_meaning() -> None:
@@ -131,6 +128,13 @@ def test_the_pictures_of_the_packages_have_no_circle_and_no_arrow_between_the_pr
     assert "#c0392b" not in pages["packages-gcs.svg"] + pages["packages-simvehicle.svg"]
     assert "gcs.supervisor imports gcs.recording" in pages["packages-gcs.svg"]
     assert not re.search(r"gcs\S* imports simvehicle|simvehicle\S* imports gcs", "".join(pages.values()))
+
+
+def test_the_page_of_packages_has_every_module_with_its_content() -> None:
+    rows = set(re.findall(r"^\| `([\w/]+\.py)` \| \S.* \|$", generated().pages()["packages.md"], re.M))
+    sources = {path for package in ("gcs", "simvehicle", "skytender") for path in (ROOT / package).rglob("*.py")}
+    packages = {path for path in sources if path.name == "__init__.py" and path.parent.parent in (ROOT, *TOPS)}
+    assert rows == {str(path.relative_to(ROOT)) for path in sources - packages}
 
 
 def builder() -> str:

@@ -3,23 +3,23 @@
     scenario.md      every key of a scenario file, from its JSON Schema
     commands.md      every command and option, from click
     parameters.md    every MAVLink parameter of the vehicle, from its table
-    packages.md      which package imports which, from the code, with a picture of each program
+    packages.md      which package imports which, and what each module holds, from the code, with pictures
 
 `python docs/.site/generate.py FOLDER` needs a Python that has Skytender installed; build.py calls it.
 """
 
 from __future__ import annotations
 
-import ast
 import functools
 import json
-import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import click
+import package_pictures
+from package_pictures import cell, escaped, prose
 
 # All that is taken from the project; the rest of this file knows no module of it.
 from gcs.cli.main import cli as gcs_command
@@ -27,7 +27,6 @@ from gcs.scenario.json_schema import editor_schema
 from simvehicle.autopilot.parameters import TABLE as PARAMETERS
 from simvehicle.cli import cli as simvehicle_command
 
-PACKAGES = ("gcs", "simvehicle")
 ROOT = Path(__file__).resolve().parents[2]
 
 UNITS = {
@@ -51,17 +50,11 @@ def main() -> None:
 @functools.cache
 def pages() -> Mapping[str, str]:
     """Text of every generated file, by name."""
-    graph = imports_by_package(ROOT, PACKAGES)
-    drawings = {
-        f"packages-{program}.svg": drawing({a: below for a, below in graph.items() if a.partition(".")[0] == program})
-        for program in PACKAGES
-    }
     return {
         "scenario.md": scenario_page(editor_schema()),
         "commands.md": commands_page({"gcs": gcs_command, "simvehicle": simvehicle_command}),
         "parameters.md": parameters_page(),
-        "packages.md": packages_page(graph),
-        **drawings,
+        **package_pictures.pages(ROOT),
     }
 
 
@@ -190,22 +183,6 @@ def shown(value: Any) -> str:
     return json.dumps(value) if not isinstance(value, str) else value or '""'
 
 
-def prose(text: str) -> str:
-    """A docstring as Markdown: what it cites of docs/ becomes a link."""
-    text = " ".join(text.split())
-
-    def link(match: re.Match[str]) -> str:
-        page, anchor = match["page"], match["anchor"] or ""
-        return f"[{(anchor or page).lstrip('#').replace('-', ' ')}](../{page}.md{anchor})"
-
-    return re.sub(r"docs/(?P<page>[a-z/-]+)\.md(?P<anchor>#[a-z0-9-]+)?", link, text)
-
-
-def cell(text: str) -> str:
-    """Text that a table's cell can hold."""
-    return text.replace("|", "\\|").replace("\n", " ")
-
-
 # Commands
 
 
@@ -252,11 +229,6 @@ def code(text: str) -> str:
     return f"`{cell(text)}`"
 
 
-def escaped(text: str) -> str:
-    """Text without accidental Markdown."""
-    return re.sub(r"([\[\]<>*_])", r"\\\1", text)
-
-
 # Parameters
 
 
@@ -276,143 +248,6 @@ def parameters_page() -> str:
         span = f"{row.least:g} … {row.most:g}"
         lines.append(f"| `{row.name}` | {integer} | {span} | {row.default:g} | {cell(row.meaning)} |")
     return "\n".join(lines) + "\n"
-
-
-# Packages
-
-
-def imports_by_package(root: Path, names: Sequence[str]) -> dict[str, set[str]]:
-    """Package → packages that it imports, itself left out. Imports for type checking only do not count."""
-    modules = {
-        ".".join(path.relative_to(root).with_suffix("").parts).removesuffix(".__init__"): path
-        for name in names
-        for path in sorted((root / name).rglob("*.py"))
-    }
-    on_top = ("", "__main__", "pytest_plugin")
-
-    def package(module: str) -> str:
-        program, _, rest = module.partition(".")
-        below = rest.split(".")[0]
-        return program if below in on_top else f"{program}.{below}"
-
-    graph: dict[str, set[str]] = {package(module): set() for module in modules}
-    for module, path in modules.items():
-        for imported in imported_modules(ast.parse(path.read_text(encoding="utf-8")), modules):
-            if package(imported) != package(module):
-                graph[package(module)].add(package(imported))
-    return graph
-
-
-def imported_modules(tree: ast.AST, modules: Iterable[str]) -> Iterator[str]:
-    """Modules of the project that a file imports when it runs, also within functions."""
-    known = set(modules)
-    waiting = [tree]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.dump(node.test):
-            waiting += node.orelse
-            continue
-        waiting += ast.iter_child_nodes(node)
-        if isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            names = [f"{node.module}.{alias.name}" for alias in node.names] + [node.module]
-        else:
-            continue
-        for name in names:
-            if name in known:
-                yield name
-
-
-def packages_page(graph: Mapping[str, set[str]]) -> str:
-    """The picture, and the same as a table."""
-    lines = [
-        "# Packages",
-        "",
-        "Which package imports which, read from the code. Each package stands above those that it imports; lines that",
-        "follow from others are left out, and red ones close a circle. `gcs` and `simvehicle` never import each other;",
-        "by these two names the picture means their `__init__`, `__main__` and, in `gcs`, the pytest plugin.",
-        "",
-        *(line for program in PACKAGES for line in (f"![Packages of {program}](packages-{program}.svg)", "")),
-        "| package | imports |",
-        "|---|---|",
-    ]
-    lines += [f"| `{name}` | {', '.join(f'`{other}`' for other in sorted(graph[name]))} |" for name in sorted(graph)]
-    return "\n".join(lines) + "\n"
-
-
-def drawing(graph: Mapping[str, set[str]]) -> str:
-    """The import graph as SVG: floors by the longest way down, lines only where no longer way says the same."""
-    floors = floors_of(graph)
-    levels: dict[int, list[str]] = {}
-    for name in sorted(graph):
-        levels.setdefault(floors[name], []).append(name)
-    edges = [(a, b) for a in graph for b in graph[a] if not implied(graph, a, b)]
-    place: dict[str, float] = {}
-    for level in sorted(levels):  # from below: each near the mean of what it imports
-        row = levels[level]
-        row.sort(key=lambda name: (sum(place[b] for a, b in edges if a == name and b in place)
-                                   / max(sum(1 for a, b in edges if a == name and b in place), 1), name))  # fmt: skip
-        for i, name in enumerate(row):
-            place[name] = (i + 0.5) / len(row)
-    box_w, box_h, gap_x, gap_y = 168, 30, 24, 58
-    width = max(len(row) for row in levels.values()) * (box_w + gap_x) + gap_x
-    top = max(levels)
-    height = (top + 1) * (box_h + gap_y) + gap_y // 2
-
-    def at(name: str) -> tuple[float, float]:
-        return place[name] * width, (top - floors[name]) * (box_h + gap_y) + gap_y / 2
-
-    out = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" '
-        'font-family="system-ui, sans-serif" font-size="13">',
-        f'<rect width="{width}" height="{height}" fill="#ffffff"/>',
-    ]
-    for a, b in sorted(edges):
-        (x0, y0), (x1, y1) = at(a), at(b)
-        y0, circular = y0 + box_h, floors[a] <= floors[b]
-        middle = (y0 + y1) / 2
-        colour = "#c0392b" if circular else "#8899a6"
-        out.append(
-            f'<path d="M{x0:.0f} {y0:.0f} C{x0:.0f} {middle:.0f} {x1:.0f} {middle:.0f} {x1:.0f} {y1:.0f}" fill="none" '
-            f'stroke="{colour}" stroke-width="1.3"><title>{a} imports {b}</title></path>'
-        )
-    for name in sorted(graph):
-        x, y = at(name)
-        fill = "#e6f2ef" if name.startswith("gcs") else "#eef0f8"
-        out.append(
-            f'<rect x="{x - box_w / 2:.0f}" y="{y:.0f}" width="{box_w}" height="{box_h}" rx="5" fill="{fill}" '
-            f'stroke="#44606b"/><text x="{x:.0f}" y="{y + 20:.0f}" text-anchor="middle" fill="#1b2a30">{name}</text>'
-        )
-    return "\n".join([*out, "</svg>"]) + "\n"
-
-
-def floors_of(graph: Mapping[str, set[str]]) -> dict[str, int]:
-    """The longest way down of each package; packages in a circle share a floor as far as they can."""
-    floors: dict[str, int] = {}
-
-    def floor(name: str, above: frozenset[str]) -> int:
-        if name not in floors:
-            below = [floor(other, above | {name}) for other in sorted(graph[name]) if other not in above | {name}]
-            floors[name] = max(below, default=-1) + 1
-        return floors[name]
-
-    for name in sorted(graph):
-        floor(name, frozenset())
-    return floors
-
-
-def implied(graph: Mapping[str, set[str]], a: str, b: str) -> bool:
-    """Whether a reaches b by way of another package that it imports."""
-    seen, waiting = {a}, [other for other in graph[a] if other != b]
-    while waiting:
-        name = waiting.pop()
-        if name == b:
-            return True
-        if name not in seen:
-            seen.add(name)
-            waiting += graph[name]
-    return False
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build test bench fuzz faults docs picture clean
+.PHONY: run build check test bench fuzz faults docs picture clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -28,6 +28,18 @@ run: $(BUILT)
 build: $(READY)
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@touch $(BUILT)
+
+# Tests of single packages: no whole session, no peer, no browser. CONTRIBUTING.md names the folders that are left out.
+FAST := $(addprefix tests/,skytender wire test_architecture.py test_walks.py \
+  $(addprefix simvehicle/,autopilot fleet law mavlink world) \
+  $(addprefix gcs/,console link mavlink missions planner refuelling scenario supervisor telemetry))
+
+check: $(DEV_READY)
+	@$(VENV)/bin/ruff check .
+	@$(VENV)/bin/ruff format --check .
+	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \
+	  $(VENV)/bin/python -m pytest -n auto --dist loadfile --no-loadscope-reorder $(FAST); tested=$$?; \
+	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
 # The tests are imported once before they run, and what is compiled then is kept: else each worker would compile all of
 # it. Many tests wait for real time: four workers for each of two processors keep those busy. mypy runs beside them.

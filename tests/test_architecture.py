@@ -163,6 +163,7 @@ def test_top_level_holds_nothing_else() -> None:
         "Makefile",
         "LICENSE",
         "CHANGELOG.md",
+        "CONTRIBUTING.md",
         "MANIFEST.in",
         "setup.py",
         "skytender",

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from pages import DOCS, PAGES, README, ROOT, anchors, files
+from pages import CONTRIBUTING, DOCS, PAGES, README, ROOT, anchors, files
 
 from gcs.scenario.json_schema import editor_schema
 
@@ -54,7 +54,7 @@ def test_nothing_cites_what_no_user_has() -> None:
     assert not [path for path, text in texts() if internal.search(text)]
 
 
-@pytest.mark.parametrize("page", [README, *PAGES], ids=lambda page: str(page.relative_to(ROOT)))
+@pytest.mark.parametrize("page", [README, CONTRIBUTING, *PAGES], ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_resolve(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     for match in LINK.finditer(text):
@@ -85,10 +85,18 @@ def test_what_the_python_api_describes_can_be_imported() -> None:
 
 
 def test_the_files_that_pages_name_exist() -> None:
-    named = re.compile(r"`((?:gcs|simvehicle|tests|configs)/[\w./-]+\.\w+)`")
-    for page in (README, *PAGES):
+    named = re.compile(r"`((?:gcs|simvehicle|skytender|tests|configs|docs)/[\w./-]+\.\w+)`")
+    for page in (README, CONTRIBUTING, *PAGES):
         for path in named.findall(page.read_text(encoding="utf-8")):
             assert (ROOT / path).exists(), f"{page.name}: {path}"
+
+
+def test_each_folder_of_tests_is_run_by_make_check_or_named_as_left_out() -> None:
+    done = subprocess.run(["make", "-n", "check"], cwd=ROOT, capture_output=True, text=True, check=True)
+    run = set(re.findall(r"(?<= )tests/[\w/]+", done.stdout))
+    left_out = set(re.findall(r"`(tests/[\w/]+)`", CONTRIBUTING.read_text(encoding="utf-8").partition("leaves out")[2]))
+    folders = {path.parent for part in TOPS for path in (ROOT / "tests" / part.name).glob("*/test_*.py")}
+    assert {str(folder.relative_to(ROOT)) for folder in folders} <= run ^ left_out
 
 
 def test_the_printed_planner_and_policy_are_the_tested_examples() -> None:

@@ -92,16 +92,15 @@ def imports(path: Path) -> set[str]:
     return found
 
 
+@functools.cache
 def graph(program: str) -> nx.DiGraph[str]:
     """Modules of a program, and an edge from each to every module that it imports."""
     found = modules(program)
     edges = nx.DiGraph()
     edges.add_nodes_from(found)
     for name, path in found.items():
-        imported = imports(path)
-        edges.add_edges_from(
-            (name, other) for other in found if f"{program}.{other}" in imported - {f"{program}.{name}"}
-        )
+        imported = imports(path) - {f"{program}.{name}"}
+        edges.add_edges_from((name, other) for other in found if f"{program}.{other}" in imported)
     return edges
 
 

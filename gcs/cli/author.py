@@ -90,12 +90,12 @@ def load_scenario(
     from gcs.scenario.keys import read_settings
     from gcs.scenario.model import ScenarioError
     from gcs.scenario.parts.trust import digest_of, text
-    from gcs.scenario.unplugged import unplugged
+    from gcs.scenario.pydantic_plugins import without_plugins
 
     try:
         file = find(scenario)
         given = read_settings(settings)
-        with unplugged():
+        with without_plugins():
             loaded = load(file, set=given)
         folders = [file.parent, Path.cwd()]
         named = named_by_file(loaded, file, given)
@@ -243,7 +243,7 @@ def init(context: click.Context, name: str, connect: Endpoint | None, station: t
     if connect is None and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
         raise click.UsageError("--station is for --connect: by it vehicles are asked; in a scenario it is a key.")
     if connect is not None:
-        from gcs.cli.heard import scenario
+        from gcs.cli.init_connect import scenario
 
         if path.exists():
             raise click.UsageError(f"{path} exists already and is left as it is; give another name")

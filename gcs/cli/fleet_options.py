@@ -17,7 +17,7 @@ from gcs.scenario.endpoint import Endpoint
 from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.fleet_client import FleetClient
 
 FIND_WITHIN_S = 10.0
 LEFT_OUT = "gcs.left_out"
@@ -73,12 +73,12 @@ def fleet_at(
     sysids: tuple[int, ...] = (),
     key_file: Path | None = None,
     within: float = FIND_WITHIN_S,
-) -> Iterator[AskedFleet]:
+) -> Iterator[FleetClient]:
     """The vehicles at an address, found. Raises click.ClickException where there is none."""
-    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.fleet_client import FleetClient
 
     with connecting():
-        fleet = AskedFleet(connect, key_file, station)
+        fleet = FleetClient(connect, key_file, station)
     try:
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())

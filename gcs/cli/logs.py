@@ -19,7 +19,7 @@ from gcs.cli.options import Refused
 from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.fleet_client import FleetClient
     from gcs.link.log_folder import LogFolder
     from gcs.mavlink.log_client import LogClient, LogEntry
 
@@ -159,7 +159,7 @@ class _Progress:
             click.echo(err=True)
 
 
-def _list(fleet: AskedFleet) -> list[LogClient]:
+def _list(fleet: FleetClient) -> list[LogClient]:
     from gcs.mavlink.ids import AUTOPILOT
     from gcs.mavlink.log_client import LogClient
 

@@ -17,7 +17,7 @@ from gcs.cli.options import Refused
 from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.fleet_client import FleetClient
     from gcs.mavlink.parameters.client import ParameterClient, ParameterResult
     from gcs.mavlink.parameters.file import Address, Numbers
     from gcs.mavlink.parameters.value import ParameterValue
@@ -195,14 +195,14 @@ def load(file: Path, dry_run: bool, compids: tuple[int, ...], as_json: bool, **o
         return _write(fleet, _of_file(saved, fleet, compids), dry_run=dry_run, as_json=as_json)
 
 
-def _addresses(fleet: AskedFleet, compids: Sequence[int]) -> list[Address]:
+def _addresses(fleet: FleetClient, compids: Sequence[int]) -> list[Address]:
     """System and component ids of what is asked."""
     from gcs.mavlink.ids import AUTOPILOT
 
     return [(sysid, compid) for sysid in sorted(fleet.profiles) for compid in sorted(set(compids) or {AUTOPILOT})]
 
 
-def _read(fleet: AskedFleet, addresses: Iterable[Address], patterns: Sequence[str]) -> list[ParameterClient]:
+def _read(fleet: FleetClient, addresses: Iterable[Address], patterns: Sequence[str]) -> list[ParameterClient]:
     """Read from these components what these patterns may name."""
     from gcs.mavlink.parameters.client import ParameterClient
 
@@ -216,7 +216,7 @@ def _read(fleet: AskedFleet, addresses: Iterable[Address], patterns: Sequence[st
     return clients
 
 
-def _write(fleet: AskedFleet, numbers: dict[Address, Numbers], *, dry_run: bool, as_json: bool) -> int:
+def _write(fleet: FleetClient, numbers: dict[Address, Numbers], *, dry_run: bool, as_json: bool) -> int:
     from gcs.mavlink.parameters.client import ParameterClient
 
     clients = []
@@ -347,7 +347,7 @@ def _load(file: Path) -> dict[Address, Numbers]:
         raise Refused(str(error)) from None
 
 
-def _of_file(saved: dict[Address, Numbers], fleet: AskedFleet, compids: Sequence[int]) -> dict[Address, Numbers]:
+def _of_file(saved: dict[Address, Numbers], fleet: FleetClient, compids: Sequence[int]) -> dict[Address, Numbers]:
     """Numbers that each component gets of a file, of these components alone where any are given. Raises
     click.ClickException where that is nothing."""
     from gcs.mavlink.parameters.file import of_vehicle

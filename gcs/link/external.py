@@ -15,10 +15,10 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
-from gcs.link.door import Door, open_door, radio_in_words
 from gcs.link.external_peer import ExternalPeer, PeerLink
 from gcs.link.keys import KeyRefused
 from gcs.link.link import Key, LinkState
+from gcs.link.open_address import OpenAddress, open_address, radio_in_words
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
@@ -60,7 +60,7 @@ class ExternalLink:
         AddressRefused, KeyRefused."""
         self._now_s = now_s
         self._station = station
-        self._doors: dict[str, Door] = {}
+        self._addresses: dict[str, OpenAddress] = {}
         self._peers: dict[int, ExternalPeer] = {}
         self._poll = select.poll()
         self._kept = False
@@ -74,10 +74,10 @@ class ExternalLink:
         self._rebooted: set[int] = set()
         self._changes: list[tuple[int, str]] = []
         for sysid, external in expected.items():
-            links = [PeerLink(self._door(connect, external), connect) for connect in external.addresses]
+            links = [PeerLink(self._opened(connect, external), connect) for connect in external.addresses]
             self._peers[sysid] = ExternalPeer((sysid, AUTOPILOT), links, links[0])
-        for door in self._doors.values():
-            self._poll.register(door.connection.fileno(), select.POLLIN)
+        for opened in self._addresses.values():
+            self._poll.register(opened.connection.fileno(), select.POLLIN)
 
     @property
     def joined(self) -> set[Key]:
@@ -95,18 +95,18 @@ class ExternalLink:
         now_s = time.monotonic()
         known = (link for peer in self._peers.values() for link in peer.links if link.address is not None)
         return not self.missing and all(
-            link.door.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in known
+            link.opened.connection.to is not None or now_s - link.found_s >= CLAIM_S for link in known
         )
 
     @property
     def signature_refusals(self) -> dict[int, int]:
         """Frames refused for their signature, by system id."""
-        return dict(sum((door.gate.refused for door in self._doors.values()), Counter()))
+        return dict(sum((opened.gate.refused for opened in self._addresses.values()), Counter()))
 
     @property
     def signature_reasons(self) -> dict[int, SignatureVerdict]:
         """Why the last of them was refused."""
-        return {sysid: why for door in self._doors.values() for sysid, why in door.gate.reasons.items()}
+        return {sysid: why for opened in self._addresses.values() for sysid, why in opened.gate.reasons.items()}
 
     def pop_moved(self) -> dict[Key, Where]:
         """Vehicles received from another address, after a silence, since the last call."""
@@ -117,7 +117,7 @@ class ExternalLink:
         """Reasons why vehicles have not been received yet, by system id, where that can be seen."""
         texts = {}
         for sysid, peer in self._peers.items():
-            reasons = [link.door.diagnosis.text(link.door.connection.problem, sysid) for link in peer.links]
+            reasons = [link.opened.diagnosis.text(link.opened.connection.problem, sysid) for link in peer.links]
             if not peer.found and any(reasons):
                 texts[sysid] = "; ".join(filter(None, reasons))
         return texts
@@ -142,27 +142,27 @@ class ExternalLink:
     def pop_problems(self) -> list[tuple[str, str]]:
         """(address, its problem) of connections that have broken or have been mended since the last call; no problem:
         mended."""
-        found = [(connect, door.connection.pop_problem()) for connect, door in self._doors.items()]
+        found = [(connect, opened.connection.pop_problem()) for connect, opened in self._addresses.items()]
         return [(connect, problem) for connect, problem in found if problem is not None]
 
     def pop_radios(self) -> list[tuple[str, str]]:
         """(address, words) of telemetry radios that are full or weak; again after RADIO_AGAIN_S while they are."""
         now_s, notices = time.monotonic(), []
-        for connect, door in self._doors.items():
-            if door.radio and now_s - door.radio_said_s >= RADIO_AGAIN_S:
-                door.radio_said_s = now_s
-                notices.append((connect, door.radio))
+        for connect, opened in self._addresses.items():
+            if opened.radio and now_s - opened.radio_said_s >= RADIO_AGAIN_S:
+                opened.radio_said_s = now_s
+                notices.append((connect, opened.radio))
         return notices
 
     @property
     def buffer_bytes(self) -> int:
         """The least receive buffer that the kernel granted."""
-        granted = (door.connection.buffer_bytes() for door in self._doors.values())
+        granted = (opened.connection.buffer_bytes() for opened in self._addresses.values())
         return min((size for size in granted if size is not None), default=BUFFER_BYTES)
 
     def overflowed(self) -> int:
         """Datagrams that the kernel dropped because they were not read in time."""
-        return sum(door.connection.overflowed() for door in self._doors.values())
+        return sum(opened.connection.overflowed() for opened in self._addresses.values())
 
     def offsets_s(self) -> dict[int, float]:
         """Offset from a vehicle's own time to the session's, s, by system id."""
@@ -179,9 +179,9 @@ class ExternalLink:
         now_s = time.monotonic()
         if now_s - self._announced_s >= ANNOUNCE_EVERY_S:
             self._announced_s = now_s
-            for door in self._doors.values():
-                for address in sorted(door.hearers, key=str):
-                    door.send(OUR_HEARTBEAT, address)
+            for opened in self._addresses.values():
+                for address in sorted(opened.hearers, key=str):
+                    opened.send(OUR_HEARTBEAT, address)
         self.rest(wait_s)
         self._choose()
 
@@ -210,9 +210,9 @@ class ExternalLink:
         items: list[Message | bytes] = [*messages, *relayed]
         sent = []
         for link in peer.links:
-            to = link.address or link.door.connection.to
+            to = link.address or link.opened.connection.to
             if to is not None:
-                sent += [link.door.send(item, to) for item in items if link is peer.used or _is_for_all_links(item)]
+                sent += [link.opened.send(item, to) for item in items if link is peer.used or _is_for_all_links(item)]
         return sent
 
     def collect(self) -> dict[Key, list[Frame]]:
@@ -231,13 +231,13 @@ class ExternalLink:
             self._sent_s = time.monotonic()
             for peer in self._peers.values():
                 if peer.set_point is not None and peer.used.address is not None:
-                    peer.used.door.send(peer.set_point, peer.used.address)
+                    peer.used.opened.send(peer.set_point, peer.used.address)
 
     def close(self) -> None:
         """Close the connections."""
-        for door in self._doors.values():
-            door.connection.close()
-            door.gate.close()
+        for opened in self._addresses.values():
+            opened.connection.close()
+            opened.gate.close()
 
     def _choose(self) -> None:
         now_s = time.monotonic()
@@ -245,62 +245,62 @@ class ExternalLink:
             if len(peer.links) > 1 and (text := peer.choose(now_s)) and self._kept:
                 self._changes.append((sysid, text))
 
-    def _door(self, connect: str, external: External) -> Door:
-        if connect not in self._doors:
+    def _opened(self, connect: str, external: External) -> OpenAddress:
+        if connect not in self._addresses:
             key_file = external.signing.key_file if external.signing else None
             try:
-                self._doors[connect] = open_door(connect, key_file, len(self._doors), self._station)
+                self._addresses[connect] = open_address(connect, key_file, len(self._addresses), self._station)
             except (AddressRefused, KeyRefused):
                 self.close()
                 raise
-        return self._doors[connect]
+        return self._addresses[connect]
 
     def _drain(self) -> None:
         now_s = time.monotonic()
-        for door in self._doors.values():
-            connection = door.connection
+        for opened in self._addresses.values():
+            connection = opened.connection
             connection.tend(now_s)
             unknown = 0
             for data, sender in connection.receive():
-                if sender in door.speakers:
+                if sender in opened.speakers:
                     split = connection.split(data, sender)
                     self.malformed += split.malformed
-                    self._receive(door, split.frames, sender)
+                    self._receive(opened, split.frames, sender)
                 elif unknown < UNKNOWN_READ:
                     unknown += 1
-                    self._look_into(door, data, sender)
+                    self._look_into(opened, data, sender)
             for sender in connection.pop_gone():
-                self._cut_off(door, sender)
+                self._cut_off(opened, sender)
 
-    def _look_into(self, door: Door, data: bytes, address: Where) -> None:
+    def _look_into(self, opened: OpenAddress, data: bytes, address: Where) -> None:
         """Bytes of a sender that is not yet a vehicle: no more of a datagram is read than UNKNOWN_BYTES."""
-        if not door.connection.stream:
+        if not opened.connection.stream:
             data = data[:UNKNOWN_BYTES]
-        split = door.connection.split(data, address)
-        if door.diagnosis.count(data, split) and len(door.unknown_senders) < MOST_UNKNOWN_SENDERS:
-            door.unknown_senders.add(address)
-        self._receive(door, split.frames, address)
+        split = opened.connection.split(data, address)
+        if opened.diagnosis.count(data, split) and len(opened.unknown_senders) < MOST_UNKNOWN_SENDERS:
+            opened.unknown_senders.add(address)
+        self._receive(opened, split.frames, address)
 
-    def _cut_off(self, door: Door, address: Where) -> None:
+    def _cut_off(self, opened: OpenAddress, address: Where) -> None:
         """A stream has ended: who spoke there may come back there or elsewhere, at once."""
         for peer in self._peers.values():
-            link = peer.link_of(door)
+            link = peer.link_of(opened)
             if link is not None:
                 link.cut_off = link.cut_off or link.address == address
-        door.unknown_senders.discard(address)
-        if door.connection.to is None:
-            door.speakers.discard(address)
-            door.numbers.pop(address, None)
+        opened.unknown_senders.discard(address)
+        if opened.connection.to is None:
+            opened.speakers.discard(address)
+            opened.numbers.pop(address, None)
 
-    def _receive(self, door: Door, frames: Sequence[Frame], address: Where) -> None:
+    def _receive(self, opened: OpenAddress, frames: Sequence[Frame], address: Where) -> None:
         now_s = time.monotonic()
-        for frame in door.gate.accepted(frames):
-            if frame.msgid == _RADIO_STATUS and address in door.speakers:
-                door.radio = radio_in_words(codec.fields(frame))
+        for frame in opened.gate.accepted(frames):
+            if frame.msgid == _RADIO_STATUS and address in opened.speakers:
+                opened.radio = radio_in_words(codec.fields(frame))
             peer = self._peers.get(frame.sysid)
             if peer is None:
                 continue
-            link = peer.link_of(door)
+            link = peer.link_of(opened)
             if link is not None and link.address != address and _is_autopilot(frame):
                 self._claim(peer.key, link, address, now_s)
             if link is None or link.address != address:
@@ -318,7 +318,7 @@ class ExternalLink:
 
     def _claim(self, key: Key, link: PeerLink, address: Where, now_s: float) -> None:
         """A new address claims to be this vehicle."""
-        silent_s = MOVED_SIGNED_S if link.door.gate.has_key else MOVED_AFTER_S
+        silent_s = MOVED_SIGNED_S if link.opened.gate.has_key else MOVED_AFTER_S
         if link.address is None:
             link.found_s = now_s
         elif not self._kept and not link.cut_off:
@@ -329,7 +329,7 @@ class ExternalLink:
         elif self._kept:
             self._moved[key] = address
         link.address, link.cut_off = address, False
-        link.door.speakers.add(address)
+        link.opened.speakers.add(address)
 
 
 def _is_for_all_links(item: Message | bytes) -> bool:

@@ -16,8 +16,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from gcs.link.door import Door
 from gcs.link.link import Key, LinkState
+from gcs.link.open_address import OpenAddress
 from gcs.link.quality import LinkQuality
 from gcs.link.socket import Where
 from gcs.mavlink.boot_clock import BootClock
@@ -43,7 +43,7 @@ ONE_STREAM_S = 3.0
 class PeerLink:
     """A vehicle over one address."""
 
-    door: Door
+    opened: OpenAddress
     connect: str
     address: Where | None = None
     cut_off: bool = False
@@ -123,9 +123,9 @@ class ExternalPeer:
         """Whether it has been received at any of its addresses."""
         return any(link.address is not None for link in self.links)
 
-    def link_of(self, door: Door) -> PeerLink | None:
+    def link_of(self, opened: OpenAddress) -> PeerLink | None:
         """Its link over an address; None where it is not expected there."""
-        return next((link for link in self.links if link.door is door), None)
+        return next((link for link in self.links if link.opened is opened), None)
 
     def takes(self, frame: Frame, link: PeerLink, now_s: float) -> bool:
         """Whether a frame that came over one of its links is to be taken."""

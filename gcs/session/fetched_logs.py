@@ -16,7 +16,7 @@ import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from gcs.link.asked_fleet import AskedFleet
+from gcs.link.fleet_client import FleetClient
 from gcs.link.keys import KeyRefused
 from gcs.link.log_folder import LogFolder, newest, problems
 from gcs.link.socket import AddressRefused
@@ -75,9 +75,9 @@ def fetch_logs(
     return missed
 
 
-def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, AskedFleet], list[str]]:
+def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, FleetClient], list[str]]:
     """The fleet by which each external vehicle is received, by system id; sentences about the ones that are not."""
-    found: dict[int, AskedFleet] = {}
+    found: dict[int, FleetClient] = {}
     expected, missed = scenario.vehicles.external, []
     for connect in dict.fromkeys(text for rules in expected.values() for text in rules.addresses):
         wanted = [sysid for sysid, rules in expected.items() if connect in rules.addresses and sysid not in found]
@@ -86,7 +86,7 @@ def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, As
             continue
         signing = expected[wanted[0]].signing
         try:
-            fleet = AskedFleet(at, Path(signing.key_file) if signing else None, scenario.station.ids)
+            fleet = FleetClient(at, Path(signing.key_file) if signing else None, scenario.station.ids)
         except (AddressRefused, KeyRefused) as error:
             missed.append(f"{connect}: {error}")
             continue
@@ -99,7 +99,7 @@ def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, As
     return found, missed
 
 
-def _wait_until_down(scenario: Scenario, found: dict[int, AskedFleet], say: Callable[[str], object]) -> list[str]:
+def _wait_until_down(scenario: Scenario, found: dict[int, FleetClient], say: Callable[[str], object]) -> list[str]:
     """Wait for those that come down; who stays armed is taken out of `found`, and named."""
     expected = scenario.vehicles.external
     begun_s, said = time.monotonic(), False
@@ -121,7 +121,7 @@ def _wait_until_down(scenario: Scenario, found: dict[int, AskedFleet], say: Call
 
 
 def _listed(
-    found: dict[int, AskedFleet], clock: Callable[[], float] = time.monotonic
+    found: dict[int, FleetClient], clock: Callable[[], float] = time.monotonic
 ) -> tuple[list[LogClient], list[int]]:
     """Dialogues that know the logs of each vehicle, the newest in a size that it keeps, and the system ids of those
     whose newest has not kept one."""
@@ -145,7 +145,7 @@ def _listed(
 
 
 def _download(
-    found: dict[int, AskedFleet],
+    found: dict[int, FleetClient],
     clients: list[LogClient],
     kept: LogFolder,
     say: Callable[[str], object],
@@ -165,6 +165,6 @@ def _download(
             say(f"logs: {kept.bytes_so_far / 1e6:.2f} of {kept.wanted_bytes / 1e6:.2f} MB")
 
 
-def _round(fleets: Iterable[AskedFleet], clients: list[LogClient]) -> None:
+def _round(fleets: Iterable[FleetClient], clients: list[LogClient]) -> None:
     for fleet in dict.fromkeys(fleets):
         fleet.exchange([client for client in clients if client.sysid in fleet.profiles])

@@ -24,7 +24,7 @@ from gcs.processes.forked import ForkedProcess, end
 from gcs.processes.python import start_python
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
-from gcs.scenario.unplugged import unplugged
+from gcs.scenario.pydantic_plugins import without_plugins
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR
@@ -131,7 +131,7 @@ class SupervisorFork:
         if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
             del sys.path[0]  # as -P does for the command
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here is worth threads
-        with unplugged():
+        with without_plugins():
             from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             server = None if self.server is None else self.server.adopted()

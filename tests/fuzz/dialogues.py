@@ -118,7 +118,7 @@ def dialogues(hostile: Hostile) -> Iterator[Callable[[int], None]]:
 
 
 def sent_to(client: Any, frame: Frame, now_s: float) -> None:
-    """Let a dialogue hear a frame, as `AskedFleet` does."""
+    """Let a dialogue hear a frame, as `FleetClient` does."""
     try:
         name, content = codec.name(frame.msgid), codec.fields(frame)
     except ValueError:  # a message that no dialect of ours holds

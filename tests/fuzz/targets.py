@@ -179,7 +179,7 @@ def external(hostile: Hostile) -> Iterator[Callable[[int], None]]:
     """An external link whose vehicle is hostile, with the supervisor's whole tick behind it."""
     supervisor, recorded = _supervisor()
     link = _external_link()
-    wire = cast(Any, next(iter(link._doors.values())).connection)._socket
+    wire = cast(Any, next(iter(link._addresses.values())).connection)._socket
 
     def attack(n: int) -> None:
         wire.waiting = [
@@ -206,8 +206,8 @@ def _external_link() -> ExternalLink:
         one.bind(("127.0.0.1", 0))
         port = one.getsockname()[1]
     link = ExternalLink({7: External(connect=f"udpin:127.0.0.1:{port}", sysid=7, capacity_j=24e3)}, lambda: 1.0)
-    (door,) = link._doors.values()
-    connection = cast(Any, door.connection)
+    (opened,) = link._addresses.values()
+    connection = cast(Any, opened.connection)
     connection._socket.close()
     wire = Replayed()
     connection._socket = wire

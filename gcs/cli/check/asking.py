@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import acknowledged
+from gcs.cli.check.predicates import acknowledged
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message, layout, message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
@@ -49,7 +49,7 @@ def to_vehicle(name: str, **values: Any) -> Ask:
 
 
 def commanded(key: str, what: str, misses: dict[str, str], command: int, ask: Ask, **awaited: Any) -> Question:
-    """A command that is to be acknowledged; `awaited` is more of that, as `judges.acknowledged` takes it."""
+    """A command that is to be acknowledged; `awaited` is more of that, as `predicates.acknowledged` takes it."""
     judge, at_end = acknowledged(command, **awaited)
     return Question(key, what, misses, judge, ask, at_end)
 

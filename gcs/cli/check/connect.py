@@ -17,7 +17,7 @@ from gcs.cli.check.asking import (
     to_vehicle,
 )
 from gcs.cli.check.dialogue import CheckedVehicle, Question
-from gcs.cli.check.judges import OK, always, answered, leaves_alone, refuses
+from gcs.cli.check.predicates import OK, always, answered, leaves_alone, refuses
 from gcs.mavlink.codec import Message, message
 from skytender import mavlink as mav
 

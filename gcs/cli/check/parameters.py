@@ -8,7 +8,7 @@ from typing import Any
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
-from gcs.cli.check.judges import OK, answered
+from gcs.cli.check.predicates import OK, answered
 from gcs.mavlink.codec import Message
 from skytender import mavlink as mav
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
-from gcs.cli.check.judges import OK, steady, streamed
+from gcs.cli.check.predicates import OK, steady, streamed
 from gcs.mavlink.codec import Message
 from skytender import mavlink as mav
 

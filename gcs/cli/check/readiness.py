@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from gcs.cli.check.asking import command_long, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict, texts
-from gcs.cli.check.judges import OK
+from gcs.cli.check.predicates import OK
 from gcs.mavlink.codec import Message
 from skytender import mavlink as mav
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, judged, requested, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
-from gcs.cli.check.judges import OK, always, answered, leaves_alone
+from gcs.cli.check.predicates import OK, always, answered, leaves_alone
 from gcs.supervisor.preflight import CLOCK_OFF_S, NO_TIME_BEFORE_S
 from skytender import mavlink as mav
 

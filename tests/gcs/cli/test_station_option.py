@@ -11,8 +11,8 @@ from commands import gcs
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli.check.dialogue import CheckedVehicle, ReceivedMessage
-from gcs.cli.check.judges import acknowledged
-from gcs.link.asked_fleet import AskedFleet
+from gcs.cli.check.predicates import acknowledged
+from gcs.link.fleet_client import FleetClient
 from gcs.mavlink import codec
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.monitor import MonitorSource
@@ -63,8 +63,8 @@ def test_init_asks_by_it_and_only_where_it_asks(
     vehicle: socket.socket, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    find = AskedFleet.find
-    monkeypatch.setattr(AskedFleet, "find", lambda fleet, wanted, _: find(fleet, wanted, 0.2))
+    find = FleetClient.find
+    monkeypatch.setattr(FleetClient, "find", lambda fleet, wanted, _: find(fleet, wanted, 0.2))
     at = f"udpout:127.0.0.1:{vehicle.getsockname()[1]}"
     assert gcs("init", "field", "--connect", at, "--station", "245/25").returncode == 2
     assert speakers(vehicle) == {(245, 25)}

@@ -232,7 +232,7 @@ def test_a_vehicle_that_listens_is_spoken_to_first(stand: Any) -> None:
     link.listen(0.0)
     (heartbeat,) = one.hear(1)
     assert (heartbeat.get_type(), heartbeat.type) == ("HEARTBEAT", mav.MAV_TYPE_GCS)
-    one.say(link._peers[1].used.door.connection.port, one.heartbeat())
+    one.say(link._peers[1].used.opened.connection.port, one.heartbeat())
     until(link, lambda: not link.missing)
 
 

@@ -10,7 +10,7 @@ VARIABLE = "PYDANTIC_DISABLE_PLUGINS"
 
 
 @contextmanager
-def unplugged() -> Iterator[None]:
+def without_plugins() -> Iterator[None]:
     """Build models without plugins in this context, unless the user has said what is wanted of them.
 
     The search for them reads what every installed package says of itself.

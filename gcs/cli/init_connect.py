@@ -14,7 +14,7 @@ from gcs.mavlink.parameters.client import ParameterClient
 from gcs.scenario.endpoint import Endpoint
 
 if TYPE_CHECKING:
-    from gcs.link.asked_fleet import AskedFleet
+    from gcs.link.fleet_client import FleetClient
 
 REPORTED_WITHIN_S = 8.0
 CAPACITIES = ("SIM_BAT_CAP_J", "BATT_CAPACITY", "BAT1_CAPACITY")
@@ -69,7 +69,7 @@ def _home(messages: dict[str, Any]) -> tuple[float, float, float] | None:
     return None
 
 
-def _capacity(fleet: AskedFleet, sysid: int, messages: dict[str, Any]) -> tuple[int, str]:
+def _capacity(fleet: FleetClient, sysid: int, messages: dict[str, Any]) -> tuple[int, str]:
     """Capacity of its battery, J, and how that is known."""
     client = ParameterClient(sysid, 1, fleet.profiles[sysid])
     client.read(CAPACITIES)

@@ -16,7 +16,7 @@ from commands import gcs
 from pymavlink.dialects.v10 import ardupilotmega as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega as mavlink2
 
-from gcs.link.asked_fleet import AskedFleet
+from gcs.link.fleet_client import FleetClient
 from gcs.scenario.endpoint import address
 
 Speech = Literal["old", "changes", "new"]
@@ -103,10 +103,10 @@ def fleet() -> list[Vehicle]:
     return [Vehicle(3, "old"), Vehicle(4, "changes"), Vehicle(5, "new")]
 
 
-def asked() -> AskedFleet:
+def asked() -> FleetClient:
     at = address("udpin:127.0.0.1:0")
     assert at is not None
-    return AskedFleet(at)
+    return FleetClient(at)
 
 
 @pytest.mark.parametrize("together", [False, True])

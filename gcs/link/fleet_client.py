@@ -43,7 +43,7 @@ class VehicleClient(Protocol):
         """Messages to send now."""
 
 
-class AskedFleet:
+class FleetClient:
     """The vehicles, and the connection to them. Raises AddressRefused, KeyRefused."""
 
     def __init__(self, at: Endpoint, key_file: Path | None = None, station: tuple[int, int] = STATION) -> None:

@@ -25,7 +25,7 @@ RADIO_WEAK = 15
 
 
 @dataclass(eq=False)
-class Door:
+class OpenAddress:
     """One address."""
 
     connection: Channel
@@ -57,7 +57,7 @@ class Door:
         return raw
 
 
-def open_door(connect: str, key_file: str | None, link_id: int, station: tuple[int, int]) -> Door:
+def open_address(connect: str, key_file: str | None, link_id: int, station: tuple[int, int]) -> OpenAddress:
     """Open an address of a scenario. Raises AddressRefused, KeyRefused.
 
     link_id: of our signatures there: a vehicle with two links takes each stream's time stamps in their order.
@@ -65,7 +65,7 @@ def open_door(connect: str, key_file: str | None, link_id: int, station: tuple[i
     at = address(connect)
     assert at is not None  # as the scenario has checked
     gate = SignatureGate(Path(key_file) if key_file else None, link_id)
-    return Door(open_connection(at, alone=True), station, gate, Diagnosis(at))
+    return OpenAddress(open_connection(at, alone=True), station, gate, Diagnosis(at))
 
 
 def radio_in_words(status: Any) -> str:

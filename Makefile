@@ -29,10 +29,11 @@ build: $(READY)
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@touch $(BUILT)
 
-# Tests of single packages: no whole session, no peer, no browser. CONTRIBUTING.md names the folders that are left out.
-FAST := $(addprefix tests/,skytender wire test_architecture.py test_walks.py \
-  $(addprefix simvehicle/,autopilot fleet law mavlink world) \
-  $(addprefix gcs/,console link mavlink missions planner refuelling scenario supervisor telemetry))
+# Tests of single packages: no whole session, no peer, no browser, and none that takes long by itself. CONTRIBUTING.md
+# names the folders that are left out.
+FAST := tests/test_architecture.py tests/test_walks.py $(filter-out %/test_elementary.py,$(wildcard tests/skytender/*.py)) \
+  $(addprefix tests/simvehicle/,autopilot law mavlink world) \
+  $(addprefix tests/gcs/,console link mavlink missions planner refuelling scenario supervisor telemetry)
 
 check: $(DEV_READY)
 	@$(VENV)/bin/ruff check .

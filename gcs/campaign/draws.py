@@ -13,9 +13,8 @@ import numpy as np
 
 from gcs.campaign.family_parts import rounded_m
 from gcs.campaign.model import Draw, RandomObstacles
-from gcs.scenario import geometry
 from gcs.scenario.model import Obstacle, Scenario
-from skytender import elementary
+from skytender import elementary, geometry
 
 TRIES = 2000
 """Places that are tried for each obstacle before it is left out."""

@@ -35,8 +35,8 @@ from gcs.campaign.family_parts import (
 )
 from gcs.campaign.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.tight import tight
-from gcs.scenario import geometry as shapes
 from skytender import elementary, elementwise
+from skytender import geometry as shapes
 
 FIRST_SERVED_S, SERVICE_S = 20.0, 13.0
 """[choice] Until a tanker gives its first joule, and from one receiver to the next: charges last so long."""

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.scenario import geometry as shapes
 from gcs.scenario.model import Obstacle
 from skytender import elementwise
+from skytender import geometry as shapes
 
 Document = dict[str, Any]
 FloatArray = NDArray[np.float64]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from gcs.campaign.family_parts import OBSTACLE_M, Document, FloatArray
-from gcs.scenario import geometry as shapes
+from skytender import geometry as shapes
 
 SILENT_FROM_S, STOPS_WITHIN_S = 15.0, 1.5
 """[choice] When a vehicle falls silent, and how long it flies on."""

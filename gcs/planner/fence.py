@@ -1,4 +1,4 @@
-"""The scenario's fence for set points: its border as walls (gcs/scenario/geometry.py), and places brought inside.
+"""The scenario's fence for set points: its border as walls (skytender/geometry.py), and places brought inside.
 
 The border is where it is allowed to be on one side and not on the other, whatever areas overlap or touch. A circle
 counts as a polygon of `CIRCLE` corners, inscribed where it is to be stayed in, circumscribed where it is to be stayed
@@ -12,12 +12,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.scenario import geometry
 from gcs.scenario.fence import CIRCLE, NO_FENCE, Area
-from gcs.scenario.geometry import FloatArray
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import Vec3
-from skytender import elementary
+from skytender import elementary, geometry
+from skytender.geometry import FloatArray
 
 Bools = NDArray[np.bool_]
 

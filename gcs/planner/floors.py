@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from gcs.scenario.geometry import FloatArray
+from skytender.geometry import FloatArray
 
 FLOOR_M = 0.3
 """No leader of a vehicle that has a ground goes lower than this above it: only landing does."""

@@ -17,8 +17,8 @@ import numpy as np
 from cython.cimports.gcs.planner.fuzzy_escape import TERMS, WINDOW
 from cython.cimports.libc import math
 
-from gcs.scenario.geometry import FloatArray
 from skytender import layout
+from skytender.geometry import FloatArray
 
 GAIN = 1.3  # size of the force, in |F_g|, at f = 1
 STUCK_SHARE = 0.3  # stuck: the window moved less than this share of its steps' full length (3 κ of 10 κ)

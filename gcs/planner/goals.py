@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.planner.neighbours import IntArray
-from gcs.scenario.geometry import FloatArray
 from skytender import elementary, elementwise
 from skytender.assignment import least_cost
+from skytender.geometry import FloatArray
 
 Vec3 = tuple[float, float, float]
 

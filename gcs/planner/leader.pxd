@@ -3,7 +3,7 @@ from libc.stdint cimport int64_t
 
 from gcs.planner.fuzzy_escape cimport Memory
 from gcs.planner.potential_field cimport Field
-from gcs.scenario.geometry cimport Shape
+from skytender.geometry cimport Shape
 
 cpdef enum:  # of a leader
     HOLDS  # it has no way points

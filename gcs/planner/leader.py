@@ -16,15 +16,15 @@ import numpy as np
 from cython.cimports.gcs.planner.fuzzy_escape import escape_force, memory_at
 from cython.cimports.gcs.planner.leader import ARRIVED, GOES_ON, HOLDS
 from cython.cimports.gcs.planner.potential_field import attraction_to, field_of, repulsion_of_shape
-from cython.cimports.gcs.scenario.geometry import shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import shape_at
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.planner.fuzzy_escape import MEMORY_SIZE
 from gcs.planner.neighbours import FEW, IntArray, everyone, within_range
 from gcs.planner.potential_field import FieldConstants
-from gcs.scenario.geometry import COLUMNS, FloatArray, points
 from skytender import layout
+from skytender.geometry import COLUMNS, FloatArray, points
 
 _UNFREE_SHARE = 0.25  # of k0: the repulsion at which nothing is fed forward any more
 _FEW_MOVING = 8_000

@@ -1,6 +1,6 @@
 cimport cython
 
-from gcs.scenario.geometry cimport Shape
+from skytender.geometry cimport Shape
 
 cdef double _GOLDEN, _EXACT_M, _ROUNDING_M
 

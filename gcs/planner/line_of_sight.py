@@ -15,11 +15,11 @@ from typing import Any
 
 import cython
 import numpy as np
-from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, WALL, past_wall, shape_at, shape_surface
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import BOX, CYLINDER, WALL, past_wall, shape_at, shape_surface
 from numpy.typing import NDArray
 
-from gcs.scenario.geometry import bounds
+from skytender.geometry import bounds
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]

@@ -12,7 +12,7 @@ import numpy as np
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.scenario.geometry import FloatArray
+from skytender.geometry import FloatArray
 
 _LEAST_S, _MOST_S = 0.35, 1.0
 """Age of a report from which a vehicle is silent, at least and at most."""

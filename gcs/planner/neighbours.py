@@ -8,11 +8,11 @@ import functools
 
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import BOX, CYLINDER, shape_at
 from numpy.typing import NDArray
 
-from gcs.scenario.geometry import NORTH, FloatArray
+from skytender.geometry import NORTH, FloatArray
 
 IntArray = NDArray[np.int64]
 

@@ -38,12 +38,11 @@ from gcs.planner.neighbours import IntArray
 from gcs.planner.potential_field import FieldConstants, widened_range
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.route import Router
-from gcs.scenario import geometry
-from gcs.scenario.geometry import COLUMNS, DOWN, NORTH, FloatArray
 from gcs.scenario.model import Scenario, Target
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import FleetSnapshot, Vec3
-from skytender import elementary
+from skytender import elementary, geometry
+from skytender.geometry import COLUMNS, DOWN, NORTH, FloatArray
 
 LOOKAHEAD_S = 0.37
 CATCH_UP_SPEED = 1.3

@@ -1,4 +1,4 @@
-from gcs.scenario.geometry cimport Shape
+from skytender.geometry cimport Shape
 
 cdef double _FLOOR_M
 

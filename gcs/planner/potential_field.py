@@ -15,12 +15,12 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from cython.cimports.gcs.scenario.geometry import shape_surface
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import shape_surface
 from numpy.typing import ArrayLike
 
-from gcs.scenario.geometry import FloatArray
 from gcs.scenario.rules import SURFACE_FLOOR_M
+from skytender.geometry import FloatArray
 
 _FLOOR_M = SURFACE_FLOOR_M
 

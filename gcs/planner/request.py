@@ -49,7 +49,7 @@ class TickPlanner(Protocol):
     """Planner of all steered vehicles."""
 
     obstacles: NDArray[np.float64]
-    """obstacle table (gcs/scenario/geometry.py)"""
+    """obstacle table (skytender/geometry.py)"""
 
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """Set points for the steered vehicles whose place is known, in order of system id, at the snapshot's time; the

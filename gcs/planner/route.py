@@ -21,7 +21,7 @@ from numpy.typing import ArrayLike
 from gcs.planner.line_of_sight import FloatArray, IntArray, clear_m, leg_clearances, sight, visible
 from gcs.planner.route_grid import ALL_CELLS, Cells, CostField, cell_at, cells, centre, nearest_in_part
 from gcs.planner.route_shortening import pulled
-from gcs.scenario.geometry import COLUMNS, KIND, WALL
+from skytender.geometry import COLUMNS, KIND, WALL
 
 LEAST_SHARE = 0.5
 """[choice] Of the clearance wanted: what a route keeps in a gap. 0.6 m wanted passes gaps of 0.9 m and more."""

@@ -22,12 +22,12 @@ import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
 from cython.cimports.gcs.planner.search import Front
-from cython.cimports.gcs.scenario.geometry import WALL, shape_at, shape_surface
 from cython.cimports.libc.math import INFINITY, ceil, floor
+from cython.cimports.skytender.geometry import WALL, shape_at, shape_surface
 from numpy.typing import NDArray
 
 from gcs.planner.line_of_sight import FloatArray, IntArray
-from gcs.scenario.geometry import DOWN, KIND, SIZE_3, bounds
+from skytender.geometry import DOWN, KIND, SIZE_3, bounds
 
 Costs = NDArray[np.int32]
 Weights = NDArray[np.uint8]

@@ -11,26 +11,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint, SetPoints
+from gcs.planner.failsafes import failsafe_of
 from gcs.planner.fence import FenceBorder
 from gcs.planner.floors import FLOOR_M, Floors
+from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.planner.link_age import LinkAge
-from gcs.planner.planner import CATCH_UP_SPEED, LEAST_MARGIN_M, LOOKAHEAD_S, STILL
+from gcs.planner.planner import LEAST_MARGIN_M, LOOKAHEAD_S, STILL
 from gcs.planner.request import PlanRequest, TickPlanner
-from gcs.planner.safety_filter import KINDS, Filtered, FilterSettings, Leaders, Others, filter_step
-from gcs.planner.silence import STEP_M, between, braked, failsafe_of, flown_on, presumed_places
 from gcs.planner.tracking import Tracking
-from gcs.scenario.geometry import FloatArray
-from gcs.scenario.model import Scenario, VehicleBase
+from gcs.scenario.model import Scenario
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import Vec3, VehicleView
 from skytender import elementary
+from skytender.geometry import FloatArray
+from skytender.safety.intruders import Intruder, table_of
+from skytender.safety.safety_filter import KINDS, Filtered, FilterSettings, Leaders, filter_step
+from skytender.safety.silence import STEP_M, between, braked, flown_on, presumed_places
 
 MOST_MARGIN_M = 1.5
 SPARE_M = 0.05
@@ -39,45 +41,12 @@ OFF_LEADER_M = 2.0
 """A vehicle farther from its leader's way gets a new leader where it is."""
 SETTLE_S = 0.5
 """A leader that is not where a planner of a user's own wants it comes there in about so long."""
-SLOWEST_M_S = 1.0
-"""Even who is to stand may give way this fast."""
-ABLE_SHARE, USUAL_M_S2, USUAL_TILT_DEG, GRAVITY_M_S2 = 0.8, 5.0, 35.0, 9.8
-"""Of what a launched vehicle can by MPC_ACC_HOR and MPC_TILTMAX_AIR: at all of it corners err by half a metre."""
-EXTERNAL_M_S2 = 2.0
-"""Autopilots that others have tuned follow leaders of no more acceleration."""
-DRIFT_M_S2 = 1.0
-"""Acceleration of whatever moves otherwise than it reported: its place is unknown by half of this times its age
-squared."""
-MOST_DRIFT_M = 1.5
-MOST_GROWTH_M_S = 1.0
 PARTNERS_SHARE = 0.5
 """Of the height in which a tanker stands: so near may partners of a transfer come."""
 ACTS_M_S2 = 1.0
 """A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
 cause."""
 REPEAT_AFTER_S = 2.0
-
-
-@dataclass(frozen=True, slots=True)
-class _Other:
-    """A vehicle that gives no way; `owner`: a vehicle that is led but silent, and need not keep away from itself."""
-
-    name: str
-    owner: int | None
-    p_ned: FloatArray
-    v_ned: FloatArray
-    radius_m: float
-    growth_m_s: float
-
-    @classmethod
-    def of(
-        cls, name: str, owner: int | None, p_ned: Vec3, v_ned: Vec3, lead_s: float, radius_m: float, age_s: float
-    ) -> _Other:
-        """Carried forward by `lead_s`, and the less certain the older the report of it is."""
-        v = np.array(v_ned)
-        drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
-        growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
-        return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
 
 
 class SafePlanner(TickPlanner):
@@ -101,11 +70,9 @@ class SafePlanner(TickPlanner):
         self._ids = self._rows = np.zeros(0, np.int64)
         """of those that have a leader"""
         self.tracking = Tracking(n, LOOKAHEAD_S)
-        speeds = {v.sysid: rules.cruise_m_s for v in vehicles.pursuers}
-        speeds |= {t.sysid: CATCH_UP_SPEED * t.speed_m_s for t in vehicles.targets}
-        speeds |= {t.sysid: t.speed_m_s for t in vehicles.tankers}
-        self._speed_m_s = np.array([max(speeds[v.sysid], SLOWEST_M_S) for v in every])
-        self._a_max = np.array([_acceleration_m_s2(scenario, v) for v in every])
+        speeds = speeds_m_s(scenario)
+        self._speed_m_s = np.array([speeds[v.sysid] for v in every])
+        self._a_max = np.array([acceleration_m_s2(scenario, v) for v in every])
         self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
         launched = (v for v in every if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
@@ -195,7 +162,9 @@ class SafePlanner(TickPlanner):
     def _within_speed(self, row: int, v_ned: FloatArray) -> FloatArray:
         return v_ned * min(1.0, float(self._speed_m_s[row]) / max(elementary.norm(v_ned.tolist()), 1e-9))
 
-    def _filter(self, points: SetPoints, request: PlanRequest, columns: FleetColumns, others: list[_Other]) -> Filtered:
+    def _filter(
+        self, points: SetPoints, request: PlanRequest, columns: FleetColumns, others: list[Intruder]
+    ) -> Filtered:
         rules, rows = self._scenario.planner, self._rows
         p = self._p_ned[rows]
         wanted_ned = points.v_ned + (points.p_ned - p) / SETTLE_S
@@ -215,7 +184,7 @@ class SafePlanner(TickPlanner):
             ),
             wanted_ned,
             rules=self._settings_for(request.period_s),
-            others=_table(others),
+            others=table_of(others),
             obstacles=self._solid,
             beyond=~self._fence.allows(p),
             pair_required_m=self._partners(request),
@@ -235,7 +204,7 @@ class SafePlanner(TickPlanner):
         pairs = request.rendezvous.items()
         return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in pairs]
 
-    def _others(self, request: PlanRequest, columns: FleetColumns) -> list[_Other]:
+    def _others(self, request: PlanRequest, columns: FleetColumns) -> list[Intruder]:
         """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""
         rules, others = self._scenario.planner, []
         for row in self._unled(columns) if rules.vehicles_repel else ():
@@ -252,15 +221,15 @@ class SafePlanner(TickPlanner):
             if silent and failsafe and view.p_ned is not None and view.mode in STEERABLE:
                 (place, v_ned), lead_s = flown_on(view.p_ned, v_ned, age_s, self.lag_s, failsafe), 0.0
                 for p, v in between(braked(view.p_ned, view.v_ned, age_s), (place, v_ned)):
-                    others.append(_Other.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
-            others.append(_Other.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
+                    others.append(Intruder.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+            others.append(Intruder.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
-                    others.append(_Other.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+                    others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
         for aircraft in request.snapshot.traffic:
             name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
             radius_m = rules.separation_m
-            others.append(_Other.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
+            others.append(Intruder.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
         return others
 
     def _unled(self, columns: FleetColumns) -> list[int]:
@@ -285,7 +254,7 @@ class SafePlanner(TickPlanner):
         start = self._airborne.get(view.sysid)
         return None if start is None else view.p_local_ned or start
 
-    def _record(self, sysids: Sequence[int], filtered: Filtered, now_s: float, others: list[_Other]) -> None:
+    def _record(self, sysids: Sequence[int], filtered: Filtered, now_s: float, others: list[Intruder]) -> None:
         for row in np.flatnonzero(filtered.changed_m_s2 > ACTS_M_S2).tolist():
             sysid = sysids[row]
             by = self._named(int(filtered.binding_kind[row]), int(filtered.binding[row]), sysids, others)
@@ -298,7 +267,7 @@ class SafePlanner(TickPlanner):
                 {"t_s": now_s, "kind": "safety", "sysid": sysid, "by": by, "change_m_s2": change, "braked": braked}
             )
 
-    def _named(self, kind: int, index: int, sysids: Sequence[int], others: list[_Other]) -> str:
+    def _named(self, kind: int, index: int, sysids: Sequence[int], others: list[Intruder]) -> str:
         """Constraint that bound the filter, for a person."""
         if KINDS[kind] == "vehicle":
             return f"vehicle {sysids[index]}"
@@ -310,24 +279,3 @@ class SafePlanner(TickPlanner):
             obstacle = self._scenario.obstacles[index]
             return f"obstacle {obstacle.name or f'{obstacle.kind} {index + 1}'}"
         return "ground" if KINDS[kind] == "wall" else "limits"
-
-
-def _acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
-    """Acceleration limit of a vehicle's leader: less than the vehicle can, as far as that is known."""
-    most_m_s2 = scenario.planner.acceleration_m_s2
-    if vehicle.foreign is not None:
-        return min(most_m_s2, EXTERNAL_M_S2)
-    acceleration_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
-    tilt_m_s2 = GRAVITY_M_S2 * elementary.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))
-    return min(most_m_s2, ABLE_SHARE * acceleration_m_s2, ABLE_SHARE * tilt_m_s2)
-
-
-def _table(others: list[_Other]) -> Others:
-    if not others:
-        return Others()
-    return Others(
-        np.array([other.p_ned for other in others]),
-        np.array([other.v_ned for other in others]),
-        np.array([other.radius_m for other in others]),
-        np.array([other.growth_m_s for other in others]),
-    )

@@ -11,7 +11,7 @@ import yaml
 
 from gcs.mavlink.autopilots import PROFILES, Profile
 from gcs.mavlink.parameters.renames import unknown_name
-from gcs.planner.silence import failsafe_of
+from gcs.planner.failsafes import failsafe_of
 from gcs.processes.fork_server import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
 from gcs.scenario.faults import COMMANDED

@@ -18,8 +18,8 @@ from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track
 from gcs.recording.session_folder import Recorded, rows_of
 from gcs.report.nearness import fill_errors, fill_separations
-from gcs.scenario import geometry
 from gcs.telemetry.metrics import PLAN_MEMORY
+from skytender import geometry
 
 BLOCK_TICKS = 2000
 

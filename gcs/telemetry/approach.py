@@ -10,13 +10,13 @@ from __future__ import annotations
 from typing import Any
 
 import cython
-import cython.cimports.gcs.scenario.geometry as geometry
+import cython.cimports.skytender.geometry as geometry
 import numpy as np
 from cython.cimports.gcs.telemetry.approach import CLEAR_AT, CLEAR_M, ENDS, FINE, Pair, Seen
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
-from gcs.scenario.geometry import clearance
+from skytender.geometry import clearance
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]

@@ -16,7 +16,6 @@ from scipy.integrate import solve_ivp
 from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import FieldConstants
 from gcs.recording.recorder import TLOG, Recorder
-from gcs.scenario import geometry
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
@@ -28,6 +27,7 @@ from simvehicle.law.plants import RotorPlant
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, WorldVehicle
 from simvehicle.world.estimate import EstimateErrors
+from skytender import geometry
 from skytender.winner_take_all import advance as compete
 
 GRANTS = 100

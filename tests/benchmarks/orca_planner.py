@@ -22,9 +22,9 @@ from gcs.planner import goals
 from gcs.planner.guide import RouteFollower
 from gcs.planner.request import Situation
 from gcs.planner.route import Router
-from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.telemetry.state import VehicleView
+from skytender import geometry
 
 FloatArray = NDArray[np.float64]
 

@@ -13,8 +13,8 @@ from gcs.planner import fuzzy_escape, leader
 from gcs.planner.guide import RouteFollower
 from gcs.planner.potential_field import FieldConstants
 from gcs.planner.route import Router
-from gcs.planner.safety_filter import FilterSettings, Leaders, Others, filter_step
-from gcs.scenario import geometry
+from skytender import geometry
+from skytender.safety.safety_filter import FilterSettings, Leaders, Others, filter_step
 
 COUNT, SIDE_M = 1000, 100.0
 SPEED_M_S, PERIOD_S, SEPARATION_M, CLEARANCE_M, ACCELERATION_M_S2 = 3.0, 0.1, 0.6, 0.3, 4.0

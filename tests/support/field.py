@@ -9,7 +9,7 @@ from compiled import function
 
 from gcs.planner import fuzzy_escape, potential_field
 from gcs.planner.potential_field import SURFACE_FLOOR_M, FieldConstants
-from gcs.scenario import geometry
+from skytender import geometry
 
 _attraction_to = function(potential_field, "attraction_to", 3, *["number"] * 7, "row")
 _repulsion_size = function(potential_field, "repulsion_size", 1, "number", "number", "row")

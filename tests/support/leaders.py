@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.planner.safety_filter import FilterSettings, Leaders, filter_step
+from skytender.safety.safety_filter import FilterSettings, Leaders, filter_step
 
 Floats = NDArray[np.float64]
 PERIOD_S = 0.1

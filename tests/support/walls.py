@@ -1,6 +1,6 @@
 """Walls for routes: L, U, a ceiling, and rooms."""
 
-from gcs.scenario import geometry as ob
+from skytender import geometry as ob
 
 
 def walls(*boxes):

@@ -23,7 +23,7 @@ from gcs.recording.series import Floats
 from gcs.report.paper.session import NED_TO_PAPER
 from gcs.report.paper.study import Measurement, Study, Table
 from gcs.report.paper.theory import step_alone
-from gcs.scenario import geometry
+from skytender import geometry
 
 STARTS = ((0.0, 5.0, 0.0), (0.0, 0.0, 0.0), (0.0, -5.0, 0.0))
 SPEEDS = ((0.0, 0.0, 0.0), (1.0, 3.0, 2.0), (2.0, 2.0, 2.0), (1.0, 3.0, 6.0), (1.0, 2.0, 4.0))

@@ -15,7 +15,7 @@ from gcs.recording.series import Floats
 from gcs.report.paper import figures
 from gcs.report.paper.session import NED_TO_PAPER
 from gcs.report.paper.study import Drawing, Measurement, Study, Table
-from gcs.scenario import geometry
+from skytender import geometry
 
 TERMS = ("NB", "NM", "S", "PM", "PB")
 RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; rows: terms of ΔΦ, columns: terms of ΔF

@@ -8,12 +8,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from gcs.scenario import geometry, goal
+from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 from gcs.scenario.types import Vec3
 from gcs.scenario.warnings.slips import sent_to
 from gcs.scenario.warnings.warning import ScenarioWarning
-from skytender import elementary, elementwise
+from skytender import elementary, elementwise, geometry
 
 LAG_S = 0.37
 """Distance that a vehicle flies behind its planned point (docs/model.md#guidance)."""

@@ -23,8 +23,8 @@ from gcs.campaign.plan import Plan, PlannedRow, make, read
 from gcs.campaign.statistics import Interval
 from gcs.cli.campaign import campaign
 from gcs.extras import MissingExtra
-from gcs.scenario import geometry
 from gcs.scenario.model import ScenarioError
+from skytender import geometry
 
 CONTENT: dict[str, Any] = {
     "schema": 1,

@@ -11,8 +11,8 @@ import yaml
 from gcs.campaign.families import FAMILIES, LONGEST_S, family
 from gcs.campaign.family_parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
 from gcs.campaign.tight import DURATION_S
-from gcs.scenario import geometry as shapes
 from gcs.scenario.file import load
+from skytender import geometry as shapes
 
 SEEDS = range(12)
 

@@ -14,10 +14,10 @@ from sessions import merged, small
 
 from gcs.planner.fence import FenceBorder
 from gcs.planner.route import Router
-from gcs.planner.safety_filter import FilterSettings, Leaders, filter_step
-from gcs.scenario import geometry
 from gcs.scenario.fence import Area, FenceRules
 from gcs.scenario.model import Scenario
+from skytender import geometry
+from skytender.safety.safety_filter import FilterSettings, Leaders, filter_step
 
 Floats = NDArray[np.float64]
 seeds = st.integers(0, 2**32 - 1)

@@ -11,7 +11,7 @@ from skfuzzy import control
 
 from gcs.planner import fuzzy_escape
 from gcs.planner.potential_field import FieldConstants
-from gcs.scenario import geometry
+from skytender import geometry
 
 FIELD = FieldConstants()
 TERMS = ["NB", "NM", "S", "PM", "PB"]

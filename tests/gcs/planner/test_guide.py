@@ -6,7 +6,7 @@ from walls import CEILING, L_WALL, U_WALL, room, walls
 
 from gcs.planner.guide import NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING, GuideSettings, RouteFollower
 from gcs.planner.route import Router
-from gcs.scenario import geometry as ob
+from skytender import geometry as ob
 
 SPEED_M = 0.25  # in a tick
 

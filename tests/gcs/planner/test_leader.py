@@ -11,7 +11,7 @@ import pytest
 from gcs.planner import fuzzy_escape
 from gcs.planner.leader import advance
 from gcs.planner.potential_field import FieldConstants
-from gcs.scenario import geometry
+from skytender import geometry
 
 FIELD = FieldConstants()
 NO_OBSTACLE = geometry.table([])

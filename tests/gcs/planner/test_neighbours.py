@@ -6,7 +6,7 @@ from field import surface
 
 from gcs.planner import fuzzy_escape, leader, neighbours
 from gcs.planner.potential_field import FieldConstants
-from gcs.scenario import geometry
+from skytender import geometry
 
 FIELD = FieldConstants(k0=15.0, k1=2.0, a=0.5, b=0.5, attraction_range_m=1.0, repulsion_range_m=1.0, step_m=0.1)
 

@@ -17,9 +17,9 @@ from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.goals import assign, ring_offsets
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
-from gcs.scenario import geometry
 from gcs.scenario.model import Obstacle, Scenario
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
+from skytender import geometry
 
 PERIOD_S = 0.1
 LAG_S = 0.37

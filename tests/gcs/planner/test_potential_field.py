@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from gcs.planner.potential_field import SURFACE_FLOOR_M, FieldConstants, widened_range
-from gcs.scenario import geometry
+from skytender import geometry
 
 FIELD = FieldConstants()
 # Example 1 of the paper (north, west, up), turned to NED.

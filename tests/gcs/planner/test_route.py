@@ -16,7 +16,7 @@ from gcs.planner import route_grid
 from gcs.planner.line_of_sight import clear_m, sight
 from gcs.planner.route import Router
 from gcs.planner.route_grid import CostField, cell_at, cells, centre
-from gcs.scenario import geometry as ob
+from skytender import geometry as ob
 
 CLEARANCE_M = 0.6
 SEPARATION_M = 0.6

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.planner.braking_clearance import stop_way
-from gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, clearances
-from gcs.planner.safety_filter import KINDS, FilterSettings, Leaders, Others, filter_step
-from gcs.scenario import geometry as shapes
+from skytender import geometry as shapes
+from skytender.safety.braking_clearance import stop_way
+from skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, clearances
+from skytender.safety.safety_filter import KINDS, FilterSettings, Leaders, Others, filter_step
 
 DT, SUB = 0.1, 8
 RULES = FilterSettings()

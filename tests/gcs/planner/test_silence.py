@@ -8,8 +8,9 @@ import math
 import pytest
 from sessions import merged, small
 
-from gcs.planner.silence import Failsafe, between, braked, failsafe_of, flown_on, presumed_places
+from gcs.planner.failsafes import failsafe_of
 from gcs.scenario.model import Scenario
+from skytender.safety.silence import Failsafe, between, braked, flown_on, presumed_places
 
 HOME = (0.0, 0.0, -5.0)
 LAST = (20.0, 0.0, -5.0)  # 5 m up to -10, 20 m home, then down: 1 s, 4 s

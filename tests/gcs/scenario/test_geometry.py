@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from field import surface
 
-from gcs.scenario import geometry
+from skytender import geometry
 
 UP = (0.0, 0.0, -1.0)
 

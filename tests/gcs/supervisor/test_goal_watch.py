@@ -8,12 +8,12 @@ from changing import ChangingFleet
 from views import snapshot, view
 
 from gcs.mavlink.autopilots import End, FlightMode
-from gcs.scenario import geometry
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.factory import make_arming_sequences
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.goal_watch import GoalWatch
+from skytender import geometry
 
 SYSIDS = (1, 2, 3, 101, 201)
 ORDERS: tuple[End, ...] = ("hold", "return", "land")

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from gcs.scenario.geometry import of_scenario
 from gcs.scenario.model import Obstacle
 from gcs.telemetry import approach
 from gcs.telemetry.approach import STRAIGHT, clearances, nearest_pair, nearest_to
+from skytender.geometry import of_scenario
 
 METRES = st.floats(-5.0, 5.0, width=32)
 VECTOR = st.tuples(METRES, METRES, METRES)

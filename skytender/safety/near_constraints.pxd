@@ -1,6 +1,6 @@
 cimport cython
 
-from gcs.planner.constraints cimport Box, Constraint, Constraints, Near
+from skytender.safety.constraints cimport Box, Constraint, Constraints, Near
 
 cdef int _ROOM
 cdef double _ROUNDING_M

@@ -9,12 +9,12 @@ from __future__ import annotations
 from typing import Any
 
 import cython
-from cython.cimports.gcs.planner.constraints import Box, Constraint
-from cython.cimports.gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
-from cython.cimports.gcs.scenario.geometry import WALL, write_bounds
 from cython.cimports.libc.math import sqrt
 from cython.cimports.libc.stdlib import qsort, realloc
 from cython.cimports.libc.string import memset
+from cython.cimports.skytender.geometry import WALL, write_bounds
+from cython.cimports.skytender.safety.constraints import Box, Constraint
+from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
 
 _ROOM = 256
 _ROUNDING_M = 1e-6

@@ -34,15 +34,17 @@ import numpy as np
 from cython.cimports.libc import math
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.planner.braking_clearance import FloatArray, IntArray
-from gcs.planner.safety_constraints import PAIR
-from gcs.planner.safety_solver import solve
-from gcs.scenario.geometry import COLUMNS
+from skytender.geometry import COLUMNS
+from skytender.safety.braking_clearance import FloatArray, IntArray
+from skytender.safety.safety_constraints import PAIR
+from skytender.safety.safety_solver import solve
 
 KINDS = ("", "vehicle", "other", "obstacle", "wall")
 """Names of `Filtered.binding_kind`; a wall is a side of the fence or the floor: low n, e, d, then high n, e, d."""
 
 
+BRAKE_SHARE = 0.8
+"""of the greatest acceleration that brakes may count on"""
 LEAST_LIMIT = 1e-6
 """of a leader's speed, m/s, and acceleration, m/s²"""
 _LEAST, _SIZE = LEAST_LIMIT, COLUMNS
@@ -67,7 +69,7 @@ class FilterSettings:
     period_s: float = 0.1
     separation_m: float = 0.6
     clearance_m: float = 0.2
-    brake_share: float = 0.8
+    brake_share: float = BRAKE_SHARE
     horizon_s: float = 3.0
     buffer_m: float = 0.03
     recover_m_s: float = 2.0
@@ -152,7 +154,7 @@ def filter_step(
 ) -> Filtered:
     """The next period of all leaders (module docstring).
 
-    v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of gcs/scenario/geometry.py. beyond (n,):
+    v_wanted_ned (n, 3): velocity wanted at the period's end. obstacles: table of skytender/geometry.py. beyond (n,):
     who is on a wall's wrong side, which no wall of the table keeps there; nobody where it is left out.
     pair_required_m: rows (id, id, m), whole distance between two leaders instead of separation + margins, as for the
     partners of a transfer. other_required_m: rows (id, index of the other, m) instead of radius + margin; 0 for none.

@@ -1,6 +1,6 @@
 # Rows that the safety filter's functions share. Frames NED, SI units.
 
-from gcs.scenario.geometry cimport Shape
+from skytender.geometry cimport Shape
 
 cdef struct Moves:  # of n vehicles: places, velocities and accelerations of the coming period (n, 3), brakes (n,)
     const double* p

@@ -1,7 +1,7 @@
 cimport cython
 
-from gcs.planner.braking_clearance cimport Clearance
-from gcs.planner.constraints cimport Constraint, Constraints, Leader, Moves, Near, Problem, Rules
+from skytender.safety.braking_clearance cimport Clearance
+from skytender.safety.constraints cimport Constraint, Constraints, Leader, Moves, Near, Problem, Rules
 
 cdef double TOLERANCE_M, _ACTED_M_S2, _ACTIVE_M, _SOFT_M
 cdef double[4] _BLENDS

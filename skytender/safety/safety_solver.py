@@ -11,8 +11,11 @@ from typing import Any
 import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.gcs.planner.braking_clearance import TINY, braking
-from cython.cimports.gcs.planner.constraints import (
+from cython.cimports.libc import math
+from cython.cimports.libc.stdlib import calloc, free
+from cython.cimports.skytender.geometry import shape_at
+from cython.cimports.skytender.safety.braking_clearance import TINY, braking
+from cython.cimports.skytender.safety.constraints import (
     Box,
     Constraint,
     Constraints,
@@ -23,8 +26,8 @@ from cython.cimports.gcs.planner.constraints import (
     Problem,
     Surroundings,
 )
-from cython.cimports.gcs.planner.near_constraints import find_constraints
-from cython.cimports.gcs.planner.safety_constraints import (
+from cython.cimports.skytender.safety.near_constraints import find_constraints
+from cython.cimports.skytender.safety.safety_constraints import (
     GOLDEN,
     PAIR,
     PLANE,
@@ -34,11 +37,8 @@ from cython.cimports.gcs.planner.safety_constraints import (
     part_of_turn,
     write_line,
 )
-from cython.cimports.gcs.scenario.geometry import shape_at
-from cython.cimports.libc import math
-from cython.cimports.libc.stdlib import calloc, free
 
-from gcs.planner.braking_clearance import FloatArray, IntArray
+from skytender.safety.braking_clearance import FloatArray, IntArray
 
 TOLERANCE_M = 1e-9  # rounding that the check forgives, so that a formation at exactly D is left in peace
 _ACTED_M_S2 = 1e-9

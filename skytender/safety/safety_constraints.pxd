@@ -1,7 +1,7 @@
 cimport cython
 
-from gcs.planner.braking_clearance cimport Clearance
-from gcs.planner.constraints cimport Constraint, Moves, Surroundings
+from skytender.safety.braking_clearance cimport Clearance
+from skytender.safety.constraints cimport Constraint, Moves, Surroundings
 
 cpdef enum:  # kinds of constraints
     PAIR = 1

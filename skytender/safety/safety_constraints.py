@@ -11,7 +11,9 @@ from typing import Any
 import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.gcs.planner.braking_clearance import (
+from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import shape_at
+from cython.cimports.skytender.safety.braking_clearance import (
     TINY,
     other_clearance,
     pair_clearance,
@@ -19,12 +21,10 @@ from cython.cimports.gcs.planner.braking_clearance import (
     sensitivity,
     shape_clearance,
 )
-from cython.cimports.gcs.planner.constraints import Constraint, Moves, Other, Surroundings
-from cython.cimports.gcs.planner.safety_constraints import OBSTACLE, OTHER, PAIR
-from cython.cimports.gcs.scenario.geometry import shape_at
-from cython.cimports.libc import math
+from cython.cimports.skytender.safety.constraints import Constraint, Moves, Other, Surroundings
+from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR
 
-from gcs.planner.braking_clearance import FloatArray, IntArray
+from skytender.safety.braking_clearance import FloatArray, IntArray
 
 PLANE: int
 GOLDEN = 0.6180339887498949

@@ -1,23 +1,21 @@
-"""Presumed places of a vehicle whose telemetry is lost [choice].
+"""Presumed places of a vehicle whose reports stay away [choice].
 
 Our vehicles and most autopilots do the same when nothing reaches them: they fly on for a moment and hold when set
 points stay away, and return home when the ground station does: up to a height, straight to above their home, and down.
 When that begins is uncertain by the ground station's last heartbeats, and how far they are by their acceleration, so
-the answer is a stretch of that way, as places with a distance of STEP_M.
+the answer is a stretch of that way, as places with a distance of STEP_M. NED, m, m/s, s.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from dataclasses import dataclass
 
-import numpy as np
-
-from gcs.scenario.geometry import bounds, of_scenario
-from gcs.scenario.model import Obstacle, Scenario, VehicleBase
-from gcs.telemetry.state import Vec3
 from skytender import elementary
+
+Vec3 = tuple[float, float, float]
+Leg = tuple[Vec3, Vec3, float]
+"""From, to, and at what speed."""
 
 STEP_M = 0.7
 """Between two presumed places: their spheres overlap."""
@@ -27,15 +25,8 @@ SLOW_S = 2.5
 """Delay beyond its speed alone with which it may be anywhere: it brakes at each corner."""
 BRAKES_M_S2 = 4.0
 """Deceleration of a vehicle that holds."""
-LOST_AFTER_PERIODS, LEAST_LOST_S, MOST_LOST_S = 5, 0.1, 1.0
-"""[choice] Periods without a set point after which a launched vehicle holds; the shortest wait that it can be set to,
-and the longest: PX4's own."""
-GONE_AFTER_PERIODS = 2
-"""[choice] The same where none is lost or late by itself: two that are missing were kept from it."""
-OVER_M = 1.5
-"""[choice] Above the highest obstacle a launched vehicle returns, where its parameters do not say how high."""
-MOST_ALTITUDE_M = 150.0
-"""Greatest RTL_RETURN_ALT of our vehicles."""
+MOST_LOST_S = 1.0
+"""COM_OF_LOSS_T of PX4."""
 AHEAD_S = 1.5
 """Time ahead for which it is looked for: a vehicle in its way needs time."""
 
@@ -54,41 +45,6 @@ class Failsafe:
     """MPC_XY_CRUISE"""
     sink_m_s: float = 0.7
     """MPC_LAND_SPEED"""
-
-
-def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
-    """Failsafe of a launched vehicle: by its parameters, and else one for who knows of no obstacle.
-
-    It returns above all of them. Without set points it flies on as it did, where the next one might have led it around
-    something, so that it waits no longer than for a few that were lost, or for the radio's jitter.
-    """
-    params, usual = vehicle.params, Failsafe()
-    altitude_m = params.get("RTL_RETURN_ALT")
-    if altitude_m is None:
-        over_m = _highest_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
-        altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
-    radio, lockstep = scenario.radio, scenario.clock.mode == "lockstep"
-    frames_go_missing = (
-        radio.loss or radio.reorder or any(fault.fault in ("loss", "delay") for fault in scenario.faults)
-    )
-    flies_itself = scenario.competition.where == "vehicles"  # and begins to a moment before it would hold
-    sure = lockstep and not frames_go_missing and not flies_itself
-    periods = GONE_AFTER_PERIODS if sure else LOST_AFTER_PERIODS
-    waits_s = periods * scenario.clock.period_s + radio.jitter_s
-    return Failsafe(
-        params.get("COM_DL_LOSS_T", usual.loss_s),
-        params.get("COM_OF_LOSS_T", min(max(waits_s, LEAST_LOST_S), MOST_LOST_S)),
-        altitude_m,
-        params.get("MPC_XY_CRUISE", usual.speed_m_s),
-        params.get("MPC_LAND_SPEED", usual.sink_m_s),
-    )
-
-
-@functools.lru_cache(4)
-def _highest_m(obstacles: tuple[Obstacle, ...]) -> float:
-    """Height of the highest obstacle's top above the scenario's height 0; 0 without any."""
-    low, _ = bounds(of_scenario(obstacles)) if obstacles else (np.zeros((1, 3)), None)
-    return -float(low[:, 2].min())
 
 
 def flown_on(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: Failsafe) -> tuple[Vec3, Vec3]:
@@ -127,27 +83,36 @@ def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Fail
     begun_s = silent_s - failsafe.loss_s + HEARTBEAT_S
     if begun_s <= 0.0:
         return []
+    legs = way_home(p_ned, home_ned, failsafe)
+    return stretch(legs, max(begun_s - HEARTBEAT_S - SLOW_S, 0.0), begun_s + AHEAD_S) or [home_ned]
+
+
+def way_home(p_ned: Vec3, home_ned: Vec3, failsafe: Failsafe) -> list[Leg]:
+    """Way of a return: up, level, and down."""
     height = min(p_ned[2], home_ned[2] - failsafe.altitude_m)
-    above = (home_ned[0], home_ned[1], height)
-    legs = [
-        (p_ned, (p_ned[0], p_ned[1], height), failsafe.speed_m_s),
-        ((p_ned[0], p_ned[1], height), above, failsafe.speed_m_s),
+    start, above = (p_ned[0], p_ned[1], height), (home_ned[0], home_ned[1], height)
+    return [
+        (p_ned, start, failsafe.speed_m_s),
+        (start, above, failsafe.speed_m_s),
         (above, (home_ned[0], home_ned[1], max(home_ned[2], 0.0)), failsafe.sink_m_s),
     ]
-    least_s = max(begun_s - HEARTBEAT_S - SLOW_S, 0.0)
+
+
+def stretch(legs: list[Leg], least_s: float, most_s: float) -> list[Vec3]:
+    """Places on a way that are reached from one time after its beginning to another; none where it is flown by then."""
     places: list[Vec3] = []
     start_s = 0.0
     for a, b, speed_m_s in legs:
         length_m = elementary.distance(a, b)
         end_s = start_s + length_m / speed_m_s
-        low_s, high_s = max(least_s, start_s), min(begun_s + AHEAD_S, end_s)
+        low_s, high_s = max(least_s, start_s), min(most_s, end_s)
         if length_m > 0.0 and low_s < high_s:
             low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
             count = math.ceil((high_m - low_m) / STEP_M) + 1
             for k in range(count):
                 places.append(_between(a, b, (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m))
         start_s = end_s
-    return places or [home_ned]
+    return places
 
 
 def _between(a: Vec3, b: Vec3, share: float) -> Vec3:

@@ -19,16 +19,13 @@ as high and as deep as the world; DOWN and half down only tell between which hei
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
-from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, POINT, SPHERE, WALL, row_of, shape_at
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import BOX, CYLINDER, POINT, SPHERE, WALL, row_of, shape_at
 from numpy.typing import ArrayLike, NDArray
-
-if TYPE_CHECKING:
-    from gcs.scenario.model import Obstacle
 
 FloatArray = NDArray[np.float64]
 
@@ -90,21 +87,38 @@ def table(rows: list[FloatArray]) -> FloatArray:
     return np.array(rows, dtype=np.float64).reshape(len(rows), COLUMNS)
 
 
-def of_scenario(shapes: Iterable[Obstacle]) -> FloatArray:
+class ObstacleShape(Protocol):
+    """Shape by two corners: of a box, else the ends of an axis or the centre, with `radius_m` around it; NED."""
+
+    @property
+    def kind(self) -> str: ...
+    @property
+    def low_m(self) -> tuple[float, float, float]: ...
+    @property
+    def high_m(self) -> tuple[float, float, float]: ...
+    @property
+    def radius_m(self) -> float: ...
+
+
+def of_scenario(shapes: Iterable[ObstacleShape]) -> FloatArray:
     """Table of a scenario's obstacles."""
-    rows = []
-    for shape in shapes:
-        low, high = np.array(shape.low_m), np.array(shape.high_m)
-        centre = (low + high) / 2.0
-        if shape.kind == "point":
-            rows.append(point(centre))
-        elif shape.kind == "sphere":
-            rows.append(sphere(centre, shape.radius_m))
-        elif shape.kind == "box":
-            rows.append(box(low, high))
-        else:
-            rows.append(cylinder(centre, shape.radius_m, float(high[2] - low[2])))
-    return table(rows)
+    return table([solid(shape.kind, shape.low_m, shape.high_m, shape.radius_m) for shape in shapes])
+
+
+def solid(kind: str, low_ned: ArrayLike, high_ned: ArrayLike, radius_m: float) -> FloatArray:
+    """Row (COLUMNS,) of a shape as scenarios describe it: `point`, `sphere`, `box` or `cylinder` between two corners.
+    ValueError as of that shape's function."""
+    low, high = np.array(low_ned, dtype=np.float64), np.array(high_ned, dtype=np.float64)
+    if kind == "box":
+        return box(low, high)
+    centre = (low + high) / 2.0
+    if kind == "point":
+        return point(centre)
+    if kind == "sphere":
+        return sphere(centre, radius_m)
+    if kind == "cylinder":
+        return cylinder(centre, radius_m, float(high[2] - low[2]))
+    raise ValueError(f"kind is {kind!r}; it must be point, sphere, box or cylinder")
 
 
 def points(positions_ned: ArrayLike, radii_m: ArrayLike = 0.0) -> FloatArray:

@@ -26,8 +26,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from cython.cimports.gcs.scenario.geometry import BOX, CYLINDER, WALL, past_wall, shape_surface
 from cython.cimports.libc import math
+from cython.cimports.skytender.geometry import BOX, CYLINDER, WALL, past_wall, shape_surface
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]

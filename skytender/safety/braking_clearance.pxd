@@ -1,7 +1,7 @@
 cimport cython
 
-from gcs.planner.constraints cimport Moves, Other
-from gcs.scenario.geometry cimport Shape
+from skytender.safety.constraints cimport Moves, Other
+from skytender.geometry cimport Shape
 
 cdef double TINY, _GAP_M
 cdef int _TANGENTS
@@ -9,7 +9,7 @@ cdef int _TANGENTS
 # in the coming period, after it, when after its end s, direction to where the distance grows n, e, d
 ctypedef (double, double, double, double, double, double) Clearance
 
-cdef (double, double, double) braking(double vn, double ve, double vd, double brake, double dt) noexcept nogil
+cpdef (double, double, double) braking(double vn, double ve, double vd, double brake, double dt) noexcept nogil
 cpdef double stop_distance(double speed, double brake, double dt) noexcept nogil
 cpdef double stop_way(double speed, double brake, double dt) noexcept nogil
 cdef Clearance _period(

@@ -79,6 +79,8 @@ class Impairment:
         self._streams: dict[tuple[int, Direction | int], _Stream] = {}
         self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, self._bursts))
         """whether every frame passes as it is"""
+        self.prompt = not any((delay_s, jitter_s, reorder, any(burst.delay_s for burst in self._bursts)))
+        """whether none is held back"""
 
     def apply(
         self, sysid: int, direction: Direction | int, t_s: float, frames: Sequence[Item], *, dark: bool = False

@@ -50,14 +50,16 @@ class PeerRadio:
             if sender == sysid:
                 continue
             frames = [raw for reader, raw in self._sent.get(sender, ()) if reader in (0, sysid)]
-            received += self._radio.apply(sysid, sender, t_s, frames, dark=self._apart(sender, sysid, t_s))
+            dark = apart(sender, sysid, t_s, self._blackouts, self._splits)
+            received += self._radio.apply(sysid, sender, t_s, frames, dark=dark)
         return received
 
-    def _apart(self, a: int, b: int, t_s: float) -> bool:
-        """Whether nothing passes between two vehicles."""
-        if any(blackout.sysid in (a, b) and blackout.from_s <= t_s < blackout.to_s for blackout in self._blackouts):
-            return True
-        return any(s.from_s <= t_s < s.to_s and (a in s.sysids) != (b in s.sysids) for s in self._splits)
+
+def apart(a: int, b: int, t_s: float, blackouts: Iterable[Burst], splits: Iterable[RadioSplit]) -> bool:
+    """Whether nothing passes between two vehicles: a blackout silences a vehicle whether it sends or receives."""
+    if any(blackout.sysid in (a, b) and blackout.from_s <= t_s < blackout.to_s for blackout in blackouts):
+        return True
+    return any(s.from_s <= t_s < s.to_s and (a in s.sysids) != (b in s.sysids) for s in splits)
 
 
 def _reader(frame: Frame) -> int | None:

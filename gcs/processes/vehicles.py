@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,11 @@ import yaml
 from gcs.mavlink.autopilots import PROFILES, Profile
 from gcs.mavlink.parameters.renames import unknown_name
 from gcs.planner.failsafes import failsafe_of
+from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.processes.fork_server import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
 from gcs.scenario.faults import COMMANDED
-from gcs.scenario.model import Scenario, VehicleBase
+from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from gcs.scenario.weather import RealAutopilot
 
 PEERS_A_TICK = 8
@@ -74,6 +76,8 @@ def vehicle_order(
         argv += ["--world", _file_of_all("world.yaml", world, scenario, folder)]
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", _file_of_all("fleet.yaml", fleet_rules, scenario, folder)]
+    if keeps_apart(scenario):
+        argv += ["--separation", _file_of_all("separation.yaml", separation_rules, scenario, folder)]
     if scenario.truth and scenario.record.truth_hz is not None:
         argv += ["--truth-hz", repr(scenario.record.truth_hz)]
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
@@ -188,16 +192,45 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
             }
             for tanker in vehicles.tankers
         ],
-        "obstacles": [
-            {
-                "kind": obstacle.kind,
-                "low_ned": list(obstacle.low_m),
-                "high_ned": list(obstacle.high_m),
-                "radius_m": obstacle.radius_m,
-            }
-            for obstacle in scenario.obstacles
-        ],
+        "obstacles": _solids(scenario),
     }
+
+
+def separation_rules(scenario: Scenario) -> dict[str, Any]:
+    """Rules by which launched vehicles of a scenario keep apart while they fly by themselves, NED."""
+    speeds = speeds_m_s(scenario)
+    members = []
+    for vehicle in scenario.vehicles.launched:
+        if vehicle.real is None:
+            failsafe = failsafe_of(vehicle, scenario)
+            members.append(
+                {
+                    "sysid": vehicle.sysid,
+                    "speed_m_s": max(speeds[vehicle.sysid], failsafe.speed_m_s),
+                    "acceleration_m_s2": acceleration_m_s2(scenario, vehicle),
+                    "home_ned": list(vehicle.start_m),
+                    "failsafe": asdict(failsafe),
+                }
+            )
+    return {
+        "period_s": scenario.clock.period_s,
+        "separation_m": scenario.planner.separation_m,
+        "clearance_m": scenario.planner.clearance_m,
+        "vehicles": members,
+        "obstacles": _solids(scenario),
+    }
+
+
+def _solids(scenario: Scenario) -> list[dict[str, Any]]:
+    return [
+        {
+            "kind": obstacle.kind,
+            "low_ned": list(obstacle.low_m),
+            "high_ned": list(obstacle.high_m),
+            "radius_m": obstacle.radius_m,
+        }
+        for obstacle in scenario.obstacles
+    ]
 
 
 def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:

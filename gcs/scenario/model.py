@@ -309,11 +309,18 @@ def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
     ]
 
 
+def keeps_apart(s: Scenario) -> bool:
+    """Whether launched vehicles receive each other's places, and keep apart on board while they fly by themselves."""
+    ours = sum(vehicle.real is None for vehicle in s.vehicles.launched)
+    return s.planner.safety and s.planner.vehicles_repel and ours > 1
+
+
 def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
     """Conditions of a competition on board: (broken, where, sentence)."""
     where: KeyPath = ("competition", "where")
     if s.competition.where == "supervisor":
-        return [(s.radio.splits, ("radio", "splits"), "splits need 'competition: {where: vehicles}'")]
+        alone = s.radio.splits and not keeps_apart(s)
+        return [(alone, ("radio", "splits"), "splits need launched vehicles that the safety filter keeps apart")]
     rules, vehicles = s.competition, s.vehicles
     refuels = rules.enabled and s.refuelling.enabled and vehicles.pursuers and vehicles.tankers
     return [

@@ -6,13 +6,14 @@ from collections.abc import Iterable
 
 from gcs.link.impairment import Burst, Impairment
 from gcs.link.peer_radio import PeerRadio
+from gcs.link.place_radio import PlaceRadio
 from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler
 from gcs.refuelling.settlement import transfers_until_s
 from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Injection
-from gcs.scenario.model import Scenario
+from gcs.scenario.model import Scenario, keeps_apart
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence
 from gcs.supervisor.arming_external import ExternalArmingSequence
 from gcs.supervisor.faults import radio_faults
@@ -68,6 +69,19 @@ def make_peer_radio(scenario: Scenario, injections: Iterable[Injection] = ()) ->
     radio = scenario.radio
     return PeerRadio(
         [vehicle.sysid for vehicle in scenario.vehicles.all],
+        Impairment(**{name: getattr(radio, name) for name in _SHARES}, seed=scenario.seed),
+        blackouts=radio_faults(injections, scenario)[0],
+        splits=radio.splits,
+    )
+
+
+def make_place_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -> PlaceRadio | None:
+    """The radio on which launched vehicles receive each other's places; None where they do not keep apart on board."""
+    if not keeps_apart(scenario):
+        return None
+    radio = scenario.radio
+    return PlaceRadio(
+        [vehicle.sysid for vehicle in scenario.vehicles.launched if vehicle.real is None],
         Impairment(**{name: getattr(radio, name) for name in _SHARES}, seed=scenario.seed),
         blackouts=radio_faults(injections, scenario)[0],
         splits=radio.splits,

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key
 from gcs.link.peer_radio import PeerRadio
+from gcs.link.place_radio import PlaceRadio
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
@@ -24,10 +25,17 @@ class Reception:
     """Everything that reads each frame of each vehicle."""
 
     def __init__(
-        self, fleet: Fleet, radio: Impairment, peer_radio: PeerRadio | None, watched: WatchedSchedule | None
+        self,
+        fleet: Fleet,
+        radio: Impairment,
+        peer_radio: PeerRadio | None,
+        place_radio: PlaceRadio | None,
+        watched: WatchedSchedule | None,
     ) -> None:
         """`watched`: a schedule that hears vehicles compete on board."""
-        self._fleet, self._radio, self._peer_radio, self._watched = fleet, radio, peer_radio, watched
+        self._fleet, self._radio, self._watched = fleet, radio, watched
+        self._peer_radio, self._place_radio = peer_radio, place_radio
+        self._sent: dict[int, Sequence[Frame]] = {}
         self.gaps = GapCounter()
         """in the vehicles' sequence numbers, after the radio"""
         self.quality = LinkQuality(self.gaps)
@@ -44,6 +52,7 @@ class Reception:
         """
         received_from: dict[Key, Sequence[Frame]] = {}
         together: tuple[Sequence[Key], AnswerRuns] | None = None
+        self._sent = {}
         for keys, frames in answers:
             if isinstance(frames, AnswerRuns) and self._reads_as_it_comes:
                 self.gaps.feed_runs(frames)
@@ -62,6 +71,9 @@ class Reception:
             in_order = sorted(received_from.items())
             arrived = [raw for _, received in in_order for raw in raws_of(received)]
             delivered = {key[0]: received for key, received in in_order}
+        if self._place_radio is not None:
+            at_once: Mapping[int, Sequence[Frame]] = together[1].by_system() if together is not None else {}
+            self._place_radio.send({**at_once, **self._sent} if self._sent else at_once)
         for sysid in self.inspection.wanted & delivered.keys() if self.inspection.wanted else ():
             self.inspection.add(delivered[sysid], now_s)
         return arrived, delivered
@@ -73,7 +85,7 @@ class Reception:
 
     def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float) -> Sequence[Frame]:
         """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
-        received = frames
+        received = self._sent[sysid] = frames
         if self._peer_radio is not None:
             self._peer_radio.send(sysid, frames)
         if not self._radio.clear:

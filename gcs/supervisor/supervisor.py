@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickGrants, TickLink
+from gcs.link.place_radio import is_place
+from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
@@ -39,7 +41,14 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.plugins import PluginClient
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
-from gcs.supervisor.factory import make_arming_sequences, make_fleet, make_peer_radio, make_radio, make_schedule
+from gcs.supervisor.factory import (
+    make_arming_sequences,
+    make_fleet,
+    make_peer_radio,
+    make_place_radio,
+    make_radio,
+    make_schedule,
+)
 from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
@@ -63,6 +72,7 @@ MOST_TEXTS = 20
 """Most texts of one vehicle that are shown in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSID_AT = 5  # in a frame
+_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
 class Supervisor:
@@ -116,9 +126,10 @@ class Supervisor:
         """whose process has been stopped by a fault"""
         self._radio = make_radio(scenario, injections) if impaired else Impairment()
         self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
+        self._place_radio = make_place_radio(scenario, injections) if impaired else None
         self.command_queue = FleetCommandQueue(self.arming, stations)
         watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
-        self._reception = Reception(self.fleet, self._radio, self._peer_radio, watched)
+        self._reception = Reception(self.fleet, self._radio, self._peer_radio, self._place_radio, watched)
         self.gaps, self.quality = self._reception.gaps, self._reception.quality
         self.inspection = self._reception.inspection
         self._addressees = Addressees(self._join_ms)
@@ -454,6 +465,11 @@ class Supervisor:
         points = self._own_frames.placed(set_points, snapshot, self.time_ms)
         greeted = self._addressees.greeted(keys, self.time_ms)
         more = {}
+        if self._place_radio is not None:
+            columns = snapshot.columns
+            up = columns.flying if self._radio.clear else columns.alive  # more is not known of silent ones
+            flying = {sysid for sysid, flies in zip(columns.sysids, up.tolist(), strict=True) if flies}
+            self._place_radio.begin(flying, points.rows)
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.rows else []
             more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
@@ -461,6 +477,8 @@ class Supervisor:
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
             sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
+        elif self._place_radio is not None and self._place_radio.delivered:
+            sent = [raw for raw in sent if not is_place(raw)]
         recording.sent = sent
         self.link.flush()
         self.sent += len(sent)
@@ -471,7 +489,8 @@ class Supervisor:
         if not self._radio.clear or self._peer_radio is not None:
             return [key for key in keys if key != TRAFFIC]
         copied = self.quality.copied
-        there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied)
+        alone = self._place_radio.listening if self._place_radio is not None else ()
+        there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied, alone)
         if not any(there):
             return []
         some = set().union(*there)
@@ -491,7 +510,10 @@ class Supervisor:
         foreign = [m.raw for m in messages if isinstance(m, Relay)]
         if self._peer_radio is not None:
             foreign += self._peer_radio.receive(sysid, self.time_s)
-        return [m for m in messages if isinstance(m, Message)], foreign
+        own = [m for m in messages if isinstance(m, Message)]
+        if self._place_radio is not None:
+            foreign += self._place_radio.deliver(sysid, self.time_s, led=any(one.msgid == _SET_POINT for one in own))
+        return own, foreign
 
     _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()

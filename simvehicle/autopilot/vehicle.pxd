@@ -1,3 +1,4 @@
+cimport cython
 from simvehicle.autopilot.body cimport Body
 from simvehicle.autopilot.energy_transfer cimport Exchange
 
@@ -30,6 +31,12 @@ cdef class Vehicle(Body):
     cdef public object on_change
     cdef readonly double gcs_seen_s  # NaN: never
     cdef SetPoint set_point_now
+    cdef SetPoint set_point_before
+    cdef public bint station_leads  # whether the last set point is the station's
+    cdef public object separation  # what keeps it apart while it flies by itself; None: nothing
+    cdef public double period_s  # from one of the station's set points to the next
+    cdef public bint leads  # whether it has a virtual leader of its own,
+    cdef double[9] leader  # its place, velocity, and the acceleration that it wants, NED
     cdef double gcs_loss_s
     cdef double set_point_loss_s
     cdef double fastest_m_s
@@ -51,6 +58,12 @@ cdef class Vehicle(Body):
     cdef double current_a(self)
     cdef int percent(self)
     cdef double shown_j(self)
+    @cython.locals(follows=cython.bint)
+    cpdef lead_of_set_points(self, double period_s)
+    cpdef put_leader(self, tuple row)
+    cpdef bint alone(self, double for_s)
+    cpdef mode_target(self)
+    cdef bint _keeps_apart(self) except -1
     cdef _fly(self, Py_ssize_t steps)
     cdef _steer(self, double dt_s)
     cdef _progress(self)

@@ -22,7 +22,14 @@ from simvehicle.autopilot.follow import Followed, smoothed
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.geofence import Fence
 from simvehicle.autopilot.identity import Identity
-from simvehicle.autopilot.maneuvers import REACHED_M, Anchor, OffboardSetPoint, resting_place, target_of
+from simvehicle.autopilot.maneuvers import (
+    REACHED_M,
+    Anchor,
+    ManeuverTarget,
+    OffboardSetPoint,
+    resting_place,
+    target_of,
+)
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
 from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
@@ -61,6 +68,11 @@ class Vehicle(Body):
     on_change: Callable[[], None]
     gcs_seen_s: float
     set_point_now: Any
+    station_leads: bool
+    separation: Any
+    period_s: float
+    leads: bool
+    leader: Any
     gcs_loss_s: float
     set_point_loss_s: float
     fastest_m_s: float
@@ -93,7 +105,9 @@ class Vehicle(Body):
         self.booting = False
         self.announcements = []
         self.on_change = _nothing
-        self.gcs_seen_s = self.set_point_now.time_s = math.nan
+        self.gcs_seen_s = self.set_point_now.time_s = self.set_point_before.time_s = math.nan
+        self.station_leads = self.leads = False
+        self.separation = None
         self._followed = None
         self.outside = False
         self._return_ned = start.p_ned
@@ -267,9 +281,34 @@ class Vehicle(Body):
 
     def take_set_point(self, wanted: Any) -> None:
         """`set_point`."""
+        self.set_point_before = self.set_point_now
         self.set_point_now = wanted[0]
+        self.station_leads = False
         if self.mode is _GUIDED and self.armed and not self.stands():
             self.trigger(Trigger.OFFBOARD)
+
+    def lead_of_set_points(self, period_s: float) -> tuple[Vec3, Vec3]:
+        """Place and velocity of the virtual leader that the last set point, of a period, brought the vehicle.
+
+        A set point has the leader's place at the period's beginning and its mean velocity in it; what that grows by
+        from one period to the next, the velocity grows by half as much until the period's end.
+        """
+        now, before = cython.address(self.set_point_now), cython.address(self.set_point_before)
+        p, v = cython.declare(cython.double[3]), cython.declare(cython.double[3])
+        follows = now.time_s - before.time_s < 1.5 * period_s  # not where there is none, which is NaN
+        for i in range(3):
+            p[i] = now.p_ned[i] + period_s * now.v_ned[i]
+            v[i] = now.v_ned[i] + (0.5 * (now.v_ned[i] - before.v_ned[i]) if follows else 0.0)
+        return (p[0], p[1], p[2]), (v[0], v[1], v[2])
+
+    def put_leader(self, row: tuple[float, ...]) -> None:
+        """Report its own virtual leader: place, velocity, and the acceleration that it wants, NED."""
+        for i in range(9):
+            self.leader[i] = row[i]
+
+    def alone(self, for_s: float) -> bool:
+        """Whether a ground station that was there has been silent for so long."""
+        return self.time_ms / 1e3 - self.gcs_seen_s > for_s
 
     def setpoints_fresh(self) -> bool:
         """Whether offboard would have something to fly."""
@@ -325,26 +364,43 @@ class Vehicle(Body):
             self.time_ms += steps * STEP_MS
             self._move_joules(steps * STEP_MS / 1e3)
 
+    def mode_target(self) -> ManeuverTarget:
+        """Target of a mode that flies by itself."""
+        return target_of(
+            self.mode,
+            self._anchor,
+            p_ned=self.p_ned,
+            home_ned=self.home_ned,
+            return_ned=self._return_ned,
+            now_s=self.time_s,
+            parameters=self.parameters,
+            mission=self.mission,
+            followed=self._followed,
+            blind=Failure.GPS in self.failed,
+        )
+
     def _fly(self, steps: int) -> None:
-        if (self.mode is _OFFBOARD or self.mode is _REFUEL) and not isnan(self.set_point_now.time_s):
+        if self.separation is not None and self._keeps_apart():
+            self.put_target(self.separation.target)
+        elif (self.mode is _OFFBOARD or self.mode is _REFUEL) and not isnan(self.set_point_now.time_s):
             self._steer(steps * STEP_MS / 1e3)
         else:
-            wanted = target_of(
-                self.mode,
-                self._anchor,
-                p_ned=self.p_ned,
-                home_ned=self.home_ned,
-                return_ned=self._return_ned,
-                now_s=self.time_s,
-                parameters=self.parameters,
-                mission=self.mission,
-                followed=self._followed,
-                blind=Failure.GPS in self.failed,
-            )
-            self.put_target(wanted)
+            self.put_target(self.mode_target())
         turning = self.armed and not (self.failed and Failure.MOTOR in self.failed)
         at_rest = self.stands() and self.mode in RESTING
         self.fly(steps, self.yaw_ned, turning and not at_rest)
+
+    def _keeps_apart(self) -> bool:
+        """Whether it follows a leader of its own: not while set points come, or a pilot's have come."""
+        if self.mode is _OFFBOARD or self.mode is _REFUEL:
+            led = self.time_ms / 1e3 - self.set_point_now.time_s < self.period_s - 1e-6
+            if led or not self.station_leads:
+                if self.leads:
+                    self.separation.release()
+                return False
+        if Failure.GPS in self.failed:
+            return False
+        return self.separation.step()
 
     def _steer(self, dt_s: float) -> None:
         """Command the set point, and the yaw that it wants after so long."""
@@ -459,6 +515,8 @@ class Vehicle(Body):
         """Fix what a mode keeps while it lasts: the place where the vehicle can come to rest, or stands."""
         p_ned = self.p_ned
         place, down_m = resting_place(p_ned, self.v_ned, ground=self.ground, landed=self.landed), p_ned[2]
+        if self.leads:
+            place = self.separation.resting_place()
         if mode is Mode.TAKEOFF:
             place, down_m = p_ned, self._takeoff_down_m
         elif mode is Mode.MISSION and self.mission is not None:

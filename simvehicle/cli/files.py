@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ import click
 if TYPE_CHECKING:
     from simvehicle.autopilot.parameters import Parameters
     from simvehicle.fleet.rules import FleetRules
+    from simvehicle.fleet.separation_rules import SeparationRules
     from simvehicle.law.plants import RotorPlant
     from simvehicle.sitl.storage import StateFile
 
@@ -41,6 +42,16 @@ def read_fleet_rules(path: Path) -> FleetRules:
 
     with _read_for("--fleet", path, FleetRulesError):
         return read_rules(yaml.safe_load(path.read_text(encoding="utf-8")))
+
+
+def read_separation_rules(path: Path, sysids: Iterable[int]) -> SeparationRules:
+    """Rules by which these vehicles keep apart."""
+    import yaml
+
+    from simvehicle.fleet.separation_rules import SeparationRulesError, read_separation
+
+    with _read_for("--separation", path, SeparationRulesError):
+        return read_separation(yaml.safe_load(path.read_text(encoding="utf-8")), sysids)
 
 
 def read_plants(path: Path) -> dict[int, RotorPlant]:

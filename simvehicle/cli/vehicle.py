@@ -12,7 +12,7 @@ from typing import Any
 
 import click
 
-from simvehicle.cli.files import open_state, read_fleet_rules, read_parameters, read_plants
+from simvehicle.cli.files import open_state, read_fleet_rules, read_parameters, read_plants, read_separation_rules
 from skytender.exit import CANNOT_WRITE
 
 LAST_SYSID = 254
@@ -40,6 +40,7 @@ def prepare(
     state: Path | None,
     key_file: Path | None,
     fleet: Path | None,
+    separation: Path | None,
     world: Path | None,
     count: int,
 ) -> Callable[[], int]:
@@ -78,6 +79,7 @@ def prepare(
     files = zip(_each("--params", params or (None,), count), _each("--truth", truth or (None,), count), strict=True)
     wanted = []
     rules = None if fleet is None else read_fleet_rules(fleet)
+    apart = None if separation is None else read_separation_rules(separation, range(sysid, sysid + count))
     plants = {} if world is None else read_plants(world)
     for i, (values, own_truth) in enumerate(files):
         store = None if state is None else open_state(state, sysid + i)
@@ -86,7 +88,19 @@ def prepare(
         if plant is not None:
             _check_flies(plant, parameters, world)
         wanted.append(
-            Wanted(sysid + i, starts[i], parameters, own_truth, store, key_file, state, plant, rules, truth_hz=truth_hz)
+            Wanted(
+                sysid + i,
+                starts[i],
+                parameters,
+                own_truth,
+                store,
+                key_file,
+                state,
+                plant,
+                rules,
+                apart,
+                truth_hz=truth_hz,
+            )
         )
     try:
         block = Block(wanted, IDENTITIES[autopilot], frame, connect, supervised)

@@ -16,6 +16,7 @@ cdef class Services:
     cdef double _follow_rate_hz
     cdef bint _fast_counters
     cdef int _long_texts
+    cdef bint _leads
     cdef bint _at_work
 
     cpdef receive(self, ReceivedFrame frame, Connection connection)
@@ -24,5 +25,6 @@ cdef class Services:
     cpdef decide(self)
     cpdef report(self)
     cdef _announce(self)
+    cdef _intend(self)
     cdef bint _counts_fast(self) except -1
     cdef _pace_counters(self)

@@ -11,7 +11,14 @@ from typing import Any
 
 import cython
 import cython.cimports.simvehicle.mavlink.offboard as compiled_offboard
-from cython.cimports.skytender.messages import HEARTBEAT_ID, MAV_COMP_ID_AUTOPILOT1, SET_POSITION_TARGET_LOCAL_NED_ID
+from cython.cimports.simvehicle.mavlink.lockstep import SYSTEM
+from cython.cimports.skytender.messages import (
+    HEARTBEAT_ID,
+    LOCAL_POSITION_NED_ID,
+    MAV_COMP_ID_AUTOPILOT1,
+    POSITION_TARGET_LOCAL_NED_ID,
+    SET_POSITION_TARGET_LOCAL_NED_ID,
+)
 
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
@@ -74,6 +81,7 @@ class Services:
     _follow_rate_hz: float
     _fast_counters: bool
     _long_texts: int
+    _leads: bool
     _at_work: bool
     """whether a service may have something to do beside telemetry"""
 
@@ -101,6 +109,7 @@ class Services:
         self._fast_counters = False
         self._long_texts = 0
         self._at_work = True
+        self._leads = False
         vehicle.on_change = self._hasten_heartbeats
         self._planning.restart()
 
@@ -113,6 +122,12 @@ class Services:
         if frame.msgid == SET_POSITION_TARGET_LOCAL_NED_ID:
             if not self._deaf():
                 compiled_offboard.local_set_point(self._context, self.vehicle, self.sysid, frame.payload)
+                self.vehicle.station_leads = frame.sysid == SYSTEM and connection is self.connections[0]
+            return
+        if frame.msgid in (LOCAL_POSITION_NED_ID, POSITION_TARGET_LOCAL_NED_ID):
+            separation = self.vehicle.separation
+            if separation is not None and connection is self.connections[0] and not self._deaf():
+                separation.receive(frame.sysid, frame.msgid, frame.payload)
             return
         if frame.msgid == HEARTBEAT_ID:
             if not self._deaf() and compiled_offboard.is_ground_station(frame.payload):
@@ -162,6 +177,8 @@ class Services:
 
     def decide(self) -> None:
         """Let a fleet's member decide at the vehicle's present time, and queue what it tells the others."""
+        if self.vehicle.separation is not None:
+            self._intend()
         if self.fleet is None:
             return
         contents = self.fleet.tick()
@@ -173,6 +190,15 @@ class Services:
         if self.fleet.follow_rate_hz != self._follow_rate_hz:
             self._follow_rate_hz = self.fleet.follow_rate_hz
             self._context.set_rate("FOLLOW_TARGET", self._follow_rate_hz)
+
+    def _intend(self) -> None:
+        """Let peers know of a leader of its own in every period."""
+        vehicle = self.vehicle
+        vehicle.separation.intend()
+        if vehicle.leads != self._leads:
+            self._leads = vehicle.leads
+            interval_us = 1e6 * vehicle.period_s if vehicle.leads else 0.0
+            self.connections[0].streams.set_interval(POSITION_TARGET_LOCAL_NED_ID, interval_us, vehicle.time_ms)
 
     def report(self) -> None:
         """Queue what became due at the vehicle's present time: announcements, then telemetry."""

@@ -290,9 +290,17 @@ def _battery_status(v: Any, m: Any) -> None:
 
 
 def _position_target_local_ned(v: Any, m: Any) -> None:
-    """The reference that the guidance really flies."""
-    p, velocity = v.plant.row.reference_position, v.plant.row.reference_velocity
+    """The reference that the guidance really flies; of a vehicle with a virtual leader of its own that one, and the
+    acceleration that it wants."""
     m.time_boot_ms, m.coordinate_frame = v.time_ms, mav.MAV_FRAME_LOCAL_NED
+    m.yaw = _radians(v.yaw_ned)
+    if v.leads:
+        m.type_mask = mav.POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE
+        m.x, m.y, m.z = v.leader[0], v.leader[1], v.leader[2]
+        m.vx, m.vy, m.vz = v.leader[3], v.leader[4], v.leader[5]
+        m.afx, m.afy, m.afz = v.leader[6], v.leader[7], v.leader[8]
+        return
+    p, velocity = v.plant.row.reference_position, v.plant.row.reference_velocity
     m.type_mask = (
         mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
         | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
@@ -301,7 +309,6 @@ def _position_target_local_ned(v: Any, m: Any) -> None:
     )
     m.x, m.y, m.z = v.seen(p[0], p[1], p[2])
     m.vx, m.vy, m.vz = velocity[0], -velocity[1], -velocity[2]
-    m.yaw = _radians(v.yaw_ned)
 
 
 def _control_effort(v: Any, m: Any) -> None:

@@ -14,6 +14,8 @@ from simvehicle.autopilot.identity import Identity
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.rules import FleetRules
+from simvehicle.fleet.separation import Separation
+from simvehicle.fleet.separation_rules import SeparationRules
 from simvehicle.law.plants import Plant
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Store
@@ -45,6 +47,8 @@ class Wanted:
     """what it flies on; without one the paper's plant"""
     rules: FleetRules | None = None
     """of the fleet that it belongs to, where vehicles compete on board"""
+    separation: SeparationRules | None = None
+    """by which it keeps apart while it flies by itself"""
 
 
 @dataclass(frozen=True)
@@ -77,6 +81,9 @@ class Block:
 
     def _build(self, one: Wanted, identity: Identity, frame: LocalFrame) -> _Built:
         vehicle = Vehicle(identity, one.parameters, frame, one.start, one.plant)
+        if one.separation is not None:
+            vehicle.period_s = one.separation.period_s
+            vehicle.separation = Separation(vehicle, one.sysid, one.separation)
         connections = [Connection(one.sysid) for _ in self._addresses]
         for connection in connections:
             for key, rate_hz in UNPROMPTED.items():

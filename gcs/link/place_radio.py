@@ -1,0 +1,97 @@
+"""The radio on which vehicles receive each other's places (docs/protocol.md#separation-on-board).
+
+Vehicles broadcast LOCAL_POSITION_NED and POSITION_TARGET_LOCAL_NED whoever receives them. As the radio among those that
+compete, this is a part of the simulated world, not of the ground station: it loses and delays as that one does, and
+goes on while the station's own radio is dead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+
+from gcs.link.impairment import Burst, Impairment
+from gcs.link.peer_radio import apart
+from gcs.mavlink import codec
+from gcs.mavlink.codec import Frame
+from gcs.mavlink.ids import STATION
+from gcs.scenario.parts.radio import RadioSplit
+
+_PLACES = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("POSITION_TARGET_LOCAL_NED")})
+
+
+_SYSID_AT, _ID_AT = 5, slice(7, 10)  # in a frame
+
+
+class PlaceRadio:
+    """The radio between any two of some vehicles."""
+
+    def __init__(
+        self,
+        sysids: Iterable[int],
+        radio: Impairment,
+        *,
+        blackouts: Iterable[Burst] = (),
+        splits: Iterable[RadioSplit] = (),
+    ) -> None:
+        """Arguments as `PeerRadio` has them."""
+        self._sysids, self._radio = sorted(sysids), radio
+        self._members = frozenset(self._sysids)
+        self._blackouts, self._splits = tuple(blackouts), tuple(splits)
+        self._sent: Mapping[int, Sequence[Frame]] = {}
+        self._places: dict[int, list[bytes]] = {}
+        self._all: bytes | None = None
+        self._flying: Collection[int] = ()
+        self.listening: frozenset[int] = frozenset()
+        """vehicles that may fly, and to which no set point goes"""
+        self.delivered = False
+        """whether a place has been delivered in this tick"""
+
+    def send(self, frames: Mapping[int, Sequence[Frame]]) -> None:
+        """Take what vehicles have sent since the last tick, by system id."""
+        self._sent, self._all = frames, None
+        self._places.clear()
+
+    def begin(self, flying: Collection[int], steered: Container[int]) -> None:
+        """Begin a tick's deliveries. `flying`: vehicles that may be in the air; `steered`: those to which a set point
+        goes."""
+        self._flying, self.delivered = flying, False
+        led: Container[int] = () if self._splits else steered
+        self.listening = frozenset(sysid for sysid in self._sysids if sysid in flying and sysid not in led)
+
+    def deliver(self, sysid: int, t_s: float, *, led: bool) -> list[bytes]:
+        """Places that reach a vehicle at a session time, as one piece of data, once per tick; `led`: a set point has
+        reached it. One that is led, or on the ground, has no use for them, and they are kept from it to save time;
+        but what a split may soon keep from it."""
+        needs = sysid in self._flying and sysid in self._members and not (led and not self._splits)
+        if not needs and (self._radio.prompt or sysid not in self._members):
+            return []
+        received = self._received(sysid, t_s)
+        if not needs or not received:
+            return []
+        self.delivered = True
+        return [received]
+
+    def _received(self, sysid: int, t_s: float) -> bytes:
+        """Frames in the order of their senders; where nothing is lost, the vehicle's own are among them."""
+        if self._radio.clear and not self._blackouts and not self._splits:
+            if self._all is None:
+                self._all = b"".join(raw for sender in self._sysids for raw in self._of(sender))
+            return self._all
+        received: list[bytes] = []
+        for sender in self._sysids:
+            if sender != sysid:
+                dark = apart(sender, sysid, t_s, self._blackouts, self._splits)
+                received += self._radio.apply(sysid, sender, t_s, self._of(sender), dark=dark)
+        return b"".join(received)
+
+    def _of(self, sender: int) -> list[bytes]:
+        places = self._places.get(sender)
+        if places is None:
+            frames = self._sent.get(sender, ())
+            places = self._places[sender] = [frame.raw for frame in frames if frame.msgid in _PLACES]
+        return places
+
+
+def is_place(raw: bytes) -> bool:
+    """Whether a frame that goes to a vehicle, or several in one piece, is what another one has broadcast of itself."""
+    return raw[_SYSID_AT] != STATION[0] and int.from_bytes(raw[_ID_AT], "little") in _PLACES

@@ -1,0 +1,328 @@
+"""Separation on board: a vehicle that flies by itself keeps apart from the peers that it receives
+(docs/protocol.md#separation-on-board).
+
+The station's safety filter has seen to it that vehicles stay apart if all brake. So a vehicle whose set point stays
+away brakes at once, as that filter has presumed, and has a virtual leader of its own from then on. In every mode that
+flies by itself the leader goes where the mode wants, and passes the same filter (skytender/safety) together with the
+leaders that peers report: vehicles that receive each other filter the same numbers, and so choose the same ways. Peers
+of which only the place is known give no way.
+
+NED, SI units; times are the vehicle's own, which launched vehicles share with their session.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections import deque
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
+from simvehicle.autopilot.modes import STEERED, Mode
+from simvehicle.autopilot.parameters import float32
+from simvehicle.autopilot.vectors import Vec3
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.separation_rules import Member, SeparationRules
+from skytender import elementary
+from skytender import mavlink as mav
+from skytender.safety.braking_clearance import braking, stop_way
+from skytender.safety.intruders import Intruder, table_of
+from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
+from skytender.safety.silence import AHEAD_S, STEP_M, stretch, way_home
+
+LAG_S = 0.37
+"""A vehicle flies so long behind its leader (docs/model.md#guidance)."""
+ALONE_S = 2.0
+"""Without a HEARTBEAT of the station for so long, every vehicle in the air has a leader, so that all know each
+other's."""
+PREDICTED_S = 0.35
+"""A leader whose report is missing for less than this has gone on as this vehicle's own filter found."""
+SILENT_S, FORGOTTEN_S = 1.0, 10.0
+"""[choice] A peer of which nothing has come for so long is silent; while the station leads it, it is no longer where it
+was after the second time."""
+WAITS_S = 40.0
+"""[choice] So long a silent peer may wait for others on its way home."""
+NEAR_M, STILL_NEAR_M = 25.0, 10.0
+"""Beyond braking ways, and what others fly in the filter's horizon at 5 m/s each, or none."""
+OVER_HOME_M = 1.0
+LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
+OFF_LEADER_M = 2.0
+FLOOR_M = 0.3
+ARRIVES_S = 0.5
+GENTLE_SHARE = 0.5
+"""Of its acceleration with which a leader comes to rest at a goal."""
+STANDS_M_S, STANDS_M = 0.1, 0.15
+"""A peer that is slower, and lower, stands on the ground."""
+UNCHANGED_M_S2 = 1e-9
+_GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
+_PLACE, _LEADER = struct.Struct("<I6f"), struct.Struct("<I11fHB")
+_NO_ACCELERATION = (
+    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
+    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
+)
+_EVERYWHERE = (True, True, True)
+
+
+@dataclass
+class _Peer:
+    """Last reports of another vehicle, and its leader as it must have gone on since."""
+
+    place_ms: int = -1
+    p_ned: Vec3 = AT_REST
+    v_ned: Vec3 = AT_REST
+    leader_ms: int = -1
+    leader_p_ned: Vec3 = AT_REST
+    leader_v_ned: Vec3 = AT_REST
+    wanted_ned: Vec3 = AT_REST
+
+    @property
+    def stands(self) -> bool:
+        """Whether it is on the ground."""
+        return self.p_ned[2] > -STANDS_M and elementary.norm(self.v_ned) < STANDS_M_S
+
+
+@dataclass
+class _Near:
+    """What the filter looks at: leaders, this vehicle's first, and what gives no way."""
+
+    ids: list[int]
+    p_ned: list[Vec3]
+    v_ned: list[Vec3]
+    wanted_ned: list[Vec3]
+    intruders: list[Intruder] = field(default_factory=list)
+
+
+class Separation:
+    """One vehicle's filter, and what it has received of its peers."""
+
+    def __init__(self, vehicle: Vehicle, sysid: int, rules: SeparationRules) -> None:
+        self._vehicle, self._sysid, self._rules = vehicle, sysid, rules
+        self._settings = FilterSettings(rules.period_s, rules.separation_m, rules.clearance_m)
+        self._peers: dict[int, _Peer] = {}
+        self._limits = rules.vehicles[sysid]
+        self._brake_m_s2 = BRAKE_SHARE * self._limits.acceleration_m_s2
+        self._next_ms = 0
+        self._p_ned: Vec3 = AT_REST
+        self._v_ned: Vec3 = AT_REST
+        self._wanted_ned: Vec3 | None = None
+        self._way: deque[tuple[float, Vec3]] = deque(maxlen=16)
+        self._error_m = 0.0
+        self.target = ManeuverTarget(AT_REST, AT_REST, _EVERYWHERE, 0.0, 0.0)
+        """what the vehicle flies while it has a leader"""
+
+    def receive(self, sysid: int, msgid: int, payload: bytes) -> None:
+        """Take in a peer's LOCAL_POSITION_NED or POSITION_TARGET_LOCAL_NED, whose payload may lack zeros at its end."""
+        if sysid not in self._rules.vehicles:
+            return
+        peer = self._peers.setdefault(sysid, _Peer())
+        if msgid == mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED:
+            time_ms, *numbers = _PLACE.unpack(payload.ljust(_PLACE.size, b"\0"))
+            if peer.place_ms <= time_ms <= self._vehicle.time_ms and _finite(numbers):
+                peer.place_ms, peer.p_ned, peer.v_ned = time_ms, _vec(numbers), _vec(numbers[3:])
+            return
+        time_ms, *numbers, _, _, mask, _ = _LEADER.unpack(payload.ljust(_LEADER.size, b"\0"))
+        if mask & _NO_ACCELERATION or not peer.leader_ms < time_ms <= self._vehicle.time_ms or not _finite(numbers):
+            return
+        peer.leader_ms, peer.leader_p_ned, peer.leader_v_ned = time_ms, _vec(numbers), _vec(numbers[3:])
+        peer.wanted_ned = _along(peer.leader_v_ned, _vec(numbers[6:]), self._rules.period_s)
+
+    # where it flies
+
+    def step(self) -> bool:
+        """Move the leader through the coming period, once a period; whether the vehicle follows it."""
+        vehicle = self._vehicle
+        if vehicle.time_ms < self._next_ms and vehicle.leads:
+            return True
+        if not vehicle.armed or vehicle.landed:
+            self.release()
+            return False
+        self._next_ms = vehicle.time_ms + round(1e3 * self._rules.period_s)
+        steered = vehicle.mode in STEERED
+        if vehicle.leads:
+            self._measure()
+        elif steered:
+            self._begin(*vehicle.lead_of_set_points(self._rules.period_s))
+        else:
+            self._begin(_along(vehicle.p_ned, vehicle.v_ned, LAG_S), vehicle.v_ned)
+        if steered:
+            u_ned = braking(*self._v_ned, self._brake_m_s2, self._rules.period_s)
+        else:
+            filtered = self._filtered(vehicle.leads or vehicle.alone(ALONE_S))
+            if filtered is None:
+                return False
+            u_ned = filtered
+        self._go(u_ned)
+        return True
+
+    def release(self) -> None:
+        """Leave the vehicle to its set points or its mode."""
+        self._vehicle.leads, self._wanted_ned = False, None
+        self._way.clear()
+        self._error_m = 0.0
+
+    def intend(self) -> None:
+        """Say, as a peer receives it, where the leader is and what it wants of the next period."""
+        vehicle = self._vehicle
+        if vehicle.leads:
+            wanted = self._wanted() if vehicle.mode not in STEERED else AT_REST
+            asked = _as_sent(_along(AT_REST, _minus(wanted, self._v_ned), 1.0 / self._rules.period_s))
+            self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
+            vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
+
+    def resting_place(self) -> Vec3:
+        """Place where the leader stands if it brakes now."""
+        speed_m_s = elementary.norm(self._v_ned)
+        if speed_m_s < STANDS_M_S * 1e-3:
+            return self._p_ned
+        return _along(self._p_ned, self._v_ned, stop_way(speed_m_s, self._brake_m_s2, self._rules.period_s) / speed_m_s)
+
+    def _begin(self, p_ned: Vec3, v_ned: Vec3) -> None:
+        self._p_ned, self._v_ned, self._wanted_ned = _as_sent(p_ned), _as_sent(v_ned), None
+
+    def _measure(self) -> None:
+        """The vehicle against its leader: how far it is from where that was a lag ago."""
+        now_s, here = self._vehicle.time_s, self._vehicle.p_ned
+        then_s = now_s - LAG_S
+        self._error_m *= elementary.exp(-self._rules.period_s / DECAY_S)
+        if self._way and self._way[0][0] <= then_s:
+            for (a_s, a), (b_s, b) in zip(self._way, list(self._way)[1:], strict=False):
+                if a_s <= then_s <= b_s:
+                    error_m = elementary.distance(here, _along(a, _minus(b, a), (then_s - a_s) / (b_s - a_s)))
+                    self._error_m = max(self._error_m, error_m)
+                    if error_m > OFF_LEADER_M:
+                        self.release()
+                        self._begin(_along(here, self._vehicle.v_ned, LAG_S), self._vehicle.v_ned)
+                    break
+
+    def _go(self, u_ned: Vec3) -> None:
+        vehicle, dt = self._vehicle, self._rules.period_s
+        mean_ned = _along(self._v_ned, u_ned, 0.5 * dt)
+        fastest = max(elementary.norm(mean_ned), vehicle.parameters["MPC_XY_VEL_MAX"])
+        self.target = ManeuverTarget(self._p_ned, mean_ned, _EVERYWHERE, vehicle.time_s, fastest)
+        self._way.append((vehicle.time_s, self._p_ned))
+        self._p_ned, self._v_ned = _as_sent(_along(self._p_ned, mean_ned, dt)), _as_sent(_along(self._v_ned, u_ned, dt))
+        vehicle.leads = True
+
+    def _wanted(self) -> Vec3:
+        """Velocity towards what the mode wants, slow enough to come to rest there."""
+        target, now_s = self._vehicle.mode_target(), self._vehicle.time_s
+        ahead_s = now_s - target.time_s
+        away = [
+            target.p_ned[i] + ahead_s * target.v_ned[i] - self._p_ned[i] if target.use_position[i] else 0.0
+            for i in range(3)
+        ]
+        away_m = elementary.norm(away)
+        gentle_m_s = math.sqrt(2.0 * GENTLE_SHARE * self._limits.acceleration_m_s2 * away_m)
+        speed_m_s = min(target.speed_m_s, self._limits.speed_m_s, gentle_m_s, away_m / ARRIVES_S)
+        share = speed_m_s / away_m if away_m > 0.0 else 0.0
+        return _along(target.v_ned, _vec(away), share)
+
+    def _filtered(self, leads: bool) -> Vec3 | None:
+        """Acceleration of the coming period; None where a vehicle without a leader needs none."""
+        near = self._near(leads)
+        if not leads and len(near.ids) == 1 and not near.intruders:
+            return None
+        n, vehicle = len(near.ids), self._vehicle
+        floor = np.full((n, 3), math.inf)
+        if vehicle.ground and vehicle.mode not in _GOING_DOWN and vehicle.home_ned[2] - self._p_ned[2] > FLOOR_M:
+            floor[0, 2] = vehicle.home_ned[2] - FLOOR_M
+        limits = [self._rules.vehicles[sysid] for sysid in near.ids]
+        margin_m = np.full(n, LEAST_MARGIN_M)
+        margin_m[0] = min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
+        filtered = filter_step(
+            Leaders(
+                ids=near.ids,
+                p_ned=near.p_ned,
+                v_ned=near.v_ned,
+                v_max_m_s=[one.speed_m_s for one in limits],
+                a_max_m_s2=[one.acceleration_m_s2 for one in limits],
+                margin_m=margin_m,
+                high_ned=floor,
+            ),
+            near.wanted_ned,
+            rules=self._settings,
+            others=table_of(near.intruders),
+            obstacles=self._rules.obstacles,
+        )
+        if not leads and filtered.changed_m_s2[0] <= UNCHANGED_M_S2:
+            return None
+        for sysid, p_ned, v_ned in zip(
+            near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
+        ):
+            self._peers[sysid].leader_p_ned, self._peers[sysid].leader_v_ned = _vec(p_ned), _vec(v_ned)
+        return _vec(filtered.u_ned[0].tolist())
+
+    def _near(self, leads: bool) -> _Near:
+        wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
+        near = _Near([self._sysid], [self._p_ned], [self._v_ned], [wanted])
+        now_ms = self._vehicle.time_ms
+        for sysid, peer in sorted(self._peers.items()):
+            age_s = (now_ms - peer.leader_ms) / 1e3 if peer.leader_ms >= 0 else math.inf
+            silent_s = (now_ms - peer.place_ms) / 1e3
+            if age_s < PREDICTED_S:
+                if elementary.distance(peer.leader_p_ned, self._p_ned) < NEAR_M:
+                    near.ids.append(sysid)
+                    near.p_ned.append(peer.leader_p_ned)
+                    near.v_ned.append(peer.leader_v_ned)
+                    near.wanted_ned.append(peer.wanted_ned)
+            elif peer.place_ms >= 0:
+                near.intruders += self._intruders(sysid, peer, min(age_s, silent_s))
+        return near
+
+    def _intruders(self, sysid: int, peer: _Peer, silent_s: float) -> list[Intruder]:
+        """Where a peer may be of which no leader is known: one on the ground where it is, one that is received where it
+        flies, and one that is silent anywhere on its way home, if the station is silent too."""
+        name, distance_m = f"vehicle {sysid}", self._rules.separation_m
+        if peer.stands:
+            places = [peer.p_ned]
+        elif silent_s < SILENT_S or not self._vehicle.alone(ALONE_S):
+            if silent_s > FORGOTTEN_S or elementary.distance(peer.p_ned, self._p_ned) > NEAR_M:
+                return []
+            lead_s = LAG_S + min(silent_s, SILENT_S)
+            return [Intruder.of(name, None, peer.p_ned, peer.v_ned, lead_s, distance_m + LEAST_MARGIN_M, silent_s)]
+        else:
+            distance_m += LEAST_MARGIN_M + 0.5 * STEP_M
+            places = _presumed(peer, self._rules.vehicles[sysid], silent_s)
+        return [
+            Intruder.of(name, None, place, AT_REST, 0.0, distance_m, 0.0)
+            for place in places
+            if elementary.distance(place, self._p_ned) < STILL_NEAR_M
+        ]
+
+
+def _presumed(peer: _Peer, member: Member, silent_s: float) -> list[Vec3]:
+    """All that a silent peer may have flown, and will in a moment: it may have waited anywhere on its way. By
+    the time that it takes and WAITS_S it has landed."""
+    here = peer.p_ned if peer.place_ms >= peer.leader_ms else peer.leader_p_ned
+    home = member.home_ned
+    down = [(here, (here[0], here[1], max(home[2], 0.0)), member.failsafe.sink_m_s)]
+    over = elementary.distance(here[:2], home[:2]) < OVER_HOME_M
+    legs = down if over else way_home(here, home, member.failsafe)
+    if silent_s > member.failsafe.loss_s + sum(elementary.distance(a, b) / speed for a, b, speed in legs) + WAITS_S:
+        return [home]
+    places = stretch(legs, 0.0, silent_s + AHEAD_S)
+    return [here, *places] if over else [here, *places, *stretch(down, 0.0, silent_s + AHEAD_S)]
+
+
+def _vec(numbers: Any) -> Vec3:
+    return numbers[0], numbers[1], numbers[2]
+
+
+def _as_sent(v: Vec3) -> Vec3:
+    return float32(v[0]), float32(v[1]), float32(v[2])
+
+
+def _along(a: Vec3, b: Vec3, share: float) -> Vec3:
+    return a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]
+
+
+def _minus(a: Vec3, b: Vec3) -> Vec3:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def _finite(numbers: list[float]) -> bool:
+    return math.isfinite(sum(numbers))

@@ -33,6 +33,7 @@ from gcs.campaign.family_parts import (
     speed_of,
     table_of,
 )
+from gcs.campaign.silence import silence
 from gcs.campaign.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.tight import tight
 from skytender import elementary, elementwise
@@ -371,6 +372,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "blackout": _blackout,
     "poor_tracking": _poor_tracking,
     "tight": tight,
+    "silence": silence,
 }
 FAMILIES = tuple(_MAKERS)
 """Names that `family` knows."""

@@ -17,7 +17,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint, SetPoints
-from gcs.planner.failsafes import failsafe_of
+from gcs.planner.failsafes import failsafes_of
 from gcs.planner.fence import FenceBorder
 from gcs.planner.floors import FLOOR_M, Floors
 from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
@@ -78,7 +78,8 @@ class SafePlanner(TickPlanner):
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
-        self._failsafes = {v.sysid: (v.start_m, failsafe_of(v, scenario)) for v in every if v.foreign is None}
+        failsafes = failsafes_of(scenario)
+        self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if v.foreign is None}
         self._link_age = LinkAge(n)
         self._fence = FenceBorder(scenario, rules.clearance_m)
         self._solid = np.concatenate([planner.obstacles, self._fence.walls])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -12,13 +12,14 @@ import yaml
 
 from gcs.mavlink.autopilots import PROFILES, Profile
 from gcs.mavlink.parameters.renames import unknown_name
-from gcs.planner.failsafes import failsafe_of
+from gcs.planner.failsafes import failsafe_of, failsafes_of
 from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.processes.fork_server import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from gcs.scenario.weather import RealAutopilot
+from skytender.safety.silence import Failsafe
 
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
@@ -34,6 +35,7 @@ def vehicle_orders(
     has one of its own. `connection` goes into argv.
     """
     blocks: list[list[VehicleBase]] = []
+    failsafes = failsafes_of(scenario)
     launched = scenario.vehicles.launched
     alone = {fault.sysid for fault in scenario.faults if fault.fault in ("kill", "hang")}
     alone |= {vehicle.sysid for vehicle in launched if vehicle.real is not None}
@@ -45,7 +47,7 @@ def vehicle_orders(
         else:
             blocks.append([vehicle])
     return [
-        vehicle_order(block, scenario, folder, connection)
+        vehicle_order(block, scenario, folder, connection, failsafes)
         if block[0].real is None
         else autopilot_order(block[0], block[0].real, scenario, folder, connection)
         for block in blocks
@@ -53,7 +55,11 @@ def vehicle_orders(
 
 
 def vehicle_order(
-    block: Sequence[VehicleBase], scenario: Scenario, folder: Path, connection: Sequence[str]
+    block: Sequence[VehicleBase],
+    scenario: Scenario,
+    folder: Path,
+    connection: Sequence[str],
+    failsafes: Mapping[int, Failsafe],
 ) -> ProcessSpec:
     """Command that starts vehicles whose system ids follow on each other in one process; writes their parameters."""
     first, origin = block[0], scenario.origin
@@ -62,7 +68,7 @@ def vehicle_order(
         argv += ["--count", str(len(block))]
     for vehicle in block:
         params = folder / "vehicles" / f"{vehicle.sysid}.params.yaml"
-        values = sorted(vehicle_parameters(vehicle, scenario).items())
+        values = sorted(vehicle_parameters(vehicle, scenario, failsafes[vehicle.sysid]).items())
         params.write_text("".join(f"{name}: {value!r}\n" for name, value in values), encoding="utf-8")
         argv += [
             *("--position", _triple(vehicle.start_m)),
@@ -125,7 +131,7 @@ def _renamed(vehicle: VehicleBase, profile: Profile) -> dict[str, str]:
     return {name: f"; {clause}" for name, clause in clauses.items() if clause}
 
 
-def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
+def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario, failsafe: Failsafe) -> dict[str, float]:
     """The MAVLink parameters that a scenario gives one of its vehicles."""
     battery = vehicle.battery
     fails = any(fault.sysid == vehicle.sysid and fault.fault in COMMANDED for fault in scenario.faults)
@@ -136,7 +142,7 @@ def vehicle_parameters(vehicle: VehicleBase, scenario: Scenario) -> dict[str, fl
         "SIM_BAT_AVION_W": battery.avionics_w,
         "SIM_XFER_DIST": scenario.refuelling.capture_m,
         "SIM_XFER_SPEED": scenario.refuelling.relative_speed_m_s,
-        **(_cautious(vehicle, scenario) if scenario.planner.safety else {}),
+        **(_cautious(failsafe) if scenario.planner.safety else {}),
         **({"SYS_FAILURE_EN": 1.0} if fails else {}),
         **vehicle.params,
     }
@@ -198,11 +204,11 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
 
 def separation_rules(scenario: Scenario) -> dict[str, Any]:
     """Rules by which launched vehicles of a scenario keep apart while they fly by themselves, NED."""
-    speeds = speeds_m_s(scenario)
+    speeds, failsafes = speeds_m_s(scenario), failsafes_of(scenario)
     members = []
     for vehicle in scenario.vehicles.launched:
         if vehicle.real is None:
-            failsafe = failsafe_of(vehicle, scenario)
+            failsafe = failsafes[vehicle.sysid]
             members.append(
                 {
                     "sysid": vehicle.sysid,
@@ -233,9 +239,8 @@ def _solids(scenario: Scenario) -> list[dict[str, Any]]:
     ]
 
 
-def _cautious(vehicle: VehicleBase, scenario: Scenario) -> dict[str, float]:
-    """Failsafe parameters of a vehicle that knows of no obstacle."""
-    failsafe = failsafe_of(vehicle, scenario)
+def _cautious(failsafe: Failsafe) -> dict[str, float]:
+    """Failsafe parameters of a vehicle that finds no way around obstacles."""
     return {"RTL_RETURN_ALT": failsafe.altitude_m, "COM_OF_LOSS_T": failsafe.hold_s}
 
 

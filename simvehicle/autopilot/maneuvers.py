@@ -6,7 +6,8 @@ Places are NED in the local frame, m; times are s since boot.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot, radians
+from enum import Enum
+from math import hypot, inf, radians
 from typing import NamedTuple
 
 from simvehicle.autopilot.follow import Followed, place_beside
@@ -64,6 +65,16 @@ class ManeuverTarget(NamedTuple):
     speed_m_s: float
 
 
+class ReturnLeg(Enum):
+    """Leg of a return."""
+
+    UP = "up"
+    WAIT = "wait"
+    """where it began, below all ways"""
+    LEVEL = "level"
+    DOWN = "down"
+
+
 def resting_place(p_ned: Vec3, v_ned: Vec3, *, ground: bool, landed: bool) -> Vec3:
     """Place where a vehicle comes to rest that is to stop now; never below the ground where there is one."""
     coast_s = 0.0 if landed else REACTION_S + hypot(*v_ned) / (2.0 * BRAKING_M_S2)
@@ -83,9 +94,12 @@ def target_of(
     mission: Mission | None = None,
     followed: Followed | None = None,
     blind: bool = False,
+    leg: ReturnLeg | None = None,
+    descend_m: float = inf,
 ) -> ManeuverTarget:
     """Target of a mode that flies by itself from `now_s` on, for a vehicle at `p_ned`; `blind`: it does not know where
-    that is. A mode that flies set points rests without one."""
+    that is. A mode that flies set points rests without one. `leg`: of a return; None: up, or level from where it is as
+    high as it returns; the last one goes down to `descend_m` above home."""
     fastest = parameters["MPC_XY_VEL_MAX"]
     north, east, _ = anchor.p_ned
     if mode is Mode.TAKEOFF:
@@ -98,8 +112,12 @@ def target_of(
     if mode is Mode.FOLLOW:
         return following(followed, anchor, home_ned=home_ned, now_s=now_s, parameters=parameters)
     if mode is Mode.RETURN:
-        climbed = p_ned[2] <= anchor.down_m + REACHED_M
+        climbed = leg is ReturnLeg.LEVEL or (leg is None and p_ned[2] <= anchor.down_m + REACHED_M)
         goal = (return_ned[0], return_ned[1], anchor.down_m) if climbed else (north, east, anchor.down_m)
+        if leg is ReturnLeg.WAIT:
+            goal = anchor.p_ned
+        elif leg is ReturnLeg.DOWN:
+            goal = (return_ned[0], return_ned[1], max(anchor.down_m, return_ned[2] - descend_m))
         return ManeuverTarget(goal, AT_REST, _EVERYWHERE, now_s, min(parameters["MPC_XY_CRUISE"], fastest))
     return ManeuverTarget(anchor.p_ned, AT_REST, _EVERYWHERE, now_s, min(anchor.speed_m_s or fastest, fastest))
 

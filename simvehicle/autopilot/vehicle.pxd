@@ -45,6 +45,9 @@ cdef class Vehicle(Body):
     cdef object _followed
     cdef object _return_ned
     cdef object _anchor
+    cdef object _leg  # of a return; None: as it is high
+    cdef object _plan  # timetable of a return; None: at once
+    cdef double _began_s  # to return
     cdef double _takeoff_down_m
     cdef readonly double yaw_ned
 
@@ -62,11 +65,16 @@ cdef class Vehicle(Body):
     cpdef lead_of_set_points(self, double period_s)
     cpdef put_leader(self, tuple row)
     cpdef bint alone(self, double for_s)
+    cpdef double returning_s(self)
     cpdef mode_target(self)
     cdef bint _keeps_apart(self) except -1
     cdef _fly(self, Py_ssize_t steps)
     cdef _steer(self, double dt_s)
     cdef _progress(self)
+    @cython.locals(low=cython.bint, there=cython.bint)
+    cdef _progress_return(self, object p_ned)
+    @cython.locals(over=cython.bint, flown_s=double)
+    cdef _leg_of(self, object plan, object p_ned)
     cdef _progress_mission(self, object p_ned)
     cdef _check_failsafes(self)
     cdef bint _fence_crossed(self)

@@ -27,6 +27,7 @@ from simvehicle.autopilot.maneuvers import (
     Anchor,
     ManeuverTarget,
     OffboardSetPoint,
+    ReturnLeg,
     resting_place,
     target_of,
 )
@@ -82,6 +83,9 @@ class Vehicle(Body):
     _followed: Followed | None
     _return_ned: Vec3
     _anchor: Anchor
+    _leg: ReturnLeg | None
+    _plan: Any
+    _began_s: float
     _takeoff_down_m: float
     yaw_ned: float
 
@@ -112,6 +116,8 @@ class Vehicle(Body):
         self.outside = False
         self._return_ned = start.p_ned
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
+        self._leg = self._plan = None
+        self._began_s = 0.0
         self._takeoff_down_m = start.p_ned[2]
         self.yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
@@ -306,6 +312,11 @@ class Vehicle(Body):
         for i in range(9):
             self.leader[i] = row[i]
 
+    def returning_s(self) -> float:
+        """Time since it began to return by the fleet's timetable; negative while it does not."""
+        by_plan = self._plan is not None and (self.mode is Mode.RETURN or self.mode is Mode.LAND)
+        return self.time_s - self._began_s if by_plan else -1.0
+
     def alone(self, for_s: float) -> bool:
         """Whether a ground station that was there has been silent for so long."""
         return self.time_ms / 1e3 - self.gcs_seen_s > for_s
@@ -377,6 +388,8 @@ class Vehicle(Body):
             mission=self.mission,
             followed=self._followed,
             blind=Failure.GPS in self.failed,
+            leg=self._leg,
+            descend_m=math.inf if self._plan is None else self._plan.descend_m,
         )
 
     def _fly(self, steps: int) -> None:
@@ -426,15 +439,37 @@ class Vehicle(Body):
             self.trigger(Trigger.GUIDED_HOLD if self.identity.guided else Trigger.TAKEOFF_DONE)
             north, east, _ = self._anchor.p_ned
             self._anchor = replace(self._anchor, p_ned=(north, east, self._takeoff_down_m))
-        elif self.mode is Mode.RETURN and elementary.distance(p_ned[:2], self._return_ned[:2]) < REACHED_M:
-            if elementary.norm(self.v_ned) < REACHED_M:
-                self.trigger(Trigger.HOME_REACHED)
+        elif self.mode is Mode.RETURN:
+            self._progress_return(p_ned)
         elif self.mode is Mode.LAND and self.landed:
             self.trigger(Trigger.TOUCHDOWN)
         elif self.mode is Mode.MISSION and self.armed:
             self._progress_mission(p_ned)
         if Failure.MOTOR in self.failed and self.landed:
             self.trigger(Trigger.CRASHED)
+
+    def _progress_return(self, p_ned: Vec3) -> None:
+        """Go on to a return's next leg, by the fleet's timetable if it was the ground station that was lost."""
+        plan, low = self._plan, True
+        if plan is not None:
+            self._leg = self._leg_of(plan, p_ned)
+            low = self._leg is ReturnLeg.DOWN and p_ned[2] >= self._return_ned[2] - plan.descend_m - REACHED_M
+        there = low and elementary.distance(p_ned[:2], self._return_ned[:2]) < REACHED_M
+        if there and elementary.norm(self.v_ned) < REACHED_M:
+            self.trigger(Trigger.HOME_REACHED)
+
+    def _leg_of(self, plan: Any, p_ned: Vec3) -> ReturnLeg:
+        """Leg that is due. One that has not climbed in time waits where it began until the others have landed."""
+        flown_s = self.time_s - self._began_s
+        if self._leg is ReturnLeg.DOWN or flown_s < plan.level_after_s:
+            return self._leg or ReturnLeg.UP
+        if self._leg is not ReturnLeg.LEVEL and p_ned[2] > self._anchor.down_m + REACHED_M:
+            if flown_s < plan.again_after_s:
+                return ReturnLeg.WAIT
+            self._began_s = self.time_s
+            return ReturnLeg.UP
+        over = elementary.distance(p_ned[:2], self._return_ned[:2]) < REACHED_M
+        return ReturnLeg.DOWN if over and flown_s >= plan.down_after_s else ReturnLeg.LEVEL
 
     def _progress_mission(self, p_ned: Vec3) -> None:
         mission = self.mission
@@ -481,6 +516,8 @@ class Vehicle(Body):
                     self._apply(rule if not self.landed else STAND_DOWN)
                 if event is Trigger.FENCE_HOLD:
                     self._enter(self.mode)
+                if event is Trigger.GCS_LOST and self.mode is Mode.RETURN and self.separation is not None:
+                    self._plan, self._return_ned = self.separation.plan, self.separation.home_ned
 
     def _fence_crossed(self) -> bool:
         """Whether the vehicle has left the fence since it was last asked; announced, whatever is done about it."""
@@ -522,6 +559,7 @@ class Vehicle(Body):
         elif mode is Mode.MISSION and self.mission is not None:
             self.mission.enter()
         elif mode is Mode.RETURN:
+            self._leg, self._plan, self._began_s = None, None, self.time_s
             self._return_ned = min(
                 (self.home_ned, *self.rally_ned), key=lambda p: elementary.distance(p[:2], p_ned[:2])
             )

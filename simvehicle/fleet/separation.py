@@ -43,8 +43,8 @@ PREDICTED_S = 0.35
 SILENT_S, FORGOTTEN_S = 1.0, 10.0
 """[choice] A peer of which nothing has come for so long is silent; while the station leads it, it is no longer where it
 was after the second time."""
-WAITS_S = 40.0
-"""[choice] So long a silent peer may wait for others on its way home."""
+LATE_S = 2.0
+"""[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
 NEAR_M, STILL_NEAR_M = 25.0, 10.0
 """Beyond braking ways, and what others fly in the filter's horizon at 5 m/s each, or none."""
 OVER_HOME_M = 1.0
@@ -111,6 +111,9 @@ class Separation:
         self._wanted_ned: Vec3 | None = None
         self._way: deque[tuple[float, Vec3]] = deque(maxlen=16)
         self._error_m = 0.0
+        own = rules.vehicles[sysid]
+        self.plan, self.home_ned = own.failsafe, own.home_ned
+        """timetable by which it returns when the station is lost, and to where"""
         self.target = ManeuverTarget(AT_REST, AT_REST, _EVERYWHERE, 0.0, 0.0)
         """what the vehicle flies while it has a leader"""
 
@@ -172,6 +175,23 @@ class Separation:
             asked = _as_sent(_along(AT_REST, _minus(wanted, self._v_ned), 1.0 / self._rules.period_s))
             self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
+
+    def _presumed(self, peer: _Peer, member: Member, silent_s: float) -> list[Vec3]:
+        """Where a silent peer may be that returns by the timetable, as this vehicle does: at the place where it was,
+        and on the leg that is due, from its beginning to where it can have come."""
+        here = peer.p_ned if peer.place_ms >= peer.leader_ms else peer.leader_p_ned
+        now_s, plan = self._vehicle.returning_s(), member.failsafe
+        if now_s < 0.0:
+            return [here]
+        begun_s = max(now_s - silent_s, 0.0)
+        if begun_s > plan.down_after_s and elementary.distance(here[:2], member.home_ned[:2]) > OVER_HOME_M:
+            return [here]
+        due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
+        legs = way_home(here, member.home_ned, plan)
+        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s)
+        if now_s > plan.again_after_s:
+            return places or [member.home_ned]
+        return [here, *places]
 
     def resting_place(self) -> Vec3:
         """Place where the leader stands if it brakes now."""
@@ -285,27 +305,13 @@ class Separation:
             lead_s = LAG_S + min(silent_s, SILENT_S)
             return [Intruder.of(name, None, peer.p_ned, peer.v_ned, lead_s, distance_m + LEAST_MARGIN_M, silent_s)]
         else:
-            distance_m += LEAST_MARGIN_M + 0.5 * STEP_M
-            places = _presumed(peer, self._rules.vehicles[sysid], silent_s)
+            distance_m = elementary.hypot(distance_m + LEAST_MARGIN_M, 0.5 * STEP_M)
+            places = self._presumed(peer, self._rules.vehicles[sysid], silent_s)
         return [
             Intruder.of(name, None, place, AT_REST, 0.0, distance_m, 0.0)
             for place in places
             if elementary.distance(place, self._p_ned) < STILL_NEAR_M
         ]
-
-
-def _presumed(peer: _Peer, member: Member, silent_s: float) -> list[Vec3]:
-    """All that a silent peer may have flown, and will in a moment: it may have waited anywhere on its way. By
-    the time that it takes and WAITS_S it has landed."""
-    here = peer.p_ned if peer.place_ms >= peer.leader_ms else peer.leader_p_ned
-    home = member.home_ned
-    down = [(here, (here[0], here[1], max(home[2], 0.0)), member.failsafe.sink_m_s)]
-    over = elementary.distance(here[:2], home[:2]) < OVER_HOME_M
-    legs = down if over else way_home(here, home, member.failsafe)
-    if silent_s > member.failsafe.loss_s + sum(elementary.distance(a, b) / speed for a, b, speed in legs) + WAITS_S:
-        return [home]
-    places = stretch(legs, 0.0, silent_s + AHEAD_S)
-    return [here, *places] if over else [here, *places, *stretch(down, 0.0, silent_s + AHEAD_S)]
 
 
 def _vec(numbers: Any) -> Vec3:

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from skytender import elementary
 
 Vec3 = tuple[float, float, float]
-Leg = tuple[Vec3, Vec3, float]
-"""From, to, and at what speed."""
+Leg = tuple[Vec3, Vec3, float, float]
+"""From, to, at what speed, and not before what time."""
 
 STEP_M = 0.7
 """Between two presumed places: their spheres overlap."""
@@ -45,6 +45,14 @@ class Failsafe:
     """MPC_XY_CRUISE"""
     sink_m_s: float = 0.7
     """MPC_LAND_SPEED"""
+    descend_m: float = math.inf
+    """above home: to there it comes down at the speed of its return"""
+    level_after_s: float = 0.0
+    """of the return's beginning: it waits over where it began until then"""
+    down_after_s: float = 0.0
+    """of the return's beginning: it waits over its home until then"""
+    again_after_s: float = math.inf
+    """of the return's beginning: one that could not climb in time begins anew"""
 
 
 def flown_on(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: Failsafe) -> tuple[Vec3, Vec3]:
@@ -91,22 +99,30 @@ def way_home(p_ned: Vec3, home_ned: Vec3, failsafe: Failsafe) -> list[Leg]:
     """Way of a return: up, level, and down."""
     height = min(p_ned[2], home_ned[2] - failsafe.altitude_m)
     start, above = (p_ned[0], p_ned[1], height), (home_ned[0], home_ned[1], height)
-    return [
-        (p_ned, start, failsafe.speed_m_s),
-        (start, above, failsafe.speed_m_s),
-        (above, (home_ned[0], home_ned[1], max(home_ned[2], 0.0)), failsafe.sink_m_s),
+    low = (home_ned[0], home_ned[1], max(height, home_ned[2] - failsafe.descend_m))
+    ground = (home_ned[0], home_ned[1], max(home_ned[2], 0.0))
+    legs = [
+        (p_ned, start, failsafe.speed_m_s, 0.0),
+        (start, above, failsafe.speed_m_s, failsafe.level_after_s),
+        (above, low, failsafe.speed_m_s, failsafe.down_after_s),
+        (low, ground, failsafe.sink_m_s, failsafe.down_after_s),
     ]
+    return [leg for leg in legs if leg[0] != leg[1]]
 
 
-def stretch(legs: list[Leg], least_s: float, most_s: float) -> list[Vec3]:
-    """Places on a way that are reached from one time after its beginning to another; none where it is flown by then."""
+def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0) -> list[Vec3]:
+    """Places on a way that are reached from one time to another, if it was begun at a third; none where it is flown by
+    then."""
     places: list[Vec3] = []
-    start_s = 0.0
-    for a, b, speed_m_s in legs:
+    start_s = begun_s
+    for a, b, speed_m_s, not_before_s in legs:
+        if start_s < not_before_s and least_s < not_before_s and start_s < most_s:
+            places.append(a)
+        start_s = max(start_s, not_before_s)
         length_m = elementary.distance(a, b)
         end_s = start_s + length_m / speed_m_s
         low_s, high_s = max(least_s, start_s), min(most_s, end_s)
-        if length_m > 0.0 and low_s < high_s:
+        if low_s < high_s:
             low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
             count = math.ceil((high_m - low_m) / STEP_M) + 1
             for k in range(count):

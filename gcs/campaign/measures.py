@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 import json
 import math
 from collections.abc import Callable
@@ -18,9 +19,13 @@ from gcs.recording.summary import FILE, GoalPartSummary, Summary
 from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
 from gcs.scenario.model import Scenario
+from skytender import geometry
 
 REACHED_M = 0.5
 """Distance from its last way point within which a vehicle has arrived."""
+
+OFF_THE_GROUND_M, PARTING_S = 0.05, 3.5
+"""A vehicle that is higher flies; partners of a transfer have so long to part when it ends."""
 
 Value = float | str | None
 
@@ -115,6 +120,52 @@ def _arrival(flown: Flown) -> Value:
     return max(there, default=None)
 
 
+def _in_flight(flown: Flown) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+    """Times (k,), places (n, k, 3) and who is off the ground (n, k) of launched vehicles, by their own truth."""
+    rows = [flown.truth(vehicle.sysid) for vehicle in flown.scenario.vehicles.launched]
+    count = min((len(one) for one in rows), default=0)
+    places = np.array([one[:count, 1:] for one in rows]).reshape(len(rows), count, 3)
+    return rows[0][:count, 0] if rows else np.empty(0), places, places[:, :, 2] < -OFF_THE_GROUND_M
+
+
+def _spare(flown: Flown) -> Value:
+    """Between two records vehicles are taken to fly straight. Partners of a transfer may be nearer until it has ended,
+    or the station has fallen silent, and they have had their time to part."""
+    times_s, places, flies = _in_flight(flown)
+    sysids = [vehicle.sysid for vehicle in flown.scenario.vehicles.launched]
+    silent_s = min((one.from_s for one in flown.scenario.radio.ground_blackouts), default=math.inf)
+    partners = []
+    for service in flown.summary["refuelling"]:
+        ends_s = min(math.inf if service["end_s"] is None else service["end_s"], silent_s) + PARTING_S
+        partners.append(({service["tanker"], service["receiver"]}, service["decided_at_s"], ends_s))
+    least_m = math.inf
+    for i, j in itertools.combinations(range(len(sysids)), 2):
+        counts = (flies[i] | flies[j])[1:]
+        for pair, begins_s, ends_s in partners:
+            if pair == {sysids[i], sysids[j]}:
+                counts = counts & ~((times_s[1:] >= begins_s) & (times_s[1:] <= ends_s))
+        away = places[i] - places[j]
+        before, way = away[:-1], np.diff(away, axis=0)
+        share = -(before * way).sum(axis=1) / np.maximum((way * way).sum(axis=1), 1e-12)
+        gap_m = np.linalg.norm(before + np.clip(share, 0.0, 1.0)[:, None] * way, axis=1)
+        least_m = min(least_m, float(gap_m[counts].min(initial=math.inf)))
+    return least_m - flown.scenario.planner.separation_m if math.isfinite(least_m) else None
+
+
+def _solid(flown: Flown) -> Value:
+    table = geometry.of_scenario(flown.scenario.obstacles)
+    _, places, flies = _in_flight(flown)
+    return float(geometry.clearance(table, places[flies]).min()) if len(table) and flies.any() else None
+
+
+def _aloft(flown: Flown) -> Value:
+    """None of a session at whose end the station is received."""
+    _, _, flies = _in_flight(flown)
+    end_s = flown.summary["sim_time_s"]
+    left = any(one.from_s < end_s <= one.to_s for one in flown.scenario.radio.ground_blackouts)
+    return float(flies[:, -1].sum()) if left and flies.size else 0.0
+
+
 def _of_vehicles(key: str, of: Callable[[list[float]], float]) -> Callable[[Flown], Value]:
     def measure(flown: Flown) -> Value:
         values = [v[key] for v in flown.summary["vehicles"] if v[key] is not None]
@@ -131,6 +182,9 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "outcome": (_from_summary("outcome"), "`met`, or the first part of the goal that was not"),
     "min_separation_m": (_from_summary("min_separation_m"), "least distance of two vehicles, m"),
     "min_clearance_m": (_from_summary("min_clearance_m"), "least distance to an obstacle, m"),
+    "spare_m": (_spare, "least distance of two launched vehicles less the separation, whoever flies them, m"),
+    "solid_m": (_solid, "least distance to an obstacle of a launched vehicle in flight, whoever flies it, m"),
+    "aloft": (_aloft, "launched vehicles that a station that stays silent leaves in the air"),
     "lost": (_lost, "vehicles lost: dead, run dry, landed by a failsafe, never in the air"),
     "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),

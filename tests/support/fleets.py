@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 from gcs.mavlink import codec
+from gcs.planner.failsafes import failsafes_of
 from gcs.processes.vehicles import fleet_rules, vehicle_parameters
 from gcs.scenario.model import Scenario
 from gcs.supervisor.factory import make_fleet, make_peer_radio, make_radio, make_schedule
@@ -98,8 +99,9 @@ class FleetInProcess:
         self.vehicles: dict[int, Vehicle] = {}
         self._services: dict[int, Services] = {}
         self._connections: dict[int, Connection] = {}
+        failsafes = failsafes_of(self.scenario)
         for one in self.scenario.vehicles.all:
-            parameters = Parameters(vehicle_parameters(one, self.scenario))
+            parameters = Parameters(vehicle_parameters(one, self.scenario, failsafes[one.sysid]))
             vehicle = Vehicle(IDENTITIES["px4"], parameters, frame, Start(one.start_m, airborne=one.airborne))
             connection = Connection(one.sysid)
             services = Services(vehicle, one.sysid, [connection], None, rules)

@@ -10,6 +10,7 @@ import yaml
 
 from gcs.campaign.families import FAMILIES, LONGEST_S, family
 from gcs.campaign.family_parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
+from gcs.campaign.silence import COMES_DOWN_S, SILENT_BEFORE_S
 from gcs.campaign.tight import DURATION_S
 from gcs.scenario.file import load
 from skytender import geometry as shapes
@@ -49,7 +50,9 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         path.write_text(yaml.safe_dump(document, sort_keys=False))
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
-        longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S}.get(name, LONGEST_S)
+        longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S}.get(
+            name, LONGEST_S
+        )
         assert 20 <= scenario.goal.duration_s <= longest_s
         assert scenario.clock.mode == "lockstep"
         assert 1.5 <= scenario.planner.cruise_m_s <= 5.0

@@ -7,10 +7,11 @@ import pytest
 import yaml
 from extremes import extremes, number_keys
 
+from gcs.planner.failsafes import failsafes_of
 from gcs.processes.fork_server import Ended, ProcessSpec
 from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
 from gcs.scenario.file import load, shipped_folder
-from gcs.scenario.model import Scenario, ScenarioError
+from gcs.scenario.model import Scenario, ScenarioError, VehicleBase
 from simvehicle.autopilot.parameters import Parameters
 
 LINK = ("--supervised", "udpout:127.0.0.1:5000")
@@ -38,6 +39,10 @@ def scenario(**changed: Any) -> Scenario:
     } | changed)  # fmt: skip
 
 
+def parameters_of(vehicle: VehicleBase, world: Scenario) -> dict[str, float]:
+    return vehicle_parameters(vehicle, world, failsafes_of(world)[vehicle.sysid])
+
+
 def options(order: ProcessSpec) -> dict[str, str | None]:
     """An option's value by its name; None for a flag."""
     words, found = list(order.argv), {}
@@ -51,7 +56,7 @@ def options(order: ProcessSpec) -> dict[str, str | None]:
 
 def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
     world = scenario()
-    order = vehicle_order([world.vehicles.pursuers[0]], world, folder, LINK)
+    order = vehicle_order([world.vehicles.pursuers[0]], world, folder, LINK, failsafes_of(world))
     assert (order.sysid, order.log) == (3, folder / "vehicles" / "3.log")
     assert options(order) == {
         "--sysid": "3",
@@ -62,35 +67,37 @@ def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
         "--home": "47.25,-8.5,400.5",
         "--params": str(folder / "vehicles" / "3.params.yaml"),
         "--airborne": None,
+        "--separation": str(folder / "vehicles" / "separation.yaml"),
         "--truth": str(folder / "vehicles" / "3.truth"),
     }
 
 
 def test_on_the_ground_and_without_truth_the_flags_are_missing(folder: Path) -> None:
     world = scenario(truth=False)
-    assert {"--airborne", "--truth"}.isdisjoint(vehicle_order([world.vehicles.pursuers[1]], world, folder, LINK).argv)
+    order = vehicle_order([world.vehicles.pursuers[1]], world, folder, LINK, failsafes_of(world))
+    assert {"--airborne", "--truth"}.isdisjoint(order.argv)
 
 
 def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> None:
     world = scenario()
     first, second = world.vehicles.pursuers
-    vehicle_order([first], world, folder, LINK)
+    vehicle_order([first], world, folder, LINK, failsafes_of(world))
     written = yaml.safe_load((folder / "vehicles" / "3.params.yaml").read_text())
-    assert written == vehicle_parameters(first, world) == {
+    assert written == parameters_of(first, world) == {
         "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 14_400.0, "SIM_BAT_HOVER_W": 180.0, "SIM_BAT_AVION_W": 12.0,
         "SIM_XFER_DIST": 2.5, "SIM_XFER_SPEED": 0.25, "MPC_TILT": 30.0,
         "RTL_RETURN_ALT": 5.0, "COM_OF_LOSS_T": 0.5,
     }  # fmt: skip
-    assert vehicle_parameters(second, world)["SIM_XFER_DIST"] == 1.75
+    assert parameters_of(second, world)["SIM_XFER_DIST"] == 1.75
 
 
 def test_failsafes_are_cautious_only_where_the_filter_flies() -> None:
     slow = scenario(clock={"mode": "lockstep", "period_s": 0.04}, radio={"jitter_s": 0.1})
-    assert vehicle_parameters(slow.vehicles.pursuers[1], slow)["COM_OF_LOSS_T"] == pytest.approx(0.18)
+    assert parameters_of(slow.vehicles.pursuers[1], slow)["COM_OF_LOSS_T"] == pytest.approx(0.18)
     lossy = scenario(clock={"mode": "lockstep", "period_s": 0.04}, radio={"jitter_s": 0.1, "loss": 0.1})
-    assert vehicle_parameters(lossy.vehicles.pursuers[1], lossy)["COM_OF_LOSS_T"] == pytest.approx(0.3)
+    assert parameters_of(lossy.vehicles.pursuers[1], lossy)["COM_OF_LOSS_T"] == pytest.approx(0.3)
     bare = scenario(planner={"safety": False})
-    assert {"RTL_RETURN_ALT", "COM_OF_LOSS_T"}.isdisjoint(vehicle_parameters(bare.vehicles.pursuers[1], bare))
+    assert {"RTL_RETURN_ALT", "COM_OF_LOSS_T"}.isdisjoint(parameters_of(bare.vehicles.pursuers[1], bare))
 
 
 def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:
@@ -107,7 +114,7 @@ def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:
 def test_small_numbers_survive_the_command_line(folder: Path) -> None:
     world = scenario()
     tiny = world.vehicles.pursuers[1].model_copy(update={"start_m": (1e-17, -0.1 + 0.3, 12345.678901234567)})
-    words = options(vehicle_order([tiny], world, folder, LINK))["--position"]
+    words = options(vehicle_order([tiny], world, folder, LINK, failsafes_of(world)))["--position"]
     assert words is not None
     assert tuple(map(float, words.split(","))) == tiny.start_m
 
@@ -140,7 +147,13 @@ def test_a_blocks_argv_lists_each_vehicles_own_values_in_order(folder: Path) -> 
     assert [Path(words[i + 1]).name for i, word in enumerate(words) if word == "--truth"] == ["3.truth", "4.truth"]
     assert words[words.index("--count") + 1] == "2"
     assert [order.argv.count("--airborne") for order in orders] == [0, 0, 0, 1]
-    assert [order.sysids for order in vehicle_orders(world, folder, LINK)] == [(3,), (4,), (5,), (7,), (8,)]
+    assert [order.sysids for order in vehicle_orders(world, folder, LINK)] == [
+        (3,),
+        (4,),
+        (5,),
+        (7,),
+        (8,),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -162,7 +175,7 @@ def test_vehicles_take_the_least_and_the_greatest_that_a_scenario_may_say(key: s
         except ScenarioError:  # too long a period for refuelling, and the like
             continue
         for vehicle in scenario.vehicles.launched:
-            Parameters(vehicle_parameters(vehicle, scenario))
+            Parameters(parameters_of(vehicle, scenario))
             taken += 1
     assert taken
 

@@ -30,9 +30,10 @@ BASE = {"name": "A", "position_m": [9.0, 9.0, 0.0], "stock_j": 1e5}
         (
             {
                 "competition": {"where": "supervisor"},
+                "planner": {"safety": False},
                 "radio": {"splits": [{"sysids": [1], "from_s": 0.0, "to_s": 8.0}]},
             },
-            "splits need 'competition: {where: vehicles}'",
+            "splits need launched vehicles that the safety filter keeps apart",
         ),
     ],
 )

@@ -1,0 +1,196 @@
+"""Vehicles without a station keep apart by what they receive of each other, and by the timetable where that is nothing.
+
+Distances are the vehicles' true ones; nothing of the filter is asked.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.maneuvers import OffboardSetPoint
+from simvehicle.autopilot.modes import Mode, Trigger
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vectors import Vec3
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.separation import Separation
+from simvehicle.fleet.separation_rules import SeparationRules, SeparationRulesError, read_separation
+from simvehicle.mavlink.codec import ReceivedFrame, split
+from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.dispatcher import Services
+
+FRAME = LocalFrame(47.0, 8.0, 400.0)
+PERIOD_MS, SEPARATION_M = 100, 0.8
+PLAN = {"level_after_s": 8.0, "down_after_s": 16.0, "again_after_s": 40.0, "descend_m": 5.0}
+
+
+Radio = Callable[[int, int, float], bool]
+
+
+def rules_of(homes: dict[int, Vec3], heights_m: dict[int, float], **changed: Any) -> SeparationRules:
+    """As a file has them."""
+    members = [
+        {
+            "sysid": sysid,
+            "speed_m_s": 5.0,
+            "acceleration_m_s2": 4.0,
+            "home_ned": list(home),
+            "failsafe": {"altitude_m": heights_m[sysid], **PLAN},
+        }
+        for sysid, home in homes.items()
+    ]
+    content = {
+        "period_s": PERIOD_MS / 1e3,
+        "separation_m": SEPARATION_M,
+        "clearance_m": 0.2,
+        "vehicles": members,
+        "obstacles": [],
+    }
+    return read_separation(content | changed, homes)
+
+
+class Swarm:
+    """Vehicles, each with its services, and a radio between them that `passes` decides about: (sender, reader, s)."""
+
+    def __init__(self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio) -> None:
+        self.passes = passes
+        self.vehicles, self._services, self._connections = {}, {}, {}
+        self._sent: dict[int, list[ReceivedFrame]] = {}
+        self.least_m = math.inf
+        for sysid, start in starts.items():
+            parameters = Parameters({"RTL_RETURN_ALT": rules.vehicles[sysid].failsafe.altitude_m})
+            vehicle = self.vehicles[sysid] = Vehicle(IDENTITIES["px4"], parameters, FRAME, Start(start))
+            vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, sysid, rules)
+            connection = self._connections[sysid] = Connection(sysid)
+            self._services[sysid] = Services(vehicle, sysid, [connection])
+            vehicle.set_clock(0, 0)
+            vehicle.receive_gcs_heartbeat()
+            vehicle.trigger(Trigger.ARM)
+            vehicle.take_off(3.0)
+
+    def fly(self, until_s: float, each: Callable[[float], None] = lambda _: None) -> None:
+        """Up to a time; `each` is called before every tick."""
+        time_ms = next(iter(self.vehicles.values())).time_ms
+        while time_ms < 1e3 * until_s:
+            each(time_ms / 1e3)
+            for reader, services in self._services.items():
+                for sender, frames in self._sent.items():
+                    if sender != reader and self.passes(sender, reader, time_ms / 1e3):
+                        for frame in frames:
+                            services.receive(frame, self._connections[reader])
+            time_ms += PERIOD_MS
+            for sysid, services in self._services.items():
+                self.vehicles[sysid].advance(time_ms)
+                services.decide()
+                services.report()
+                self._sent[sysid] = split(b"".join(self._connections[sysid].frames()))
+            self._measure()
+
+    def _measure(self) -> None:
+        places = [np.array(vehicle.true_motion_ned[:3]) for vehicle in self.vehicles.values()]
+        for a, b in itertools.combinations(places, 2):
+            if min(a[2], b[2]) < -0.05:
+                self.least_m = min(self.least_m, float(np.linalg.norm(a - b)))
+
+
+def circle(count: int, radius_m: float) -> dict[int, Vec3]:
+    return {
+        i + 1: (radius_m * math.cos(2 * math.pi * i / count), radius_m * math.sin(2 * math.pi * i / count), 0.0)
+        for i in range(count)
+    }
+
+
+def opposite(places: dict[int, Vec3]) -> dict[int, Vec3]:
+    return {sysid: (-n, -e, d) for sysid, (n, e, d) in places.items()}
+
+
+def returned(count: int, heights_m: dict[int, float], passes: Radio) -> Swarm:
+    """A circle of which each has its home opposite, and whose station falls silent at 5 s, flown until all must be
+    down."""
+    starts = circle(count, 4.0)
+    swarm = Swarm(starts, rules_of(opposite(starts), heights_m), passes)
+
+    def greet(now_s: float) -> None:
+        for vehicle in swarm.vehicles.values() if now_s <= 5.0 else ():
+            vehicle.receive_gcs_heartbeat()
+
+    swarm.fly(70.0, greet)
+    for sysid, vehicle in swarm.vehicles.items():
+        assert (vehicle.armed, vehicle.landed) == (False, True)
+        assert math.dist(vehicle.p_ned, swarm.vehicles[sysid].separation.home_ned) < 0.6
+    return swarm
+
+
+def test_at_one_height_they_keep_apart_by_what_they_receive() -> None:
+    swarm = returned(8, dict.fromkeys(range(1, 9), 6.0), lambda *_: True)
+    assert swarm.least_m >= SEPARATION_M
+
+
+def test_a_third_of_all_reports_may_be_lost() -> None:
+    rng = np.random.default_rng(3)
+    swarm = returned(8, dict.fromkeys(range(1, 9), 6.0), lambda *_: rng.random() > 0.3)
+    assert swarm.least_m >= SEPARATION_M
+
+
+def test_at_heights_of_their_own_they_keep_apart_though_nothing_is_received_any_more() -> None:
+    swarm = returned(8, {sysid: 5.0 + 1.2 * sysid for sysid in range(1, 9)}, lambda _s, _r, now_s: now_s < 6.0)
+    assert swarm.least_m >= SEPARATION_M
+
+
+def test_they_do_not_without_either() -> None:
+    """The circle is one in which something has to keep them apart."""
+    swarm = returned(8, dict.fromkeys(range(1, 9), 6.0), lambda *_: False)
+    assert swarm.least_m < SEPARATION_M
+
+
+def test_a_vehicle_whose_set_points_stay_away_brakes_as_the_filter_presumes() -> None:
+    """At 3 m/s with 0.8 of 4 m/s²: v²/2b, up to b T²/8, beyond the place to which the last set point led."""
+    start = (0.0, 0.0, -10.0)
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), FRAME, Start(start, (3.0, 0.0, 0.0), airborne=True))
+    rules = rules_of({1: start}, {1: 5.0})
+    vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, 1, rules)
+    vehicle.set_clock(0, 0)
+    for tick in range(30):
+        vehicle.set_point(OffboardSetPoint((0.3 * tick, 0.0, -10.0), (3.0, 0.0, 0.0), (True,) * 3, None, 0.1 * tick))
+        vehicle.station_leads = True
+        vehicle.receive_gcs_heartbeat()
+        vehicle.advance(100 * (tick + 1))
+    vehicle.advance(6000)
+    assert vehicle.mode is Mode.HOLD
+    assert vehicle.p_ned[0] == pytest.approx(0.3 * 30 + 3.0**2 / (2 * 0.8 * 4.0), abs=0.1)
+    assert math.hypot(*vehicle.v_ned) < 0.01
+
+
+def test_set_points_of_a_pilot_leave_it_to_the_pilot() -> None:
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), FRAME, Start((0.0, 0.0, -10.0), airborne=True))
+    rules = rules_of({1: (0.0, 0.0, -10.0)}, {1: 5.0})
+    vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, 1, rules)
+    vehicle.set_clock(0, 0)
+    vehicle.set_point(OffboardSetPoint((0.0, 0.0, -10.0), (1.0, 0.0, 0.0), (False,) * 3, None, 0.0))
+    vehicle.advance(900)
+    assert not vehicle.leads
+    assert vehicle.v_ned[0] > 0.5
+
+
+@pytest.mark.parametrize(
+    ("changed", "sentence"),
+    [
+        ({"period_s": "often"}, "cannot be read"),
+        (
+            {"obstacles": [{"kind": "cone", "low_ned": [0, 0, 0], "high_ned": [0, 0, 0], "radius_m": 1.0}]},
+            "kind is 'cone'",
+        ),
+        ({"vehicles": []}, "do not name vehicle 1"),
+    ],
+)
+def test_rules_that_cannot_be_used_are_refused(changed: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(SeparationRulesError, match=sentence):
+        rules_of({1: (0.0, 0.0, 0.0)}, {1: 5.0}, **changed)

@@ -170,6 +170,7 @@ def validate(
       1    the image could not be written
       2    it cannot be flown, or with --strict is warned of; each reason is a line on stderr
     """
+    from gcs.planner import failsafes
     from gcs.scenario import plot
 
     checked = load_scenario(scenario, settings, trust=True if trust else None, quiet=False)
@@ -189,7 +190,7 @@ def validate(
             click.echo(line)
         click.echo(plot.legend("".join(lines[:-1])))
         click.echo()
-    for line in plot.facts(checked):
+    for line in (*plot.facts(checked), *failsafes.facts(checked)):
         click.echo(line)
     click.echo(f"{scenario}: valid" + ("" if image is None else f"; its plan is {image}"))
     return 0

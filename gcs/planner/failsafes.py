@@ -65,6 +65,28 @@ def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
     return [tuple(sorted(sysids)) for _, sysids in sorted(found.items())]
 
 
+def facts(scenario: Scenario) -> list[str]:
+    """Plan B in sentences, for people: heights and times, and for which vehicles there is none."""
+    lines = []
+    found = failsafes_of(scenario)
+    if keeps_apart(scenario):
+        heights_m = sorted(failsafe.altitude_m for failsafe in found.values())
+        one = next(iter(found.values()))
+        lines.append(
+            f"plan B: without the station {len(found)} vehicles return {heights_m[0]:.1f} to {heights_m[-1]:.1f} m "
+            f"above home, level after {one.level_after_s:.1f} s, down after {one.down_after_s:.1f} s"
+        )
+    for sysids in shared_heights(scenario):
+        lines.append(f"plan B: {_named(sysids)} return at one height, and keep apart there by their radio alone")
+    if others := [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.sysid not in found]:
+        lines.append(f"plan B: none for {_named(others)}: autopilots that are not ours return by their own parameters")
+    return lines
+
+
+def _named(sysids: Sequence[int]) -> str:
+    return f"vehicle{'s' * (len(sysids) > 1)} {', '.join(map(str, sysids))}"
+
+
 def _timetable(vehicles: Sequence[VehicleBase], alone: dict[int, Failsafe], scenario: Scenario) -> dict[int, Failsafe]:
     """Heights and times of a fleet's return; a height that a vehicle's own parameters give stays."""
     boxes = _boxes(vehicles, scenario)

@@ -55,11 +55,9 @@ class Radio(Part):
     blackouts: tuple[Blackout, ...] = ()
     """times at which nothing from or to a vehicle arrives"""
     ground_blackouts: tuple[GroundBlackout, ...] = ()
-    """times at which the ground station's own radio is dead; vehicles that compete on board go on receiving each
-    other"""
+    """times at which the ground station's own radio is dead; launched vehicles go on receiving each other"""
     splits: tuple[RadioSplit, ...] = ()
-    """times at which a part of the vehicles and the rest do not receive each other; with vehicles that compete on
-    board"""
+    """times at which a part of the vehicles and the rest do not receive each other"""
 
     @property
     def random(self) -> bool:

@@ -7,19 +7,23 @@ goes on while the station's own radio is dead.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 
 from gcs.link.impairment import Burst, Impairment
 from gcs.link.peer_radio import apart
 from gcs.mavlink import codec
-from gcs.mavlink.codec import Frame
+from gcs.mavlink.codec import LARGEST_FRAME, Frame
 from gcs.mavlink.ids import STATION
 from gcs.scenario.parts.radio import RadioSplit
 
-_PLACES = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("POSITION_TARGET_LOCAL_NED")})
+_PLACE, _LEADER = codec.msgid("LOCAL_POSITION_NED"), codec.msgid("POSITION_TARGET_LOCAL_NED")
+MOST_BYTES = 11_000
+"""Of places in a bundle: with what a shared datagram holds besides it stays within 16,384 bytes."""
 
 
 _SYSID_AT, _ID_AT = 5, slice(7, 10)  # in a frame
+_MASK_AT, _NO_ACCELERATION = codec.HEADER_BYTES + 48, 0b1100_0000  # the low byte of its type_mask has x's and y's
 
 
 class PlaceRadio:
@@ -75,23 +79,42 @@ class PlaceRadio:
         """Frames in the order of their senders; where nothing is lost, the vehicle's own are among them."""
         if self._radio.clear and not self._blackouts and not self._splits:
             if self._all is None:
-                self._all = b"".join(raw for sender in self._sysids for raw in self._of(sender))
+                self._all = _fitting([raw for sender in self._sysids for raw in self._of(sender)], t_s)
             return self._all
         received: list[bytes] = []
         for sender in self._sysids:
             if sender != sysid:
                 dark = apart(sender, sysid, t_s, self._blackouts, self._splits)
                 received += self._radio.apply(sysid, sender, t_s, self._of(sender), dark=dark)
-        return b"".join(received)
+        return _fitting(received, t_s)
 
     def _of(self, sender: int) -> list[bytes]:
         places = self._places.get(sender)
         if places is None:
             frames = self._sent.get(sender, ())
-            places = self._places[sender] = [frame.raw for frame in frames if frame.msgid in _PLACES]
+            places = self._places[sender] = [
+                frame.raw for frame in frames if frame.msgid == _PLACE or (frame.msgid == _LEADER and _leads(frame.raw))
+            ]
         return places
 
 
 def is_place(raw: bytes) -> bool:
     """Whether a frame that goes to a vehicle, or several in one piece, is what another one has broadcast of itself."""
-    return raw[_SYSID_AT] != STATION[0] and int.from_bytes(raw[_ID_AT], "little") in _PLACES
+    return raw[_SYSID_AT] != STATION[0] and int.from_bytes(raw[_ID_AT], "little") in (_PLACE, _LEADER)
+
+
+def _leads(raw: bytes) -> bool:
+    """Whether a POSITION_TARGET_LOCAL_NED is of a leader: it has an acceleration."""
+    return not raw[_MASK_AT] & _NO_ACCELERATION
+
+
+def _fitting(frames: list[bytes], t_s: float) -> bytes:
+    """As many frames as a bundle holds, in one piece: leaders before places, and of too many another part in each
+    tick."""
+    if sum(map(len, frames)) <= MOST_BYTES:
+        return b"".join(frames)
+    leaders = [raw for raw in frames if raw[_ID_AT.start] == _LEADER]
+    led = {raw[_SYSID_AT] for raw in leaders}
+    some = leaders + [raw for raw in frames if raw[_ID_AT.start] == _PLACE and raw[_SYSID_AT] not in led]
+    parts = math.ceil(sum(map(len, some)) / (MOST_BYTES - LARGEST_FRAME))
+    return b"".join(some[round(10.0 * t_s) % parts :: parts])

@@ -13,10 +13,9 @@ NED, SI units; times are the vehicle's own, which launched vehicles share with t
 from __future__ import annotations
 
 import math
-import struct
 from collections import deque
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,9 +24,9 @@ from simvehicle.autopilot.modes import STEERED, Mode
 from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.separation_rules import Member, SeparationRules
 from skytender import elementary
-from skytender import mavlink as mav
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
@@ -45,8 +44,9 @@ SILENT_S, FORGOTTEN_S = 1.0, 10.0
 was after the second time."""
 LATE_S = 2.0
 """[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
-NEAR_M, STILL_NEAR_M = 25.0, 10.0
-"""Beyond braking ways, and what others fly in the filter's horizon at 5 m/s each, or none."""
+STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
+"""What comes no nearer than this, or beyond the separation, if both fly straight on for the filter's horizon and a lag,
+is not looked at: of a vehicle with a leader, whose filter foresees peers that others turn, and of one without."""
 OVER_HOME_M = 1.0
 LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
 OFF_LEADER_M = 2.0
@@ -58,26 +58,15 @@ STANDS_M_S, STANDS_M = 0.1, 0.15
 """A peer that is slower, and lower, stands on the ground."""
 UNCHANGED_M_S2 = 1e-9
 _GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
-_PLACE, _LEADER = struct.Struct("<I6f"), struct.Struct("<I11fHB")
-_NO_ACCELERATION = (
-    mav.POSITION_TARGET_TYPEMASK_AX_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_AY_IGNORE
-    | mav.POSITION_TARGET_TYPEMASK_AZ_IGNORE
-)
 _EVERYWHERE = (True, True, True)
 
 
-@dataclass
-class _Peer:
-    """Last reports of another vehicle, and its leader as it must have gone on since."""
+class _Peer(NamedTuple):
+    """Last report of another vehicle's place."""
 
-    place_ms: int = -1
-    p_ned: Vec3 = AT_REST
-    v_ned: Vec3 = AT_REST
-    leader_ms: int = -1
-    leader_p_ned: Vec3 = AT_REST
-    leader_v_ned: Vec3 = AT_REST
-    wanted_ned: Vec3 = AT_REST
+    p_ned: Vec3
+    v_ned: Vec3
+    silent_s: float
 
     @property
     def stands(self) -> bool:
@@ -102,7 +91,7 @@ class Separation:
     def __init__(self, vehicle: Vehicle, sysid: int, rules: SeparationRules) -> None:
         self._vehicle, self._sysid, self._rules = vehicle, sysid, rules
         self._settings = FilterSettings(rules.period_s, rules.separation_m, rules.clearance_m)
-        self._peers: dict[int, _Peer] = {}
+        self.peers = PeerTable(rules.vehicles, rules.period_s)
         self._limits = rules.vehicles[sysid]
         self._brake_m_s2 = BRAKE_SHARE * self._limits.acceleration_m_s2
         self._next_ms = 0
@@ -116,22 +105,6 @@ class Separation:
         """timetable by which it returns when the station is lost, and to where"""
         self.target = ManeuverTarget(AT_REST, AT_REST, _EVERYWHERE, 0.0, 0.0)
         """what the vehicle flies while it has a leader"""
-
-    def receive(self, sysid: int, msgid: int, payload: bytes) -> None:
-        """Take in a peer's LOCAL_POSITION_NED or POSITION_TARGET_LOCAL_NED, whose payload may lack zeros at its end."""
-        if sysid not in self._rules.vehicles:
-            return
-        peer = self._peers.setdefault(sysid, _Peer())
-        if msgid == mav.MAVLINK_MSG_ID_LOCAL_POSITION_NED:
-            time_ms, *numbers = _PLACE.unpack(payload.ljust(_PLACE.size, b"\0"))
-            if peer.place_ms <= time_ms <= self._vehicle.time_ms and _finite(numbers):
-                peer.place_ms, peer.p_ned, peer.v_ned = time_ms, _vec(numbers), _vec(numbers[3:])
-            return
-        time_ms, *numbers, _, _, mask, _ = _LEADER.unpack(payload.ljust(_LEADER.size, b"\0"))
-        if mask & _NO_ACCELERATION or not peer.leader_ms < time_ms <= self._vehicle.time_ms or not _finite(numbers):
-            return
-        peer.leader_ms, peer.leader_p_ned, peer.leader_v_ned = time_ms, _vec(numbers), _vec(numbers[3:])
-        peer.wanted_ned = _along(peer.leader_v_ned, _vec(numbers[6:]), self._rules.period_s)
 
     # where it flies
 
@@ -176,14 +149,14 @@ class Separation:
             self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
 
-    def _presumed(self, peer: _Peer, member: Member, silent_s: float) -> list[Vec3]:
+    def _presumed(self, peer: _Peer, member: Member) -> list[Vec3]:
         """Where a silent peer may be that returns by the timetable, as this vehicle does: at the place where it was,
         and on the leg that is due, from its beginning to where it can have come."""
-        here = peer.p_ned if peer.place_ms >= peer.leader_ms else peer.leader_p_ned
+        here = peer.p_ned
         now_s, plan = self._vehicle.returning_s(), member.failsafe
         if now_s < 0.0:
             return [here]
-        begun_s = max(now_s - silent_s, 0.0)
+        begun_s = max(now_s - peer.silent_s, 0.0)
         if begun_s > plan.down_after_s and elementary.distance(here[:2], member.home_ned[:2]) > OVER_HOME_M:
             return [here]
         due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
@@ -273,40 +246,44 @@ class Separation:
         for sysid, p_ned, v_ned in zip(
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
-            self._peers[sysid].leader_p_ned, self._peers[sysid].leader_v_ned = _vec(p_ned), _vec(v_ned)
+            self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
         return _vec(filtered.u_ned[0].tolist())
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
         near = _Near([self._sysid], [self._p_ned], [self._v_ned], [wanted])
-        now_ms = self._vehicle.time_ms
-        for sysid, peer in sorted(self._peers.items()):
-            age_s = (now_ms - peer.leader_ms) / 1e3 if peer.leader_ms >= 0 else math.inf
-            silent_s = (now_ms - peer.place_ms) / 1e3
-            if age_s < PREDICTED_S:
-                if elementary.distance(peer.leader_p_ned, self._p_ned) < NEAR_M:
-                    near.ids.append(sysid)
-                    near.p_ned.append(peer.leader_p_ned)
-                    near.v_ned.append(peer.leader_v_ned)
-                    near.wanted_ned.append(peer.wanted_ned)
-            elif peer.place_ms >= 0:
-                near.intruders += self._intruders(sysid, peer, min(age_s, silent_s))
+        now_ms, table = self._vehicle.time_ms, self.peers
+        near_m = STILL_NEAR_M if leads else self._rules.separation_m + SPARE_NEAR_M
+        for sysid in table.worth_looking(now_ms, self._p_ned, self._v_ned, near_m, AHEAD_NEAR_S, SILENT_S):
+            if sysid == self._sysid:
+                continue
+            leader_ms, leader_p, leader_v, wanted_ned = table.leader(sysid)
+            if leader_ms >= 0 and now_ms - leader_ms < 1e3 * PREDICTED_S:
+                near.ids.append(sysid)
+                near.p_ned.append(leader_p)
+                near.v_ned.append(leader_v)
+                near.wanted_ned.append(wanted_ned)
+                continue
+            place_ms, p_ned, v_ned = table.place(sysid)
+            newest = (p_ned, v_ned, place_ms) if place_ms >= leader_ms else (leader_p, leader_v, leader_ms)
+            peer = _Peer(newest[0], newest[1], (now_ms - newest[2]) / 1e3)
+            near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
         return near
 
-    def _intruders(self, sysid: int, peer: _Peer, silent_s: float) -> list[Intruder]:
+    def _intruders(self, sysid: int, peer: _Peer, lag_s: float) -> list[Intruder]:
         """Where a peer may be of which no leader is known: one on the ground where it is, one that is received where it
-        flies, and one that is silent anywhere on its way home, if the station is silent too."""
-        name, distance_m = f"vehicle {sysid}", self._rules.separation_m
+        flies, and one that is silent on its way home, if the station is silent too."""
+        name, distance_m, silent_s = f"vehicle {sysid}", self._rules.separation_m, peer.silent_s
         if peer.stands:
             places = [peer.p_ned]
         elif silent_s < SILENT_S or not self._vehicle.alone(ALONE_S):
-            if silent_s > FORGOTTEN_S or elementary.distance(peer.p_ned, self._p_ned) > NEAR_M:
+            if silent_s > FORGOTTEN_S:
                 return []
-            lead_s = LAG_S + min(silent_s, SILENT_S)
+            lead_s = lag_s + min(silent_s, SILENT_S)
             return [Intruder.of(name, None, peer.p_ned, peer.v_ned, lead_s, distance_m + LEAST_MARGIN_M, silent_s)]
         else:
             distance_m = elementary.hypot(distance_m + LEAST_MARGIN_M, 0.5 * STEP_M)
-            places = self._presumed(peer, self._rules.vehicles[sysid], silent_s)
+            places = self._presumed(peer, self._rules.vehicles[sysid])
         return [
             Intruder.of(name, None, place, AT_REST, 0.0, distance_m, 0.0)
             for place in places
@@ -328,7 +305,3 @@ def _along(a: Vec3, b: Vec3, share: float) -> Vec3:
 
 def _minus(a: Vec3, b: Vec3) -> Vec3:
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def _finite(numbers: list[float]) -> bool:
-    return math.isfinite(sum(numbers))

@@ -1,4 +1,5 @@
 from simvehicle.autopilot.vehicle cimport Vehicle
+from simvehicle.fleet.peer_table cimport PeerTable
 from simvehicle.mavlink.codec cimport ReceivedFrame
 from simvehicle.mavlink.connection cimport Connection
 
@@ -17,6 +18,7 @@ cdef class Services:
     cdef bint _fast_counters
     cdef int _long_texts
     cdef bint _leads
+    cdef PeerTable _peers  # None where it keeps apart from nobody
     cdef bint _at_work
 
     cpdef receive(self, ReceivedFrame frame, Connection connection)

@@ -23,6 +23,7 @@ from cython.cimports.skytender.messages import (
 from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.modes import Severity
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink import (
     commands,
@@ -82,6 +83,7 @@ class Services:
     _fast_counters: bool
     _long_texts: int
     _leads: bool
+    _peers: PeerTable | None
     _at_work: bool
     """whether a service may have something to do beside telemetry"""
 
@@ -110,6 +112,7 @@ class Services:
         self._long_texts = 0
         self._at_work = True
         self._leads = False
+        self._peers = None if vehicle.separation is None else vehicle.separation.peers
         vehicle.on_change = self._hasten_heartbeats
         self._planning.restart()
 
@@ -125,9 +128,8 @@ class Services:
                 self.vehicle.station_leads = frame.sysid == SYSTEM and connection is self.connections[0]
             return
         if frame.msgid in (LOCAL_POSITION_NED_ID, POSITION_TARGET_LOCAL_NED_ID):
-            separation = self.vehicle.separation
-            if separation is not None and connection is self.connections[0] and not self._deaf():
-                separation.receive(frame.sysid, frame.msgid, frame.payload)
+            if self._peers is not None and connection is self.connections[0] and not self._deaf():
+                self._peers.receive(frame.sysid, frame.msgid, frame.payload, self.vehicle.time_ms)
             return
         if frame.msgid == HEARTBEAT_ID:
             if not self._deaf() and compiled_offboard.is_ground_station(frame.payload):

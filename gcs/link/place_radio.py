@@ -22,6 +22,8 @@ MOST_BYTES = 11_000
 """Of places in a bundle: with what a shared datagram holds besides it stays within 16,384 bytes."""
 
 
+SELDOM = 3
+"""[choice] Ticks: a vehicle foresees its peers for longer."""
 _SYSID_AT, _ID_AT = 5, slice(7, 10)  # in a frame
 _MASK_AT, _NO_ACCELERATION = codec.HEADER_BYTES + 48, 0b1100_0000  # the low byte of its type_mask has x's and y's
 
@@ -45,6 +47,7 @@ class PlaceRadio:
         self._places: dict[int, list[bytes]] = {}
         self._all: bytes | None = None
         self._flying: Collection[int] = ()
+        self._ticks = 0
         self.listening: frozenset[int] = frozenset()
         """vehicles that may fly, and to which no set point goes"""
         self.delivered = False
@@ -55,12 +58,14 @@ class PlaceRadio:
         self._sent, self._all = frames, None
         self._places.clear()
 
-    def begin(self, flying: Collection[int], steered: Container[int]) -> None:
+    def begin(self, flying: Collection[int], steered: Container[int], *, seldom: bool = False) -> None:
         """Begin a tick's deliveries. `flying`: vehicles that may be in the air; `steered`: those to which a set point
-        goes."""
-        self._flying, self.delivered = flying, False
+        goes. `seldom`: all hear the station, and places are carried in every third tick alone, to save time."""
+        self._ticks += 1
+        rests = seldom and not self._splits and self._ticks % SELDOM != 0
+        self._flying, self.delivered = () if rests else flying, False
         led: Container[int] = () if self._splits else steered
-        self.listening = frozenset(sysid for sysid in self._sysids if sysid in flying and sysid not in led)
+        self.listening = frozenset(sysid for sysid in self._sysids if sysid in self._flying and sysid not in led)
 
     def deliver(self, sysid: int, t_s: float, *, led: bool) -> list[bytes]:
         """Places that reach a vehicle at a session time, as one piece of data, once per tick; `led`: a set point has

@@ -42,7 +42,7 @@ STANDING = ("box_m", "cylinder_m")
 def silence(rng: np.random.Generator) -> Document:
     """4 to 40 vehicles in a ring, stacks or a cube, or up to 10 with their tankers and bases."""
     separation_m, kind = separation_of(rng), ("ring", "stack", "cube", "tankers")[int(rng.integers(4))]
-    n = FEWEST + int((MOST - FEWEST + 1) * rng.random() ** 2)
+    n = FEWEST + int((MOST - FEWEST + 1) * elementary.pow(float(rng.random()), 2.0))
     n = min(n, MOST_SERVED) if kind == "tankers" else n
     tankers = int(rng.integers(1, 4)) if kind == "tankers" else 0
     starts = _grid(rng, n + tankers)
@@ -120,7 +120,7 @@ def _cubes(rng: np.random.Generator, n: int, apart_m: float) -> FloatArray:
 
 
 def _apart(rng: np.random.Generator, n: int, apart_m: float) -> FloatArray:
-    side_m = max(4.0, 1.6 * apart_m * n ** (1.0 / 3.0))
+    side_m = max(4.0, 1.6 * apart_m * elementary.pow(float(n), 1.0 / 3.0))
     found: list[FloatArray] = []
     while len(found) < n:
         place = rng.uniform(0.0, 1.0, 3) * side_m * [1.0, 1.0, -1.0] - [0.0, 0.0, 2.5]

@@ -21,6 +21,7 @@ from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from gcs.scenario.weather import RealAutopilot
 from skytender.safety.silence import Failsafe
 
+SUPERVISED = "--supervised"
 PEERS_A_TICK = 8
 """Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
 REPORT_TICK_S, LEAST_REPORT_S = 0.1, 0.2
@@ -82,7 +83,7 @@ def vehicle_order(
         argv += ["--world", _file_of_all("world.yaml", world, scenario, folder)]
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", _file_of_all("fleet.yaml", fleet_rules, scenario, folder)]
-    if keeps_apart(scenario):
+    if keeps_apart(scenario) and SUPERVISED in connection:  # elsewhere nothing carries peers' places
         argv += ["--separation", _file_of_all("separation.yaml", separation_rules, scenario, folder)]
     if scenario.truth and scenario.record.truth_hz is not None:
         argv += ["--truth-hz", repr(scenario.record.truth_hz)]

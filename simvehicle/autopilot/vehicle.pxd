@@ -48,6 +48,7 @@ cdef class Vehicle(Body):
     cdef object _leg  # of a return; None: as it is high
     cdef object _plan  # timetable of a return; None: at once
     cdef double _began_s  # to return
+    cdef double _granted_s  # when the present flight began
     cdef double _takeoff_down_m
     cdef readonly double yaw_ned
 
@@ -67,6 +68,7 @@ cdef class Vehicle(Body):
     cpdef bint alone(self, double for_s)
     cpdef double returning_s(self)
     cpdef mode_target(self)
+    @cython.locals(steered=cython.bint, led=cython.bint)
     cdef bint _keeps_apart(self) except -1
     cdef _fly(self, Py_ssize_t steps)
     cdef _steer(self, double dt_s)

@@ -86,6 +86,7 @@ class Vehicle(Body):
     _leg: ReturnLeg | None
     _plan: Any
     _began_s: float
+    _granted_s: float
     _takeoff_down_m: float
     yaw_ned: float
 
@@ -117,7 +118,7 @@ class Vehicle(Body):
         self._return_ned = start.p_ned
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
         self._leg = self._plan = None
-        self._began_s = 0.0
+        self._began_s = self._granted_s = 0.0
         self._takeoff_down_m = start.p_ned[2]
         self.yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
@@ -256,6 +257,8 @@ class Vehicle(Body):
         self.fence, self.rally_ned = Fence(), ()
         self._followed = None
         self.gcs_seen_s = self.set_point_now.time_s = math.nan
+        if self.leads:
+            self.separation.release()
         self.trigger(Trigger.HOLD)
         self.retune()
 
@@ -365,7 +368,7 @@ class Vehicle(Body):
         steps = (to_ms - self.time_ms) // STEP_MS
         if steps > self.room:
             self.have_room(steps)
-        self.steps = 0
+        self.steps, self._granted_s = 0, self.time_ms / 1e3
         while to_ms - self.time_ms >= STEP_MS:
             span_ms = min(to_ms - self.time_ms, CHUNK_MS)
             steps = span_ms // STEP_MS
@@ -404,14 +407,13 @@ class Vehicle(Body):
         self.fly(steps, self.yaw_ned, turning and not at_rest)
 
     def _keeps_apart(self) -> bool:
-        """Whether it follows a leader of its own: not while set points come, or a pilot's have come."""
-        if self.mode is _OFFBOARD or self.mode is _REFUEL:
-            led = self.time_ms / 1e3 - self.set_point_now.time_s < self.period_s - 1e-6
-            if led or not self.station_leads:
-                if self.leads:
-                    self.separation.release()
-                return False
-        if Failure.GPS in self.failed:
+        """Whether it follows a leader of its own: not in a grant with which a set point came, nor where a pilot's was
+        the last, nor without knowing where it is."""
+        steered = self.mode is _OFFBOARD or self.mode is _REFUEL
+        led = steered and (not self.station_leads or self.set_point_now.time_s > self._granted_s - 1e-6)
+        if led or (self.failed and Failure.GPS in self.failed):
+            if self.leads:
+                self.separation.release()
             return False
         return self.separation.step()
 

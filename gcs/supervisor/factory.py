@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from gcs.link.impairment import Burst, Impairment
-from gcs.link.peer_radio import PeerRadio
-from gcs.link.place_radio import PlaceRadio
+from gcs.link.peers.peer_radio import PeerRadio
+from gcs.link.peers.place_radio import PlaceRadio
 from gcs.mavlink.autopilots import PROFILES
 from gcs.refuelling.bidding import BiddingRule
 from gcs.refuelling.scheduler import Scheduler

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key
-from gcs.link.peer_radio import PeerRadio
-from gcs.link.place_radio import PlaceRadio
+from gcs.link.peers.peer_radio import PeerRadio
+from gcs.link.peers.place_radio import PlaceRadio
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame

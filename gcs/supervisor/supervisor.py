@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickGrants, TickLink
-from gcs.link.place_radio import is_place
+from gcs.link.peers.place_radio import is_place
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message

@@ -25,7 +25,7 @@ from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
-from simvehicle.fleet.separation_rules import Member, SeparationRules
+from simvehicle.fleet.separation_rules import PeerProfile, SeparationRules
 from skytender import elementary
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
@@ -45,8 +45,9 @@ was after the second time."""
 LATE_S = 2.0
 """[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
 STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
-"""What comes no nearer than this, or beyond the separation, if both fly straight on for the filter's horizon and a lag,
-is not looked at: of a vehicle with a leader, whose filter foresees peers that others turn, and of one without."""
+"""A peer that comes no nearer than this, or beyond the separation, if both fly straight on for the filter's horizon
+and a lag, is not looked at: of a vehicle with a leader, whose filter foresees peers that others turn, and of one
+without."""
 OVER_HOME_M = 1.0
 LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
 OFF_LEADER_M = 2.0
@@ -76,7 +77,7 @@ class _Peer(NamedTuple):
 
 @dataclass
 class _Near:
-    """What the filter looks at: leaders, this vehicle's first, and what gives no way."""
+    """Input of the filter: leaders, this vehicle's first, and what gives no way."""
 
     ids: list[int]
     p_ned: list[Vec3]
@@ -149,7 +150,7 @@ class Separation:
             self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
 
-    def _presumed(self, peer: _Peer, member: Member) -> list[Vec3]:
+    def _presumed(self, peer: _Peer, member: PeerProfile) -> list[Vec3]:
         """Where a silent peer may be that returns by the timetable, as this vehicle does: at the place where it was,
         and on the leg that is due, from its beginning to where it can have come."""
         here = peer.p_ned

@@ -18,7 +18,7 @@ class SeparationRulesError(ValueError):
     """Rules that cannot be used; the text says why."""
 
 
-class Member(NamedTuple):
+class PeerProfile(NamedTuple):
     """One of the vehicles: greatest speed and acceleration of its leader, m/s and m/s², where its home is, and how it
     returns there."""
 
@@ -35,7 +35,7 @@ class SeparationRules:
     period_s: float
     separation_m: float
     clearance_m: float
-    vehicles: Mapping[int, Member]
+    vehicles: Mapping[int, PeerProfile]
     obstacles: NDArray[np.float64]
     """table of skytender/geometry.py"""
 
@@ -53,7 +53,7 @@ def read_separation(content: Any, sysids: Iterable[int] = ()) -> SeparationRules
             float(content["period_s"]),
             float(content["separation_m"]),
             float(content["clearance_m"]),
-            {int(one["sysid"]): _member(one) for one in content["vehicles"]},
+            {int(one["sysid"]): _profile(one) for one in content["vehicles"]},
             geometry.table(
                 [
                     geometry.solid(one["kind"], one["low_ned"], one["high_ned"], float(one["radius_m"]))
@@ -68,7 +68,7 @@ def read_separation(content: Any, sysids: Iterable[int] = ()) -> SeparationRules
     return rules
 
 
-def _member(content: Mapping[str, Any]) -> Member:
+def _profile(content: Mapping[str, Any]) -> PeerProfile:
     north, east, down = (float(number) for number in content["home_ned"])
     failsafe = Failsafe(**{name: float(value) for name, value in content["failsafe"].items()})
-    return Member(float(content["speed_m_s"]), float(content["acceleration_m_s2"]), (north, east, down), failsafe)
+    return PeerProfile(float(content["speed_m_s"]), float(content["acceleration_m_s2"]), (north, east, down), failsafe)

@@ -8,7 +8,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.impairment import Burst, Impairment
-from gcs.link.peer_radio import PeerRadio
+from gcs.link.peers.peer_radio import PeerRadio
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.scenario.parts.radio import RadioSplit

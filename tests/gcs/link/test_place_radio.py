@@ -7,7 +7,7 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.impairment import Impairment
-from gcs.link.place_radio import MOST_BYTES, PlaceRadio, is_place
+from gcs.link.peers.place_radio import MOST_BYTES, PlaceRadio, is_place
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.scenario.parts.radio import RadioSplit

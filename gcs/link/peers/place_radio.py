@@ -11,7 +11,7 @@ import math
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 
 from gcs.link.impairment import Burst, Impairment
-from gcs.link.peer_radio import apart
+from gcs.link.peers.peer_radio import apart
 from gcs.mavlink import codec
 from gcs.mavlink.codec import LARGEST_FRAME, Frame
 from gcs.mavlink.ids import STATION

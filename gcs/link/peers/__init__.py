@@ -1,0 +1,1 @@
+"""The radios among vehicles, as parts of the simulated world."""

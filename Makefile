@@ -33,7 +33,7 @@ build: $(READY)
 # names the folders that are left out.
 FAST := tests/test_architecture.py tests/test_walks.py $(filter-out %/test_elementary.py,$(wildcard tests/skytender/*.py)) \
   $(addprefix tests/simvehicle/,autopilot law mavlink world) \
-  $(addprefix tests/gcs/,console link mavlink missions planner refuelling scenario supervisor telemetry)
+  $(addprefix tests/gcs/,console mavlink missions planner refuelling scenario supervisor telemetry)
 
 check: $(DEV_READY)
 	@$(VENV)/bin/ruff check .

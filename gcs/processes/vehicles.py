@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
@@ -84,7 +85,7 @@ def vehicle_order(
     if scenario.competition.where == "vehicles":
         argv += ["--fleet", _file_of_all("fleet.yaml", fleet_rules, scenario, folder)]
     if keeps_apart(scenario) and SUPERVISED in connection:  # elsewhere nothing carries peers' places
-        argv += ["--separation", _file_of_all("separation.yaml", separation_rules, scenario, folder)]
+        argv += ["--separation", _file_of_all("separation.json", separation_rules, scenario, folder)]
     if scenario.truth and scenario.record.truth_hz is not None:
         argv += ["--truth-hz", repr(scenario.record.truth_hz)]
     argv += ["--home", _triple((origin.lat_deg, origin.lon_deg, origin.alt_m))]
@@ -154,7 +155,8 @@ def _file_of_all(name: str, content: Callable[[Scenario], dict[str, Any]], scena
     path = folder / "vehicles" / name
     if not path.exists():
         new = path.with_name(f"{name}.new")  # a full disk leaves no part of it under its name
-        new.write_text(yaml.safe_dump(content(scenario), sort_keys=True), encoding="utf-8")
+        write = json.dumps if path.suffix == ".json" else yaml.safe_dump
+        new.write_text(write(content(scenario), sort_keys=True), encoding="utf-8")
         new.replace(path)
     return str(path)
 

@@ -108,7 +108,7 @@ class _LazyCommands(click.Group):
 )
 @click.option("--key-file", type=_FILE, metavar="FILE", help="Sign frames; obey only what this key signed.")
 @click.option("--fleet", type=_FILE, metavar="FILE", help="Rules to compete on board by, YAML.")
-@click.option("--separation", type=_FILE, hidden=True, help="Rules to keep apart from peers by, YAML.")  # for sessions
+@click.option("--separation", type=_FILE, hidden=True, help="Rules to keep apart from peers by, JSON.")  # for sessions
 @click.option("--world", type=_FILE, metavar="FILE", help="Weather and rotors, YAML; else the paper's.")
 @click.option(
     "--count",

@@ -67,7 +67,7 @@ def test_a_vehicles_argv_says_all_of_the_scenario(folder: Path) -> None:
         "--home": "47.25,-8.5,400.5",
         "--params": str(folder / "vehicles" / "3.params.yaml"),
         "--airborne": None,
-        "--separation": str(folder / "vehicles" / "separation.yaml"),
+        "--separation": str(folder / "vehicles" / "separation.json"),
         "--truth": str(folder / "vehicles" / "3.truth"),
     }
 

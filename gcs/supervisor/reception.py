@@ -57,7 +57,7 @@ class Reception:
             if isinstance(frames, AnswerRuns) and self._reads_as_it_comes:
                 self.gaps.feed_runs(frames)
                 self._fleet.ingest_runs(frames, now_s)
-                self.quality.count_all(keys, frames, now_s)
+                self.quality.count_runs(frames, now_s)
                 together = keys, frames
             else:
                 for key, sent in zip(keys, frames, strict=True):

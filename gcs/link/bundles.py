@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from itertools import groupby
 from operator import itemgetter
 from typing import NamedTuple
@@ -54,7 +54,7 @@ class Roster:
         for row, marks, marker, (sysid, _) in zip(self._rows, self._markers, markers, self.keys, strict=True):
             row[bundle_frames.SYSID], row[bundle_frames.MARKER_BYTES] = sysid, len(marker)
             marks[: len(marker)] = np.frombuffer(marker, np.uint8)
-        self._steered: Mapping[int, int] = {}
+        self._steered: tuple[int, ...] = ()
         self._rows[:, bundle_frames.POINT] = NONE
         self._left_out = self._greets = False
         """whether anyone was left out, or greeted, the last time"""
@@ -81,9 +81,10 @@ class Roster:
         point that no frame can hold: nothing is sent then."""
         points, greeted = grants.points, grants.greeted
         rows = self._rows
-        if points.rows is not self._steered or self._left_out:
-            rows[:, bundle_frames.POINT] = [points.rows.get(sysid, NONE) for sysid, _ in self.keys]
-            self._steered = points.rows
+        if points.sysids != self._steered or self._left_out:
+            point_of = {sysid: row for row, sysid in enumerate(points.sysids)}
+            rows[:, bundle_frames.POINT] = [point_of.get(sysid, NONE) for sysid, _ in self.keys]
+            self._steered = points.sysids
         if greeted or self._greets:
             rows[:, bundle_frames.GREETED] = [sysid in greeted for sysid, _ in self.keys]
         self._greets, self._left_out = bool(greeted), bool(left_out)
@@ -96,7 +97,7 @@ class Roster:
             points.time_ms, grants.unix_us, grants.t_ms, fd, self._to,
         )  # fmt: skip
         if refused != NONE:
-            codec.frame(points.message(list(points.rows)[refused]), 0, *STATION)
+            codec.frame(points.message(points.sysids[refused]), 0, *STATION)
         return Bundles(self._out[:end].tobytes(), cuts, spans[:frames])
 
 

@@ -51,7 +51,7 @@ class TickGrants(NamedTuple):
         if key in self.more:
             return self.more[key]
         messages = [OUR_HEARTBEAT] if key[0] in self.greeted else []
-        if key[0] in self.points.rows:
+        if key[0] in self.points.sysids:
             messages.append(self.points.message(key[0]))
         return messages, ()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple, overload
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.common_frame import Vec3, turned
+from gcs.mavlink.common_frame import Vec3
 from gcs.mavlink.ids import AUTOPILOT
 from skytender import mavlink as mav
 
@@ -43,7 +43,7 @@ class SetPoints(Sequence[SetPoint]):
 
     def __init__(self, sysids: tuple[int, ...], values: NDArray[np.float64]) -> None:
         self.sysids = sysids
-        """of k vehicles; from a planner's tick to the next the same object, for as long as they are the same"""
+        """of k vehicles"""
         self.values = values
         """(k, 6) position and velocity, m and m/s"""
         self._made: list[SetPoint] | None = None
@@ -101,50 +101,14 @@ class PlacedSetPoints(NamedTuple):
     """Set points of one tick, each in its vehicle's own frame, as they are sent."""
 
     time_ms: int
-    rows: Mapping[int, int]
-    """by system id; the same object for as long as they are the same"""
+    sysids: tuple[int, ...]
+    """of k vehicles"""
     values: NDArray[np.float64]
     """(k, 6) position and velocity, NED, m and m/s"""
 
     def message(self, sysid: int) -> Message:
         """SET_POSITION_TARGET_LOCAL_NED for one of these vehicles."""
-        return set_point_message(self.time_ms, sysid, self.values[self.rows[sysid]].tolist())
-
-
-class SetPointPlacer:
-    """Brings set points into their vehicles' own frames, which seldom move: how they lie is kept."""
-
-    def __init__(self) -> None:
-        self._sysids: tuple[int, ...] = ()
-        self._rows: dict[int, int] = {}
-        self._offsets_ned: list[Vec3] = []
-        self._turns_rad: list[float] = []
-        self._origins = np.empty((0, 6))
-        """with nothing to take off a velocity, so that one subtraction does for both"""
-        self._aslant: list[int] = []
-
-    def place(
-        self, points: Sequence[SetPoint], offsets_ned: list[Vec3], turns_rad: list[float], time_ms: int
-    ) -> PlacedSetPoints:
-        """These set points; for each where its vehicle's own frame lies in the common one, as `FramePlace` says."""
-        if offsets_ned is not self._offsets_ned and offsets_ned != self._offsets_ned:
-            self._origins = np.zeros((len(offsets_ned), 6))
-            self._origins[:, :3] = np.array(offsets_ned, np.float64).reshape(-1, 3)
-        if turns_rad is not self._turns_rad and turns_rad != self._turns_rad:
-            self._aslant = [row for row, turn_rad in enumerate(turns_rad) if turn_rad]
-        self._offsets_ned, self._turns_rad = offsets_ned, turns_rad
-        columns = SetPoints.of(points)
-        values = columns.values - self._origins
-        for row in self._aslant:
-            n, e, d, *v_ned = values[row].tolist()
-            values[row, :3] = turned((n, e, d), -turns_rad[row])
-            values[row, 3:] = turned((v_ned[0], v_ned[1], v_ned[2]), -turns_rad[row])
-        sysids = columns.sysids
-        if sysids is not self._sysids:
-            if sysids != self._sysids:
-                self._rows = {sysid: row for row, sysid in enumerate(sysids)}
-            self._sysids = sysids
-        return PlacedSetPoints(time_ms, self._rows, values)
+        return set_point_message(self.time_ms, sysid, self.values[self.sysids.index(sysid)].tolist())
 
 
 def set_point_message(time_ms: int, sysid: int, values: Sequence[float]) -> Message:

@@ -178,7 +178,7 @@ class Planner(TickPlanner):
         self._followers: tuple[_Team, Mapping[int, int], list[_Followers]] | None = None
         none = np.zeros(0, np.int64)
         self._team = _Team((frozenset(), b"", b""), none, (), [], none, np.zeros((0, COLUMNS)))
-        self._stamps: NDArray[np.int64] | None = None
+        self._number = -1
         self._steered: frozenset[int] = frozenset()
         """with which it was last looked at who is led"""
 
@@ -189,7 +189,7 @@ class Planner(TickPlanner):
         """
         columns, period_s = request.snapshot.columns, request.period_s
         here = self._here = columns.p_now_ned
-        if columns.stamps is not self._stamps or request.steered is not self._steered:
+        if request.steered != self._steered or columns.changed_since(self._number):
             self._look_who_is_led(request.steered, columns)
         if self._rules.safety:
             self._slow.receive(columns.age_s, period_s)
@@ -222,7 +222,7 @@ class Planner(TickPlanner):
         if key != self._team.key:
             self._team = self._regrouped(key, columns)
         np.copyto(self._leaders.lowest_d, self._floors.at(columns.ground_down_m))
-        self._stamps, self._steered = columns.stamps, steered
+        self._number, self._steered = columns.number, steered
 
     def _regrouped(self, key: tuple[frozenset[int], bytes, bytes], columns: FleetColumns) -> _Team:
         """Those steered whose place is known, and the others. A vehicle that is not steered any more starts from where

@@ -29,7 +29,6 @@ from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
-from gcs.telemetry.stamps import StampWatch
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
@@ -51,14 +50,15 @@ class GoalWatch:
     def __init__(self, scenario: Scenario, shapes: Floats, arming: FleetArming) -> None:
         self._scenario = scenario
         self._shapes = shapes
-        self._arming = arming.sequences
+        self._fleet_arming, self._arming = arming, arming.sequences
         self._asked = goal.asked(scenario)
         self._vehicles = scenario.vehicles.all
         self._rows = {vehicle.sysid: row for row, vehicle in enumerate(self._vehicles)}
         self.believed = self.judged = Proximity(scenario, shapes)
         self.from_truth = False
         self._waypoints = WayPoints(scenario)
-        self._stamps, self._others_moved = StampWatch(), arming.listen()
+        self._number = -1
+        """of the last snapshot"""
         self._restless: set[int] = set()
         """vehicles to look at again though nothing of them changes but figures"""
         count = len(self._vehicles)
@@ -96,10 +96,10 @@ class GoalWatch:
     def update(self, snapshot: FleetSnapshot, partners: Collection[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
         now_s, columns = snapshot.time_s, snapshot.columns
-        new, p_ned, height_m = self._stamps.new(columns), columns.p_now_ned, self._unknown_m
-        if new or self._restless or self._others_moved or self._some_up:
-            looked_at = self._restless.union(new, self._others_moved)
-            self._others_moved.clear()
+        new, p_ned, height_m = columns.changed_since(self._number), columns.p_now_ned, self._unknown_m
+        self._number = columns.number
+        looked_at = self._restless.union(new, self._fleet_arming.moved)
+        if looked_at or self._some_up:
             height_m = columns.ground_down_m - p_ned[:, 2]
             for sysid in sorted(looked_at):
                 self._look_at(snapshot.vehicle(sysid), height_m, now_s)

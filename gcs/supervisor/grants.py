@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.link.link import Key
+from gcs.mavlink.common_frame import turned
 from gcs.mavlink.ids import TRAFFIC
-from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer, SetPoints
-from gcs.telemetry.state import FleetSnapshot, Vec3
+from gcs.mavlink.setpoints import PlacedSetPoints, SetPoints
+from gcs.telemetry.columns import FleetColumns
 
 HEARTBEAT_EVERY_MS = 1000
 
@@ -46,22 +46,26 @@ class Addressees:
 
 
 class OwnFrames:
-    """Set points in their vehicles' own frames, which are asked for again where one may have changed."""
+    """Brings set points into their vehicles' own frames."""
 
     def __init__(self) -> None:
-        self._placer = SetPointPlacer()
         self._sysids: tuple[int, ...] = ()
-        self._stamps: NDArray[np.int64] | None = None
-        self._offsets_ned: list[Vec3] = []
-        self._turns_rad: list[float] = []
+        self._number = -1
+        self._origins = np.empty((0, 6))
+        """(k, 6) nothing is taken off a velocity, so that one subtraction does for both"""
+        self._turns_rad: dict[int, float] = {}
+        """by row, where it is none"""
 
-    def placed(self, set_points: Sequence[SetPoint], snapshot: FleetSnapshot, time_ms: int) -> PlacedSetPoints:
+    def placed(self, points: SetPoints, columns: FleetColumns, time_ms: int) -> PlacedSetPoints:
         """These set points as they are sent. Each of their vehicles must have reported where its frame lies."""
-        points, stamps = SetPoints.of(set_points), snapshot.columns.stamps
-        if stamps is not self._stamps or (points.sysids is not self._sysids and points.sysids != self._sysids):
-            views = [snapshot.vehicle(sysid) for sysid in points.sysids]
-            self._offsets_ned = [view.origin_offset_ned for view in views if view.origin_offset_ned is not None]
-            self._turns_rad = [view.turn_rad for view in views]
-            self._sysids, self._stamps = points.sysids, stamps
-            assert len(self._offsets_ned) == len(views)
-        return self._placer.place(points, self._offsets_ned, self._turns_rad, time_ms)
+        if points.sysids != self._sysids or columns.changed_since(self._number):
+            frames = columns.frames[[columns.row[sysid] for sysid in points.sysids]]
+            assert not np.isnan(frames).any()
+            self._origins = np.hstack((frames[:, :3], np.zeros((len(frames), 3))))
+            self._turns_rad = {row: turn for row, turn in enumerate(frames[:, 3].tolist()) if turn}
+            self._sysids, self._number = points.sysids, columns.number
+        values = points.values - self._origins
+        for row, turn_rad in self._turns_rad.items():
+            n, e, d, v_n, v_e, v_d = values[row].tolist()
+            values[row] = *turned((n, e, d), -turn_rad), *turned((v_n, v_e, v_d), -turn_rad)
+        return PlacedSetPoints(time_ms, points.sysids, values)

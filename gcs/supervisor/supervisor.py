@@ -20,7 +20,7 @@ from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandResult
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import SetPoint
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
 from gcs.recording.decision_lines import TickSetPoints
@@ -133,6 +133,7 @@ class Supervisor:
         self.gaps, self.quality = self._reception.gaps, self._reception.quality
         self.inspection = self._reception.inspection
         self._addressees = Addressees(self._join_ms)
+        self._own_frames = OwnFrames()
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -144,7 +145,6 @@ class Supervisor:
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
-        self._own_frames = OwnFrames()
         self.snapshot: FleetSnapshot = self.fleet.snapshot(0.0)
 
     @property
@@ -462,7 +462,7 @@ class Supervisor:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         grant_ms = self.time_ms + self._periods * self.period_ms
         keys = self._addressees.granted(self.link.joined, grant_ms)
-        points = self._own_frames.placed(set_points, snapshot, self.time_ms)
+        points = self._own_frames.placed(SetPoints.of(set_points), snapshot.columns, self.time_ms)
         greeted = self._addressees.greeted(keys, self.time_ms)
         more = {}
         if self._place_radio is not None:
@@ -471,7 +471,7 @@ class Supervisor:
             flying = {sysid for sysid, flies in zip(columns.sysids, up.tolist(), strict=True) if flies}
             self._place_radio.begin(flying, points.rows, seldom=self._radio.clear)
         for key in self._with_more(keys, relays):
-            own = [points.message(key[0])] if key[0] in points.rows else []
+            own = [points.message(key[0])] if key[0] in points.sysids else []
             more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
         grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, greeted, points, more)
         sent = self.link.grant_all(grants)

@@ -11,7 +11,6 @@ from collections.abc import Mapping
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
-from gcs.telemetry.stamps import StampWatch
 from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
 REGULAR_S = 5.0
@@ -29,7 +28,8 @@ class ChangeDetector:
         """when a position was last seen old, of those whose positions do not come regularly"""
         self._uncertain: dict[int, str] = {}
         self._doubted: set[int] = set()
-        self._stamps = StampWatch()
+        self._number = -1
+        """of the last snapshot that was looked at"""
         self._aged: set[int] = set()
         """those of whom time alone may bring something new: they live, and what they told is old or not believed"""
 
@@ -40,10 +40,9 @@ class ChangeDetector:
         here commands them, so that no change of mode can be distinguished from an order.
         """
         events: list[Event] = []
-        new = self._stamps.new(snapshot.columns)
-        if not new and not self._aged:
-            return events
-        for view in map(snapshot.vehicle, sorted(self._aged.union(new))):
+        looked_at = self._aged.union(snapshot.columns.changed_since(self._number))
+        self._number = snapshot.columns.number
+        for view in map(snapshot.vehicle, sorted(looked_at)):
             wanted = str(view.mode) if ordered is None else ordered.get(view.sysid)
             by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
             self._watch_mode(view, snapshot.time_s, by_order, events)

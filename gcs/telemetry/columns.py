@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
-UNSTAMPED = -1
+NO_NUMBER = -1
 
 FLAGS = 5
 IS_ALIVE, IS_STEERABLE, IS_FLYING, IS_FRESH, IS_LANDED = range(FLAGS)
@@ -32,16 +32,29 @@ class FleetColumns(NamedTuple):
     sysids: Sequence[int]
     row: Mapping[int, int]
     """by system id"""
-    stamps: NDArray[np.int64]
-    """(n,) another number whenever anything of a vehicle but the figures below may have changed since the fleet's last
-    snapshot: the truth of each flag, mode, profile, doubt, energy received or given, whether any is left, frame,
-    ground. UNSTAMPED where that is not known. The very same array only if none of them is another."""
+    number: int
+    """one more than the last snapshot's where anything of a vehicle but the figures below has changed since: the truth
+    of each flag, mode, profile, doubt, energy received or given, whether any is left, frame, ground. NO_NUMBER where
+    changes are not known."""
+    changed: NDArray[np.int64]
+    """(n,) the number since which a vehicle has not changed"""
     flags: Flags
     """(FLAGS, n)"""
     places: Floats
     """(PLACES, n, 3)"""
     figures: Floats
     """(FIGURES, n)"""
+    frames: Floats
+    """(n, 4) each vehicle's own frame in the common one: its origin, NED, m, NaN while that is unknown; and by how much
+    it is turned about the vertical, rad"""
+
+    def changed_since(self, number: int) -> list[int]:
+        """System ids, in order, of vehicles of which more than figures has changed since a number."""
+        if number == self.number != NO_NUMBER:
+            return []
+        if self.number == NO_NUMBER:
+            return list(self.sysids)
+        return [self.sysids[row] for row in np.flatnonzero(self.changed > number).tolist()]
 
     @property
     def alive(self) -> Flags:

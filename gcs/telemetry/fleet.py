@@ -13,10 +13,9 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import astuple, dataclass
 from functools import lru_cache
 from operator import itemgetter
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
@@ -28,7 +27,7 @@ from gcs.telemetry import energy, plausibility
 from gcs.telemetry.batteries import VehicleBattery
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, fill
+from gcs.telemetry.fleet_columns import FACTS, OFFSET_N, TURN, fill
 from gcs.telemetry.readings import (
     CLOCK_S,
     DOWN,
@@ -58,7 +57,7 @@ from gcs.telemetry.readings import (
     kept_elsewhere,
 )
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
-from gcs.telemetry.track import Instant, Member, VehicleStatus, VehicleTrack
+from gcs.telemetry.track import Instant, Member, VehicleTrack
 from gcs.telemetry.traffic import KnownTraffic
 from skytender import elementary, geodesy
 from skytender import mavlink as mav
@@ -74,14 +73,6 @@ class GlobalOrigin:
     lat_deg: float
     lon_deg: float
     alt_m: float
-
-
-class _Settled(NamedTuple):
-    """Part of a snapshot that is the same in all of them until something else than figures may have changed."""
-
-    stamps: NDArray[np.int64]
-    statuses: tuple[VehicleStatus, ...]
-    facts: NDArray[np.float64]
 
 
 class Fleet:
@@ -100,33 +91,32 @@ class Fleet:
         self._talking: set[int] = set()
         """who may have more to say of a text"""
         self._found = np.zeros(FOUND)
-        self._stamps = np.zeros(0, np.int64)
+        self._number = 0
+        """of the last snapshot"""
         self._lay_out()
 
     def _lay_out(self) -> None:
-        """Let the vehicles live in tables with a row each, in order of system id; all get a new stamp."""
+        """Let the vehicles live in tables with a row each, in order of system id; all count as changed."""
         self._tracks = dict(sorted(self._tracks.items()))
         count = len(self._tracks)
         self._sysids = tuple(self._tracks)
         self._rows = {sysid: row for row, sysid in enumerate(self._tracks)}
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
-        self._seen, self._stamps = np.full(count, -1), np.full(count, self._stamps.max(initial=0) + 1)
+        self._seen, self._changed = np.full(count, -1), np.full(count, self._number + 1)
         lanes = np.full(NUMBERS, -1)
         lanes[list(self._rows)] = list(self._rows.values())
         self._reader = TelemetryReader(lanes, self._readings, self._accounts, _ELSEWHERE, self._found)
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]
-        self._settled: _Settled | None = None
 
     def _settle(self, track: VehicleTrack) -> None:
         """After something else than figures may have changed."""
         row, status = self._rows[track.member.sysid], track.status()
-        self._settled = None
         if status != self._statuses[row]:
             self._statuses[row] = status
-            self._stamps[row] += 1
+            self._changed[row] = self._number + 1
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
@@ -277,15 +267,14 @@ class Fleet:
         count = len(self._statuses)
         flags, places = np.empty((FLAGS, count), np.bool_), np.empty((PLACES, count, 3))
         figures = np.empty((FIGURES, count))
-        readings, settled = self._readings, self._settled
-        changed = fill(
-            time_s, readings, self._facts, self._accounts, self._seen, self._stamps,
+        self._number += fill(
+            time_s, self._readings, self._facts, self._accounts, self._seen, self._number + 1, self._changed,
             flags.view(np.uint8), places, figures,
         )  # fmt: skip
-        if changed or settled is None:
-            self._settled = settled = _Settled(self._stamps.copy(), tuple(self._statuses), self._facts.copy())
-        columns = FleetColumns(self._sysids, self._rows, settled.stamps, flags, places, figures)
-        instant = Instant(time_s, settled.statuses, readings.copy(), settled.facts, columns)
+        facts, changed = self._facts.copy(), self._changed.copy()
+        frames = facts[:, OFFSET_N : TURN + 1]
+        columns = FleetColumns(self._sysids, self._rows, self._number, changed, flags, places, figures, frames)
+        instant = Instant(time_s, tuple(self._statuses), self._readings.copy(), facts, columns)
         return FleetSnapshot.of_columns(time_s, columns, instant.view, self._traffic.at(time_s))
 
     def _global_origin(self, track: VehicleTrack, content: Any, time_s: float) -> None:

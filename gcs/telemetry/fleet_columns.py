@@ -52,20 +52,21 @@ def fill(
     facts: NDArray[np.float64],
     accounts: NDArray[Any],
     seen: NDArray[np.int64],
-    stamps: NDArray[np.int64],
+    number: int,
+    changed: NDArray[np.int64],
     flags: NDArray[np.uint8],
     places: NDArray[np.float64],
     figures: NDArray[np.float64],
 ) -> bool:
     """Fill flags (FLAGS, n), places (PLACES, n, 3) and figures (FIGURES, n) of n vehicles at a session time.
 
-    If more than figures of one is another than in the last call, which `seen` (n,) remembers, it gets the next number
-    in `stamps` (n,). Whether any does.
+    Where more than figures of one is another than in the last call, which `seen` (n,) remembers, `changed` (n,) gets
+    this number. Whether any has it now.
 
     reports (n, READINGS), facts (n, FACTS) and accounts (n,) are read.
     """
     books = accounts_of(accounts)
-    changed = False
+    some = False
     for k in range(reports.shape[0]):
         row, fact, one = readings_at(reports, k), facts_at(facts, k), cython.address(books[k])
         north, east, down = row.north, row.east, row.down
@@ -112,6 +113,6 @@ def fill(
         )
         if now_seen != seen[k]:
             seen[k] = now_seen
-            stamps[k] += 1
-            changed = True
-    return changed
+            changed[k] = number
+        some = some or changed[k] == number
+    return some

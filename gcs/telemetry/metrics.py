@@ -63,9 +63,8 @@ class Metrics:
         if len(columns.sysids) < len(self._row):
             flags, places = self._in_order(columns)
         points = SetPoints.of(set_points)
-        if points.sysids is not self._sysids:
-            if points.sysids != self._sysids:
-                self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
+        if points.sysids != self._sysids:
+            self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
             self._sysids = points.sysids
         _measure(
             flags.view(np.uint8),

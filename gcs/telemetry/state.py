@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
-from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, UNSTAMPED, FleetColumns
+from gcs.telemetry.columns import FIGURES, FLAGS, NO_NUMBER, PLACES, FleetColumns
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
@@ -190,7 +190,7 @@ _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 
 
 def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
-    """The same vehicles as columns, not stamped."""
+    """The same vehicles as columns, whose changes are not known."""
     sysids = [view.sysid for view in views]
     flags = [(v.alive, v.mode in STEERABLE, v.flying, v.fresh, v.landed) for v in views]
     places = [
@@ -210,8 +210,10 @@ def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
     return FleetColumns(
         sysids,
         {sysid: row for row, sysid in enumerate(sysids)},
-        np.full(len(views), UNSTAMPED),
+        NO_NUMBER,
+        np.zeros(len(views), np.int64),
         np.array(flags, np.bool_).reshape(-1, FLAGS).T.copy(),
         np.array(places, np.float64).reshape(-1, PLACES, 3).transpose(1, 0, 2).copy(),
         np.array(figures, np.float64).reshape(-1, FIGURES).T.copy(),
+        np.array([(*(v.origin_offset_ned or _UNKNOWN), v.turn_rad) for v in views], np.float64).reshape(-1, 4),
     )

@@ -22,13 +22,15 @@ from gcs.mavlink import codec
 from gcs.mavlink.datagram import runs_of
 from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.sequence import TickCollector
-from gcs.mavlink.setpoints import SetPointPlacer, SetPoints
+from gcs.mavlink.setpoints import SetPoints
 from gcs.recording import tlog_reader
 from gcs.recording.recorder import TLOG, Recorder
 from gcs.recording.session_folder import Gathering, Recorded
 from gcs.scenario.file import find, load
 from gcs.supervisor.factory import make_fleet
+from gcs.supervisor.grants import OwnFrames
 from gcs.supervisor.supervisor import Supervisor
+from gcs.telemetry.columns import FleetColumns
 
 VEHICLES = 254
 TICKS, PERIOD_MS = 32, 100
@@ -224,19 +226,20 @@ def sending() -> Figure:
     rng = random.Random(2)
     keys = [(sysid, AUTOPILOT) for sysid in range(1, VEHICLES + 1)]
     places = [[rng.uniform(-50.0, 50.0) for _ in range(6)] for _ in keys]
-    columns = np.array(places)
-    points = SetPoints(tuple(sysid for sysid, _ in keys), columns)
-    offsets, turns = [(rng.uniform(-9.0, 9.0), 0.0, 0.0) for _ in keys], [0.0] * VEHICLES
-    placer, roster = SetPointPlacer(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
+    points = SetPoints(tuple(sysid for sysid, _ in keys), np.array(places))
+    offsets = [(rng.uniform(-9.0, 9.0), 0.0, 0.0, 0.0) for _ in keys]
+    none, rows = np.empty(0), {sysid: row for row, (sysid, _) in enumerate(keys)}
+    columns = FleetColumns(points.sysids, rows, 0, none, none, none, none, np.array(offsets))
+    own, roster = OwnFrames(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
     sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
     message = common.MAVLink_set_position_target_local_ned_message
 
     def encode() -> Bundles:
-        placed = placer.place(points, offsets, turns, 61_200)
+        placed = own.placed(points, columns, 61_200)
         return roster.bundled((), TickGrants(61_300, 0, keys, (), placed, {}))
 
     def fields(sysid: int) -> tuple[float, ...]:
-        (n, e, d), (north, _, _) = points[sysid - 1].p_ned, offsets[sysid - 1]
+        (n, e, d), (north, *_) = points[sysid - 1].p_ned, offsets[sysid - 1]
         return 61_200, sysid, 1, 1, 3520, n - north, e, d, *points[sysid - 1].v_ned, 0.0, 0.0, 0.0, 0.0, 0.0
 
     theirs = [fields(sysid) for sysid, _ in keys]

@@ -1,4 +1,4 @@
-"""A fleet to which anything may happen, tick by tick, and its snapshots with stamps and without."""
+"""A fleet to which anything may happen, tick by tick, and its snapshots, which tell of changes or do not."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ FIGURES: dict[str, Any] = {
     "last_received_s": 0.0, "p_ned": None, "v_ned": None, "age_s": 0.0, "heading_rad": 0.0, "drawn_j": 0.0,
     "power_w": 0.0, "control_effort": 0.0,
 }  # fmt: skip
-"""Attributes of which a stamp says nothing."""
+"""Attributes that count for no change."""
 
 
 class ChangingFleet:
@@ -32,14 +32,14 @@ class ChangingFleet:
             for sysid in sysids
         ]  # fmt: skip
         self._silent: set[int] = set()
-        self._stamps = np.zeros(len(sysids), np.int64)
+        self._number, self._changed = 0, np.zeros(len(sysids), np.int64)
         self._seen: list[Any] = [None] * len(sysids)
-        self._shown, self._copies = self._stamps.copy(), random.Random(seed)
 
     def tick(self) -> tuple[FleetSnapshot, FleetSnapshot]:
-        """A snapshot with stamps, and the same without."""
+        """A snapshot that tells of changes, and the same without."""
         self.time_s = round(self.time_s + PERIOD_S, 6)
         self.views = [self._later(each) for each in self.views]
+        number = self._number + 1
         for row, each in enumerate(self.views):
             known = (
                 each.p_ned is not None,
@@ -51,13 +51,11 @@ class ChangingFleet:
             seen = (each._replace(**FIGURES), *known)
             if seen != self._seen[row]:
                 self._seen[row] = seen
-                self._stamps[row] += 1
-        stamped, plain = (FleetSnapshot(self.time_s, tuple(self.views), ()) for _ in range(2))
-        row = dict(plain.columns.row)
-        if self._copies.random() < 0.2 or (self._stamps != self._shown).any():
-            self._shown = self._stamps.copy()
-        vars(stamped)["columns"] = stamped.columns._replace(stamps=self._shown, row=row)
-        return stamped, plain
+                self._changed[row] = self._number = number
+        telling, plain = (FleetSnapshot(self.time_s, tuple(self.views), ()) for _ in range(2))
+        changes = {"number": self._number, "changed": self._changed.copy()}
+        vars(telling)["columns"] = telling.columns._replace(**changes)
+        return telling, plain
 
     def _later(self, one: VehicleView) -> VehicleView:
         chance, sysid = self.chance, one.sysid

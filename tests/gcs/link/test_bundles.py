@@ -82,7 +82,7 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
             there.remove(gone)
         steered = [key[0] for key in there if key != TRAFFIC and draw.random() < (1.0 if tick % 3 else 0.9)]
         values = np.array([[draw.uniform(-50.0, 50.0) for _ in range(6)] for _ in steered]).reshape(-1, 6)
-        points = PlacedSetPoints(t_ms - 100, {sysid: row for row, sysid in enumerate(steered)}, values)
+        points = PlacedSetPoints(t_ms - 100, tuple(steered), values)
         more: dict[Key, tuple[list[Message], list[bytes]]] = {}
         for key in there if tick % 4 == 0 else ():
             if draw.random() < 0.05:

@@ -8,10 +8,10 @@ from pymavlink.dialects.v20 import common
 
 from gcs.link.bundles import Roster
 from gcs.link.link import TickGrants
-from gcs.mavlink import bundle_frames, codec
+from gcs.mavlink import bundle_frames
 from gcs.mavlink.bundle_frames import LEFT_OUT, NONE, write_bundles
 from gcs.mavlink.ids import STATION
-from gcs.mavlink.setpoints import PlacedSetPoints, SetPoint, SetPointPlacer
+from gcs.mavlink.setpoints import PlacedSetPoints
 
 VEHICLES = 40
 UNIX_US = 1_767_225_600_000_000
@@ -74,21 +74,4 @@ def test_a_set_point_that_no_frame_can_hold_is_refused_as_the_codec_does(value: 
     keys = [(7, 1), (8, 1)]
     roster = Roster(keys, [b"", b""], [("127.0.0.1", 1), ("127.0.0.1", 2)])
     with pytest.raises(ValueError, match=r"^SET_POSITION_TARGET_LOCAL_NED\.vy cannot be "):
-        roster.bundled((), TickGrants(0, 0, keys, (), PlacedSetPoints(0, {7: 0, 8: 1}, values), {}))
-
-
-def test_set_points_are_placed_in_their_vehicles_frames() -> None:
-    """A frame a quarter turn to the right of ours has its north in our east."""
-    placer = SetPointPlacer()
-    p_ned, v_ned = (10.0, 20.0, -5.0), (1.0, 2.0, 3.0)
-    points = [SetPoint(sysid, p_ned, v_ned) for sysid in (1, 2, 3)]
-    for _ in range(2):
-        offsets, turns = [(0.0, 0.0, 0.0), (1.0, -2.0, 0.5), (1.0, -2.0, 0.5)], [0.0, 0.0, math.pi / 2]
-        placed = placer.place(points, offsets, turns, 100)
-        assert placed.rows == {1: 0, 2: 1, 3: 2}
-        assert placed.values.tolist()[:2] == [[10.0, 20.0, -5.0, 1.0, 2.0, 3.0], [9.0, 22.0, -5.5, 1.0, 2.0, 3.0]]
-        assert placed.values[2] == pytest.approx([22.0, -9.0, -5.5, 2.0, -1.0, 3.0])
-    moved = placer.place(points[:1], [(5.0, 0.0, 0.0)], [0.0], 200)
-    assert moved.values.tolist() == [[5.0, 20.0, -5.0, 1.0, 2.0, 3.0]]
-    assert codec.fields(codec.split(codec.frame(moved.message(1), 0, *STATION)).frames[0]).time_boot_ms == 200
-    assert placer.place([], [], [], 300).values.shape == (0, 6)
+        roster.bundled((), TickGrants(0, 0, keys, (), PlacedSetPoints(0, (7, 8), values), {}))

@@ -8,7 +8,8 @@ import pytest
 
 from gcs.mavlink import codec
 from gcs.mavlink.common_frame import Vec3, frame_place, turned
-from gcs.mavlink.setpoints import SetPoint, SetPointPlacer
+from gcs.mavlink.setpoints import SetPoint, SetPoints
+from gcs.supervisor.grants import OwnFrames
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.track import Member
 
@@ -85,7 +86,7 @@ def test_a_vehicle_80_km_away_is_seen_where_it_is_and_sent_where_it_should_go(ho
     ahead = truth((at[0] + 3.0, at[1], at[2] - 1.0), own, COMMON)
     assert math.dist(seen.v_ned, [b - a for a, b in zip(truth(at, own, COMMON), ahead, strict=True)]) < 0.001
     point = SetPoint(3, seen.p_ned, seen.v_ned)
-    placed = SetPointPlacer().place([point], [seen.origin_offset_ned], [seen.turn_rad], 0)
+    placed = OwnFrames().placed(SetPoints.of([point]), fleet.snapshot(0.0).columns, 0)
     sent = codec.fields(codec.split(codec.frame(placed.message(3), 0, 255, 190)).frames[0])
     assert (sent.x, sent.y, sent.z) == pytest.approx(at, abs=0.01)  # 32 bits at 80 km are 8 mm
     assert (sent.vx, sent.vy, sent.vz) == pytest.approx((3.0, 0.0, -1.0), abs=1e-6)

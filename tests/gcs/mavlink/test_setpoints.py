@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
-from gcs.mavlink.setpoints import SetPoint, SetPointPlacer, SetPoints
+from gcs.mavlink.setpoints import SetPoint, SetPoints
 
 POINTS = [
     SetPoint(sysid, (1.0 * sysid, -0.1 * sysid, -4.0), (0.3, 0.7 / sysid, -0.0)) for sysid in (3, 7, 101)
@@ -40,23 +39,3 @@ def test_a_list_gets_the_same_columns_and_columns_stay_themselves() -> None:
     assert points.p_ned.tobytes() == columns().p_ned.tobytes()
     assert points.v_ned.tobytes() == columns().v_ned.tobytes()
     assert SetPoints.of(points) is points
-
-
-@pytest.mark.parametrize("turns_rad", [[0.0, 0.0, 0.0], [0.0, 0.8, 0.0]])
-def test_a_list_and_its_columns_are_placed_alike(turns_rad: list[float]) -> None:
-    offsets_ned = [(0.0, 0.0, 0.0), (3.0, -7.1, 0.2), (1e3, 0.1, 0.3)]
-    of_list = SetPointPlacer().place(POINTS, offsets_ned, turns_rad, 100)
-    of_columns = SetPointPlacer().place(columns(), offsets_ned, turns_rad, 100)
-    assert of_list.values.tobytes() == of_columns.values.tobytes()
-    assert of_list.rows == of_columns.rows == {3: 0, 7: 1, 101: 2}
-    for (n, e, d), offset_ned, values in zip(
-        (point.p_ned for point in POINTS), offsets_ned, of_list.values.tolist(), strict=True
-    ):
-        if not any(turns_rad):
-            assert values[:3] == [n - offset_ned[0], e - offset_ned[1], d - offset_ned[2]]
-
-
-def test_placing_leaves_the_set_points_as_they_are() -> None:
-    points = columns()
-    SetPointPlacer().place(points, [(1.0, 2.0, 3.0)] * 3, [0.5] * 3, 0)
-    assert points == POINTS

@@ -8,13 +8,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.datagram import AnswerRuns
-from gcs.mavlink.setpoints import SetPointPlacer
+from gcs.mavlink.setpoints import PlacedSetPoints
 from gcs.recording.recorder import Recorder
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
@@ -53,7 +54,7 @@ class Side:
         self.supervisor = Supervisor(scenario, self.link, Recorder(folder))
 
     def grant(self, keys: list[Key], t_ms: int) -> None:
-        points = SetPointPlacer().place([], [], [], t_ms)
+        points = PlacedSetPoints(t_ms, (), np.empty((0, 6)))
         self.link.grant_all(TickGrants(t_ms, 0, keys, (), points, {}))
         self.link._enrolled |= self.alone
 

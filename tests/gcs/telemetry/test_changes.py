@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 import pytest
+from changing import ChangingFleet
 from hypothesis import given
 from hypothesis import strategies as st
 from views import snapshot, view
@@ -130,3 +131,15 @@ def test_an_uncertain_place_is_told_with_its_reason_and_so_is_that_it_is_certain
 
 def test_the_dead_are_not_silent() -> None:
     assert ChangeDetector().look(snapshot(view(age_s=5.0, last_message_s=95.0, alive=False)), {}) == []
+
+
+def test_events_are_the_same_as_when_each_vehicle_is_looked_at_in_every_tick() -> None:
+    fleet, some, every = ChangingFleet((1, 2, 5, 101), seed=3), ChangeDetector(), ChangeDetector()
+    kinds: set[str] = set()
+    for tick in range(3000):
+        ordered = None if tick % 1000 < 100 else {2: "return", 5: "hold"} if tick % 200 < 100 else {}
+        telling, plain = fleet.tick()
+        events = some.look(telling, ordered)  # type: ignore[arg-type]
+        assert events == every.look(plain, ordered)  # type: ignore[arg-type]
+        kinds |= {event.text.split()[0] if event.kind == "link" else event.kind for event in events}
+    assert kinds == {"mode", "failsafe", "No", "Heard", "Is", "Its"}

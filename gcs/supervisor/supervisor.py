@@ -469,7 +469,7 @@ class Supervisor:
             columns = snapshot.columns
             up = columns.flying if self._radio.clear else columns.alive  # more is not known of silent ones
             flying = {sysid for sysid, flies in zip(columns.sysids, up.tolist(), strict=True) if flies}
-            self._place_radio.begin(flying, points.rows, seldom=self._radio.clear)
+            self._place_radio.begin(flying, frozenset(points.sysids), seldom=self._radio.clear)
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.sysids else []
             more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)

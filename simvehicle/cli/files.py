@@ -24,13 +24,14 @@ def _read_for(option: str, path: Path, *refused: type[Exception]) -> Iterator[No
     """Turn what goes wrong inside, `refused` or with a YAML file, into a click.UsageError with option and path."""
     import yaml
 
+    problems: tuple[type[Exception], ...] = (yaml.YAMLError, *refused)
     try:
         yield
     except OSError as error:
         raise click.UsageError(f"{option} {path}: {error.strerror}") from error
     except UnicodeDecodeError as error:
         raise click.UsageError(f"{option} {path} is no text file") from error
-    except (yaml.YAMLError, *refused) as error:
+    except problems as error:
         raise click.UsageError(f"{option} {path}: {' '.join(str(error).split())}") from error
 
 

@@ -24,7 +24,7 @@ def test_hostile_input_harms_nothing() -> None:
 @pytest.mark.timeout(300)
 def test_nor_does_input_that_coverage_finds(tmp_path: Path) -> None:
     pytest.importorskip("atheris")
-    runs = {"datagrams": 2000, "scenario": 100, "answers": 500, "rows": 100}
+    runs = {"datagrams": 2000, "scenario": 200, "answers": 500, "rows": 100}
     targets = [word for name, count in runs.items() for word in ("--target", f"{name}:{count}")]
     command = [sys.executable, str(FUZZ / "guided.py"), *targets]
     done = subprocess.run(command, capture_output=True, text=True, errors="replace", cwd=tmp_path, check=False)

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import math
 
-from gcs.planner.planner import CATCH_UP_SPEED
 from gcs.scenario.model import Scenario, VehicleBase
 from skytender import elementary
+
+CATCH_UP_SPEED = 1.3
+"""A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 
 SLOWEST_M_S = 1.0
 """Even who is to stand may give way this fast."""

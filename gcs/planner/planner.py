@@ -33,6 +33,7 @@ from gcs.planner.leader import (
     aim,
     lead,
 )
+from gcs.planner.leader_limits import CATCH_UP_SPEED
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
 from gcs.planner.potential_field import FieldConstants, widened_range
@@ -45,8 +46,6 @@ from skytender import elementary, geometry
 from skytender.geometry import COLUMNS, DOWN, NORTH, FloatArray
 
 LOOKAHEAD_S = 0.37
-CATCH_UP_SPEED = 1.3
-"""A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 LEAST_MARGIN_M = 0.1
 """Of every vehicle: so much farther than its clearance the safety filter keeps it from obstacles."""
 BRAKE_SHARE = 0.4

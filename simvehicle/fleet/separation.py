@@ -58,6 +58,7 @@ GENTLE_SHARE = 0.5
 STANDS_M_S, STANDS_M = 0.1, 0.15
 """A peer that is slower, and lower, stands on the ground."""
 UNCHANGED_M_S2 = 1e-9
+_HOLDS = frozenset({Mode.HOLD, Mode.GUIDED})
 _GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
 _EVERYWHERE = (True, True, True)
 
@@ -114,7 +115,7 @@ class Separation:
         vehicle = self._vehicle
         if vehicle.time_ms < self._next_ms and vehicle.leads:
             return True
-        if not vehicle.armed or vehicle.landed:
+        if not vehicle.armed or vehicle.landed or self._holds():
             self.release()
             return False
         self._next_ms = vehicle.time_ms + round(1e3 * self._rules.period_s)
@@ -134,6 +135,12 @@ class Separation:
             u_ned = filtered
         self._go(u_ned)
         return True
+
+    def _holds(self) -> bool:
+        """Whether it stays where it is, by order of a station that keeps all others away from there."""
+        vehicle = self._vehicle
+        held = vehicle.mode in _HOLDS and not vehicle.alone(ALONE_S)
+        return held and not (vehicle.leads and elementary.norm(self._v_ned) > STANDS_M_S)
 
     def release(self) -> None:
         """Leave the vehicle to its set points or its mode."""

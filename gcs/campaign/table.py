@@ -27,6 +27,8 @@ BROKEN = ".broken"
 MOST_ROWS = 1 << 16
 """A part with more was not written here, and may be larger by far than its file."""
 FIRST = ("row", "session", "combination", "seed")
+FILLED = (*FIRST, "ok")
+"""Columns that no row leaves empty."""
 
 
 def schema(campaign: CampaignRules) -> pa.Schema:
@@ -120,7 +122,7 @@ def _part(path: Path, wanted: pa.Schema) -> pa.Table | None:
             part.validate(full=True)
         except (pa.ArrowException, OSError, UnicodeDecodeError):  # OSError: what does not fit together; a column's name
             return None
-    return None if part["row"].null_count else part
+    return None if any(part[name].null_count for name in FILLED) else part
 
 
 def _type_of(values: Sequence[Any]) -> pa.DataType:

@@ -11,7 +11,7 @@ import pyarrow.parquet as pq
 import pytest
 from commands import gcs
 
-from gcs.campaign import table
+from gcs.campaign import statistics, table
 from gcs.campaign.file import from_data
 from gcs.campaign.plan import Plan, make
 
@@ -101,6 +101,33 @@ def test_what_is_no_part_of_this_table_is_broken(foreign: pa.Table, written: tup
     pq.write_table(foreign, path)
     assert table.broken(folder, flown.campaign) == [path]
     assert numbers(folder, flown) == list(range(6))
+
+
+@pytest.mark.parametrize("column", ["row", "session", "combination", "seed", "ok"])
+def test_a_part_with_a_row_that_lacks_its_number_or_its_verdict_is_broken(
+    column: str, written: tuple[Path, Plan]
+) -> None:
+    folder, flown = written
+    first, _ = parts(folder)
+    part = pq.read_table(first)
+    values = [None, *part[column].to_pylist()[1:]]
+    at = part.column_names.index(column)
+    pq.write_table(part.set_column(at, part.schema.field(at), pa.array(values, part.schema.field(at).type)), first)
+    assert table.broken(folder, flown.campaign) == [first]
+    assert numbers(folder, flown) == [3, 4, 5]
+
+
+@pytest.mark.parametrize("column", ["min_separation_m", "fault", "error", "digest", "wall_s", "cpu_s", "kept"])
+def test_what_a_row_may_lack_it_may_lack(column: str, written: tuple[Path, Plan]) -> None:
+    folder, flown = written
+    for path in parts(folder):
+        part = pq.read_table(path)
+        at = part.column_names.index(column)
+        none = pa.nulls(part.num_rows, part.schema.field(at).type)
+        pq.write_table(part.set_column(at, part.schema.field(at), none), path)
+    assert numbers(folder, flown) == list(range(6))
+    statistics.text(flown, table.read(folder, flown.campaign))
+    assert gcs("campaign", "report", str(folder)).returncode == 0
 
 
 def test_commands_name_it_and_resume_flies_its_rows_again(written: tuple[Path, Plan]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -310,6 +311,23 @@ def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
         for folder in ("out/sessions/3", "again")
     )
     assert first == second
+
+
+def test_ctrl_c_which_a_terminal_sends_to_the_workers_too_ends_it_with_a_sentence(tmp_path: Path) -> None:
+    (tmp_path / "small.yaml").write_text(yaml.safe_dump({**CAMPAIGN, "sessions": 500}), encoding="utf-8")
+    run = [*GCS, "campaign", "run", "small.yaml", "--workers", "1", "--out", "out", "--plain"]
+    with subprocess.Popen(
+        run, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True
+    ) as process:
+        assert process.stdout is not None
+        for line in process.stdout:
+            if re.match(r"[1-9]\d* of 1000", line):
+                break
+        os.killpg(process.pid, signal.SIGINT)
+        shown = process.stdout.read()
+    assert process.returncode == 130
+    assert shown.splitlines()[-1].startswith("stopped; gcs campaign resume out flies the other ")
+    assert "Traceback" not in shown
 
 
 @contextmanager

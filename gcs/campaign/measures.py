@@ -133,11 +133,12 @@ def _spare(flown: Flown) -> Value:
     or the station has fallen silent, and they have had their time to part."""
     times_s, places, flies = _in_flight(flown)
     sysids = [vehicle.sysid for vehicle in flown.scenario.vehicles.launched]
-    silent_s = min((one.from_s for one in flown.scenario.radio.ground_blackouts), default=math.inf)
+    silences = flown.scenario.radio.ground_blackouts
     partners = []
     for service in flown.summary["refuelling"]:
-        ends_s = min(math.inf if service["end_s"] is None else service["end_s"], silent_s) + PARTING_S
-        partners.append(({service["tanker"], service["receiver"]}, service["decided_at_s"], ends_s))
+        begins_s, ends_s = service["decided_at_s"], math.inf if service["end_s"] is None else service["end_s"]
+        ends_s = min([ends_s, *(silence.from_s for silence in silences if silence.from_s >= begins_s)]) + PARTING_S
+        partners.append(({service["tanker"], service["receiver"]}, begins_s, ends_s))
     least_m = math.inf
     for i, j in itertools.combinations(range(len(sysids)), 2):
         counts = (flies[i] | flies[j])[1:]

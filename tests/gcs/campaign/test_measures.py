@@ -1,0 +1,67 @@
+"""What a campaign measures, on places that are written down."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+import yaml
+
+from gcs.campaign.measures import SHIPPED
+from gcs.scenario.file import load
+
+BATTERY = {"capacity_j": 40_000, "initial_percent": 90, "hover_w": 200}
+SILENCE = {"from_s": 10.0, "to_s": 20.0}
+
+
+def flown(folder: Path, service: dict[str, Any], near_s: float) -> Any:
+    """A tanker and a receiver 3 m apart, and 0.5 m at one time, with one service."""
+    text = {
+        "schema": 1,
+        "name": "near",
+        "axes": "ned",
+        "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400},
+        "vehicles": {
+            "pursuers": [
+                {"sysid": 1, "start_m": [0, 0, -10], "airborne": True, "battery": BATTERY, "waypoints_m": [[9, 0, -10]]}
+            ],
+            "tankers": [{"sysid": 201, "start_m": [0, 3, -10], "airborne": True, "battery": BATTERY}],
+        },
+        "planner": {"separation_m": 0.8},
+        "radio": {"ground_blackouts": [SILENCE]},
+        "goal": {"duration_s": 60},
+    }
+    path = folder / "scenario.yaml"
+    path.write_text(yaml.safe_dump(text))
+    times_s = np.arange(0.0, 60.0, 0.1)
+    away_m = np.where(np.abs(times_s - near_s) < 0.05, 0.5, 3.0)
+    still = np.zeros_like(times_s)
+    rows = {
+        1: np.stack([times_s, still, still, still - 10.0], axis=1),
+        201: np.stack([times_s, still, away_m, still - 10.0], axis=1),
+    }
+    return SimpleNamespace(scenario=load(path), summary={"refuelling": [service]}, truth=rows.__getitem__)
+
+
+@pytest.mark.parametrize(
+    ("decided_at_s", "end_s", "near_s", "counts"),
+    [
+        (2.0, 8.0, 5.0, False),
+        (2.0, 8.0, 11.0, False),  # they part
+        (2.0, 8.0, 12.0, True),
+        (2.0, 30.0, 13.0, False),  # the silence ends it, and they part
+        (2.0, 30.0, 14.0, True),
+        (22.0, 40.0, 30.0, False),  # after the silence
+        (22.0, None, 50.0, False),
+        (22.0, 40.0, 44.0, True),
+    ],
+)
+def test_partners_may_be_near_until_they_have_parted_and_no_longer(
+    decided_at_s: float, end_s: float | None, near_s: float, counts: bool, tmp_path: Path
+) -> None:
+    service = {"tanker": 201, "receiver": 1, "decided_at_s": decided_at_s, "end_s": end_s}
+    spare, _ = SHIPPED["spare_m"]
+    assert spare(flown(tmp_path, service, near_s)) == pytest.approx(0.5 - 0.8 if counts else 3.0 - 0.8)

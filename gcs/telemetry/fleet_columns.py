@@ -29,10 +29,11 @@ from cython.cimports.libc.math import isnan
 from numpy.typing import NDArray
 
 from gcs.telemetry.plausibility import DOUBTED_S, LEAST_SHARE, MOST_SHARE
-from gcs.telemetry.state import STALE_S
+from gcs.telemetry.state import MODE_STALE_S, STALE_S
 
 _LANDED_M = 0.3  # a vehicle that does not report whether it has landed is in the air above this height
-_STALE_S, _DOUBTED_S, _LEAST_SHARE, _MOST_SHARE = STALE_S, DOUBTED_S, LEAST_SHARE, MOST_SHARE
+_STALE_S, _MODE_STALE_S = STALE_S, MODE_STALE_S
+_DOUBTED_S, _LEAST_SHARE, _MOST_SHARE = DOUBTED_S, LEAST_SHARE, MOST_SHARE
 
 
 FACTS = 11
@@ -94,7 +95,9 @@ def fill(
         overfull = one.capacity_j > 0.0 and (share < _LEAST_SHARE or share > _MOST_SHARE)
         alive, armed = fact.alive == 1.0, fact.armed == 1.0
         flying = alive and armed and not landed and known
-        fresh = alive and age_s <= _STALE_S and not doubted and not overfull
+        reported = row.received_s >= 0.0
+        moded = not reported or now_s - row.received_s <= _MODE_STALE_S
+        fresh = alive and age_s <= _STALE_S and moded and not doubted and not overfull
         flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0
         flags[_IS_LANDED, k], flags[_IS_FLYING, k], flags[_IS_FRESH, k] = landed, flying, fresh
         figures[_AGE_S, k], figures[_GROUND_DOWN_M, k] = age_s, ground
@@ -107,9 +110,10 @@ def fill(
             | fresh << 3
             | doubted << 4
             | overfull << 5
-            | (row.received_s >= 0.0) << 6
+            | reported << 6
             | (not isnan(row.north)) << 7
             | (left_j <= 0.0) << 8
+            | moded << 9
         )
         if now_seen != seen[k]:
             seen[k] = now_seen

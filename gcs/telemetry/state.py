@@ -18,6 +18,9 @@ ZERO: Vec3 = (0.0, 0.0, 0.0)
 GRAVITY_M_S2 = 9.8
 STALE_S = 1.5
 """A position older than this is not believed any more."""
+MODE_STALE_S = 6.0
+"""[choice] A mode whose last HEARTBEAT is older than this is not believed any more: after 5 s (COM_DL_LOSS_T) vehicles
+take the station for lost and change it by themselves, and they report it once a second."""
 
 
 class VehicleView(NamedTuple):
@@ -75,6 +78,8 @@ class VehicleView(NamedTuple):
     """when anything came from its autopilot; `last_received_s` is of its HEARTBEAT alone"""
     uncertain: str = ""
     """why its place may be wrong, by what it has said so far; nothing where that is certain"""
+    mode_known: bool = True
+    """whether its mode can be believed, by the age of its HEARTBEAT"""
 
     @property
     def height_m(self) -> float | None:
@@ -111,8 +116,9 @@ class VehicleView(NamedTuple):
 
     @property
     def fresh(self) -> bool:
-        """Lives, has reported its place lately, and is believed: only then is it led, followed, refuelled, measured."""
-        return self.alive and self.age_s <= STALE_S and not self.doubt
+        """Lives, has reported its place and mode lately, and is believed: only then is it led, followed, refuelled,
+        measured."""
+        return self.alive and self.age_s <= STALE_S and self.mode_known and not self.doubt
 
     def silent_s(self, now_s: float) -> float:
         """For how long nothing has come from its autopilot; not how old its position is, which is `age_s`."""

@@ -32,7 +32,7 @@ from gcs.telemetry.readings import (
     SYSTEM_STATUS,
     new_readings,
 )
-from gcs.telemetry.state import Vec3, VehicleView
+from gcs.telemetry.state import MODE_STALE_S, Vec3, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
 
@@ -213,4 +213,5 @@ class Instant(NamedTuple):
             max(now_s - effort_s, 0.0) if effort_s == effort_s else 0.0,  # noqa: PLR0124 - NaN is not
             member.battery_apart,
             message_s, status.uncertain,
+            not now_s - received_s > MODE_STALE_S or received_s < 0.0,
         )  # fmt: skip

@@ -35,6 +35,7 @@ cdef class Vehicle(Body):
     cdef public bint station_leads  # whether the last set point is the station's
     cdef public object separation  # what keeps it apart while it flies by itself; None: nothing
     cdef public double period_s  # from one of the station's set points to the next
+    cdef readonly bint ordered  # whether an order, not a failsafe, brought the mode
     cdef public bint leads  # whether it has a virtual leader of its own,
     cdef double[9] leader  # its place, velocity, and the acceleration that it wants, NED
     cdef double gcs_loss_s
@@ -56,6 +57,7 @@ cdef class Vehicle(Body):
     cpdef arming_refusal(self)
     cdef take_set_point(self, const SetPoint* wanted)
     cpdef receive_gcs_heartbeat(self)
+    cpdef receive_gcs_command(self)
     cpdef bint setpoints_fresh(self)
     cpdef advance(self, long long to_ms)
     cdef double voltage_v(self)

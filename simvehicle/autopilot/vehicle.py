@@ -73,6 +73,7 @@ class Vehicle(Body):
     separation: Any
     period_s: float
     leads: bool
+    ordered: bool
     leader: Any
     gcs_loss_s: float
     set_point_loss_s: float
@@ -112,6 +113,7 @@ class Vehicle(Body):
         self.on_change = _nothing
         self.gcs_seen_s = self.set_point_now.time_s = self.set_point_before.time_s = math.nan
         self.station_leads = self.leads = False
+        self.ordered = True
         self.separation = None
         self._followed = None
         self.outside = False
@@ -194,6 +196,7 @@ class Vehicle(Body):
         if rule is None:
             return False
         self._apply(rule)
+        self.ordered = True
         return True
 
     def arming_refusal(self) -> str | None:
@@ -331,6 +334,12 @@ class Vehicle(Body):
     def receive_gcs_heartbeat(self) -> None:
         """A ground station's HEARTBEAT has come."""
         self.gcs_seen_s = self.time_ms / 1e3
+
+    def receive_gcs_command(self) -> None:
+        """A command of the ground station has come: one that was silent is there again, and the mode that it sets
+        stays. One whose HEARTBEAT never came is not waited for."""
+        if not isnan(self.gcs_seen_s):
+            self.receive_gcs_heartbeat()
 
     def order(self, order: TransferOrder) -> str | None:
         """Begin or end a transfer; the reason where it is refused."""
@@ -516,6 +525,7 @@ class Vehicle(Body):
                     self.trigger(Trigger.GUIDED_HOLD)
                 else:
                     self._apply(rule if not self.landed else STAND_DOWN)
+                self.ordered = False
                 if event is Trigger.FENCE_HOLD:
                     self._enter(self.mode)
                 if event is Trigger.GCS_LOST and self.mode is Mode.RETURN and self.separation is not None:

@@ -166,6 +166,8 @@ class Services:
         request = commands.request_from(call.content, call.sender)
         if Failure.LINK in self.vehicle.failed and request.command != mav.MAV_CMD_INJECT_FAILURE:
             return
+        if call.frame.sysid == SYSTEM and call.connection is self.connections[0]:
+            self.vehicle.receive_gcs_command()
         handler = self._commands.get(request.command)
         result = UNSUPPORTED
         if self._reboot.busy_with(request):

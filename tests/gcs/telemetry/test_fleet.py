@@ -87,6 +87,16 @@ def test_a_heartbeat_tells_whether_a_failsafe_flies(fleet: Fleet, status: int, b
     assert seen(fleet, heartbeat(base_mode=base_mode, system_status=status)).failsafe is failsafe
 
 
+def test_a_mode_that_was_reported_long_ago_is_not_believed_until_the_next_heartbeat(fleet: Fleet) -> None:
+    """A vehicle that was silent may have changed it: its first message may be of its place."""
+    assert seen(fleet, heartbeat(), origin(), position(0)).fresh
+    assert seen(fleet, position(5900), at_s=5.9).fresh
+    late = seen(fleet, position(6100), at_s=6.1)
+    assert (late.fresh, fleet.snapshot(6.1).columns.fresh[0]) == (False, False)
+    again = seen(fleet, heartbeat(), at_s=6.2)
+    assert (again.fresh, fleet.snapshot(6.2).columns.fresh[0]) == (True, True)
+
+
 def test_nothing_is_known_of_a_place_before_the_origin(fleet: Fleet) -> None:
     assert seen(fleet).p_ned is None
     assert seen(fleet, position()).p_ned is None

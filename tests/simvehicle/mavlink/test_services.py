@@ -175,6 +175,25 @@ def test_lost_link_hears_and_says_nothing_and_the_vehicle_returns(vehicle_bench:
     assert bench.of("HEARTBEAT")
 
 
+def test_a_mode_that_the_station_sets_after_a_silence_stays_though_its_heartbeat_is_still_on_its_way(
+    vehicle_bench: Any,
+) -> None:
+    place = (3.0, 0.0, -2.5)
+    bench = vehicle_bench().offboard(place)
+    bench.fly(10.0, gcs=False, p_ned=place, until=lambda b: b.vehicle.mode == "return")
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 129.0, 6.0, 0.0) == ACCEPTED
+    bench.fly(4.0, gcs=False, p_ned=place)
+    assert bench.vehicle.mode == "offboard"
+    bench.fly(10.0, gcs=False, p_ned=place, until=lambda b: b.vehicle.mode == "return")
+
+
+def test_a_station_that_sends_commands_but_no_heartbeat_is_not_missed(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(start=Start((0.0, 0.0, -5.0), airborne=True))
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 129.0, 4.0, 3.0) == ACCEPTED
+    bench.fly(10.0, gcs=False)
+    assert bench.vehicle.mode == "hold"
+
+
 def follow(bench: Any, seconds: float, *, north_m_s: float) -> None:
     """A target that walks north past the origin, reported at 5 Hz."""
     for tick in range(round(10 * seconds)):

@@ -50,6 +50,8 @@ and a lag, is not looked at: of a vehicle with a leader, whose filter foresees p
 without."""
 OVER_HOME_M = 1.0
 LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
+ASIDE_M = 0.3
+"""[choice] Distance from its way home within which a silent peer passes those that it receives."""
 OFF_LEADER_M = 2.0
 FLOOR_M = 0.3
 ARRIVES_S = 0.5
@@ -139,7 +141,7 @@ class Separation:
     def _holds(self) -> bool:
         """Whether it stays where it is, by order of a station that keeps all others away from there."""
         vehicle = self._vehicle
-        held = vehicle.mode in _HOLDS and not vehicle.alone(ALONE_S)
+        held = vehicle.mode in _HOLDS and vehicle.ordered and not vehicle.alone(ALONE_S)
         return held and not (vehicle.leads and elementary.norm(self._v_ned) > STANDS_M_S)
 
     def release(self) -> None:
@@ -290,7 +292,7 @@ class Separation:
             lead_s = lag_s + min(silent_s, SILENT_S)
             return [Intruder.of(name, None, peer.p_ned, peer.v_ned, lead_s, distance_m + LEAST_MARGIN_M, silent_s)]
         else:
-            distance_m = elementary.hypot(distance_m + LEAST_MARGIN_M, 0.5 * STEP_M)
+            distance_m = elementary.hypot(distance_m + ASIDE_M, 0.5 * STEP_M)
             places = self._presumed(peer, self._rules.vehicles[sysid])
         return [
             Intruder.of(name, None, place, AT_REST, 0.0, distance_m, 0.0)

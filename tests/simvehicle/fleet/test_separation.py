@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pymavlink.dialects.v20 import common
 
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
@@ -178,6 +179,33 @@ def test_set_points_of_a_pilot_leave_it_to_the_pilot() -> None:
     vehicle.advance(900)
     assert not vehicle.leads
     assert vehicle.v_ned[0] > 0.5
+
+
+@pytest.mark.parametrize(("ordered", "stays"), [(True, True), (False, False)])
+def test_only_a_vehicle_that_the_station_holds_stays_where_another_comes(ordered: bool, stays: bool) -> None:
+    """The station keeps others away from one that it holds; from one that holds because set points stay away it does
+    not."""
+    places = {1: (0.0, 0.0, -10.0), 2: (6.0, 0.1, -10.0)}
+    rules = rules_of(dict.fromkeys(places, (0.0, 0.0, -10.0)), dict.fromkeys(places, 10.0))
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters(), FRAME, Start(places[1], airborne=True))
+    vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, 1, rules)
+    vehicle.set_clock(0, 0)
+    if ordered:
+        vehicle.trigger(Trigger.HOLD)
+    else:
+        vehicle.set_point(OffboardSetPoint(places[1], (0.0, 0.0, 0.0), (True,) * 3, None, 0.0))
+        vehicle.trigger(Trigger.OFFBOARD)
+    connection = Connection(1)
+    services, writer = Services(vehicle, 1, [connection]), common.MAVLink(None, 2, 1)
+    for tick in range(60):
+        vehicle.receive_gcs_heartbeat()
+        north = 6.0 - 0.1 * tick
+        place = common.MAVLink_local_position_ned_message(100 * tick, north, 0.1, -10.0, -1.0, 0.0, 0.0)
+        for frame in split(bytes(place.pack(writer))):
+            services.receive(frame, connection)
+        vehicle.advance(100 * (tick + 1))
+    assert vehicle.mode is Mode.HOLD
+    assert (math.dist(vehicle.p_ned, places[1]) < 0.05) == stays
 
 
 @pytest.mark.parametrize(

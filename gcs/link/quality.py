@@ -8,8 +8,9 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.mavlink import frame_runs
 from gcs.mavlink.datagram import AnswerRuns
-from gcs.mavlink.frame_runs import FIRST, LAST, NUMBERS, SYSID
+from gcs.mavlink.frame_runs import NUMBERS, SYSID
 from gcs.mavlink.gaps import GapCounter
 from skytender import elementary
 
@@ -38,19 +39,26 @@ class LinkQuality:
         self._received = np.zeros(NUMBERS, np.int64)
         """frames so far, by system id; so is when there was the last sample, s"""
         self._sampled_s = np.full(NUMBERS, -np.inf)
+        self._due_s = -np.inf
+        """when those that come together need their next sample"""
         self._samples: dict[int, deque[tuple[float, int, int]]] = {}
         """(s, received, lost) at times of the last `WINDOW_S`, oldest first"""
 
     def count_runs(self, runs: AnswerRuns, now_s: float) -> None:
         """Count the frames of vehicles that were delivered at `now_s`."""
-        self._count(runs.rows[:, SYSID], runs.rows[:, LAST] - runs.rows[:, FIRST], now_s)
+        frame_runs.add_frames(runs.rows, self._received)
+        if now_s >= self._due_s:
+            sysids = runs.rows[:, SYSID]
+            self._sample(sysids, now_s)
+            self._due_s = float(self._sampled_s[sysids].min(initial=np.inf)) + SAMPLE_EVERY_S - _ROUNDING_S
 
     def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""
-        self._count(np.array([sysid]), np.array([frames]), now_s)
+        self._received[sysid] += frames
+        if now_s - self._sampled_s[sysid] >= SAMPLE_EVERY_S - _ROUNDING_S:
+            self._sample(np.array([sysid]), now_s)
 
-    def _count(self, sysids: NDArray[np.int64], frames: NDArray[np.int64], now_s: float) -> None:
-        self._received[sysids] += frames
+    def _sample(self, sysids: NDArray[np.int64], now_s: float) -> None:
         for sysid in sysids[now_s - self._sampled_s[sysids] >= SAMPLE_EVERY_S - _ROUNDING_S].tolist():
             samples = self._samples.setdefault(sysid, deque([(0.0, 0, 0)]))
             if now_s - samples[-1][0] >= SAMPLE_EVERY_S - _ROUNDING_S:
@@ -62,7 +70,7 @@ class LinkQuality:
     def begin(self, now_s: float) -> None:
         """Count lost frames from `now_s` on."""
         self._samples = {sysid: deque([(now_s, 0, lost)]) for sysid, lost in self._gaps.lost_of.items()}
-        self._received[:], self._sampled_s[:] = 0, -np.inf
+        self._received[:], self._sampled_s[:], self._due_s = 0, -np.inf, -np.inf
         self._sampled_s[list(self._samples)] = now_s
 
     def lost(self, sysid: int) -> int:

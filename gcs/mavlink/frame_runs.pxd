@@ -51,3 +51,4 @@ cdef inline Awaited* awaited_at(int64_t[:, ::1] rows, Py_ssize_t i) noexcept nog
 @cython.locals(intact=Intact)
 cdef Found find(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t size, int64_t* begins, Run* rows, Found found) noexcept nogil
+cpdef void add_frames(int64_t[:, ::1] rows, int64_t[::1] frames) noexcept nogil

@@ -26,13 +26,14 @@ from cython.cimports.gcs.mavlink.frame_runs import (
     NUMBERS,
     SMALLEST_FRAME,
     Found,
+    run_at,
 )
 from cython.cimports.skytender.intact_frames import NO_SEED, intact_at
 
 __all__ = [
     "ADDRESS", "AWAITED", "COLUMNS", "COMPID", "COMPID_OF", "FIRST", "GRANTED_MS", "HALF", "HELD", "IN_STEP", "LAST",
     "MOST_BYTES", "NEXT", "NOT_GRANTED", "NOWHERE", "NO_RUN", "NO_TIME", "NUMBERS", "RUN", "SEQ", "SMALLEST_FRAME",
-    "SYSID", "TIME_MS", "found_in",
+    "SYSID", "TIME_MS", "add_frames", "found_in",
 ]  # fmt: skip
 
 COLUMNS = 7
@@ -69,6 +70,13 @@ def find(data: Any, at: int, size: int, begins: Any, rows: Any, found: Any) -> A
         at = intact.end
     begins[frames] = size
     return Found(frames + 1, runs)
+
+
+def add_frames(rows: Any, frames: Any) -> None:
+    """Add the number of frames of runs (n, COLUMNS) to that of their systems (256,)."""
+    for k in range(rows.shape[0]):
+        run = run_at(rows, k)
+        frames[run.sysid] += run.last - run.first
 
 
 def found_in(datagram: bytes) -> tuple[list[int], list[tuple[int, ...]]] | None:

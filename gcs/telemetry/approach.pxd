@@ -49,3 +49,20 @@ cdef Seen _look(
 cpdef Py_ssize_t pass_points(
     const double[:, ::1] p, double[:, ::1] last, const double[:, ::1] points, int64_t[::1] ahead,
     const int64_t[::1] end, double within2) noexcept nogil
+
+cdef class FleetWatch:
+    cdef double[:, :, ::1] _last
+    cdef const double[:, ::1] _shapes
+    cdef double[:, ::1] _ways
+    cdef double[:, ::1] _found
+    cdef int64_t[::1] _rows
+    cdef int64_t[::1] _place
+    cdef double[:, :, ::1] _block
+    cdef unsigned char[::1] _own
+    cdef int64_t[:, ::1] _pairs
+    cdef double[::1] _reach
+
+    @cython.locals(seen=Seen)
+    cpdef look(
+        self, const double[:, ::1] p, const double[:, ::1] v, double period_s, flying, ours, const int64_t[:, ::1] exempt,
+        double limit_m, double worth_m, double clear_limit_m, double clear_worth_m)

@@ -221,43 +221,52 @@ def _clearance_between(
     return least, at
 
 
-def look(
-    p: Floats,
-    v: Floats,
-    last: Floats,
-    period_s: float,
-    flying: Flags,
-    ours: Flags,
-    exempt: Ints,
-    shapes: Floats,
-    limit_m: float,
-    worth_m: float,
-    clear_limit_m: float,
-    clear_worth_m: float,
-    ways: Floats,
-    found: Floats,
-) -> tuple[int, float, int, int, float, int, int]:
-    """One interval of a fleet of n: (vehicles that count, least separation, row, row, share, pairs too near, row of the
-    least clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place
-    is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
+class FleetWatch:
+    """Looks at a fleet of n, interval by interval.
 
-    p, v: (n, 3) now, NaN where unknown, v also (0, 3). last (2, n, 3): both at the last tick, NaN where unknown; at the
-    end they are those of now. exempt (k, 2): rows of pairs that are left out. ways (n, WAY): filled with where each way
-    began, and the least clearance of those who are `ours`, inf for others, and its share; only what may be less than
-    the two limits is worth a closer look.
+    Tables are kept, and filled in place. last (2, n, 3): places and velocities at the last look, NaN where unknown.
+    ways (n, WAY): where each way began, and the least clearance of those who are `ours`, inf for others, and its share.
+    found (MOST_FOUND, 4), as `nearest_pair` has it. shapes: table of skytender/geometry.py.
     """
-    rows, place = np.empty((2, len(p)), np.int64)
-    block, own = np.empty((4, len(p), 3)), np.empty(len(p), np.uint8)
-    pairs, reach = np.empty((len(exempt), 2), np.int64), np.empty(len(shapes))
-    seen = cython.declare(Seen)
-    seen = _look(
-        p, v, last, period_s, flying.view(np.uint8), ours.view(np.uint8), exempt, shapes, limit_m, worth_m,
-        clear_limit_m, clear_worth_m, ways, found, rows, place, block, own, pairs, reach,
-    )  # fmt: skip
-    return (
-        seen.count, seen.pair.distance_m, seen.pair.one, seen.pair.other, seen.pair.share, seen.pair.count,
-        seen.clearest,
-    )  # fmt: skip
+
+    def __init__(self, last: Floats, shapes: Floats, ways: Floats, found: Floats) -> None:
+        count = last.shape[1]
+        self._last, self._shapes, self._ways, self._found = last, shapes, ways, found
+        self._rows, self._place = np.empty(count, np.int64), np.empty(count, np.int64)
+        self._block, self._own = np.empty((4, count, 3)), np.empty(count, np.uint8)
+        self._pairs, self._reach = np.empty((count, 2), np.int64), np.empty(len(shapes))
+
+    def look(
+        self,
+        p: Floats,
+        v: Floats,
+        period_s: float,
+        flying: Flags,
+        ours: Flags,
+        exempt: Ints,
+        limit_m: float,
+        worth_m: float,
+        clear_limit_m: float,
+        clear_worth_m: float,
+    ) -> tuple[int, float, int, int, float, int, int]:
+        """One interval: (vehicles that count, least separation, row, row, share, pairs too near, row of the least
+        clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place
+        is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
+
+        p, v: (n, 3) now, NaN where unknown, v also (0, 3). exempt (k, 2): rows of pairs that are left out. Only what
+        may be less than the two limits is worth a closer look.
+        """
+        if len(exempt) > self._pairs.shape[0]:
+            self._pairs = np.empty((len(exempt), 2), np.int64)
+        seen = _look(
+            p, v, self._last, period_s, flying.view(np.uint8), ours.view(np.uint8), exempt, self._shapes, limit_m,
+            worth_m, clear_limit_m, clear_worth_m, self._ways, self._found, self._rows, self._place, self._block,
+            self._own, self._pairs, self._reach,
+        )  # fmt: skip
+        return (
+            seen.count, seen.pair.distance_m, seen.pair.one, seen.pair.other, seen.pair.share, seen.pair.count,
+            seen.clearest,
+        )  # fmt: skip
 
 
 def _look(
@@ -265,7 +274,8 @@ def _look(
     limit_m: float, worth_m: float, clear_limit_m: float, clear_worth_m: float, ways: Floats, found: Floats,
     rows: Ints, place: Ints, block: Floats, own: Any, pairs: Ints, reach: Floats,
 ) -> Any:  # fmt: skip
-    """`look` with its scratch: rows, place and own (n,), block (4, n, 3), pairs as exempt, reach (shapes,)."""
+    """`FleetWatch.look` with its scratch: rows, place and own (n,), block (4, n, 3), pairs (k or more, 2), reach
+    (shapes,)."""
     seen = cython.declare(Seen)
     n = p.shape[0]
     now, was, v_now, v_was = block[0], block[1], block[2], block[3]

@@ -78,6 +78,7 @@ class Proximity:
         self._of_last[0] = np.nan
         ways = self._ways = np.empty((count, approach.WAY))
         self._before, self._clear_m, self._clear_at = ways[:, :3], ways[:, approach.CLEAR_M], ways[:, approach.CLEAR_AT]
+        self._watch = approach.FleetWatch(self._of_last, shapes, ways, self._found)
         self._last: tuple[float, Mapping[str, Vec3]] | None = None
         """time, and places of the traffic"""
 
@@ -88,21 +89,17 @@ class Proximity:
             period_s, traffic_before = t_s - self._last[0], self._last[1]
         self._last = (t_s, places.traffic)
         limit_m = self._clearance_m
-        count, least_m, one, other, share, near, clearest = approach.look(
+        count, least_m, one, other, share, near, clearest = self._watch.look(
             places.p_ned,
             places.v_ned,
-            self._of_last,
             period_s,
             airspace.flying,
             airspace.ours,
             airspace.exempt,
-            self._shapes,
             self._separation_m,
             self.separation.m,
             limit_m,
             self.clearance.m,
-            self._ways,
-            self._found,
         )
         breaches: list[Breach] = []
         if least_m < self.separation.m:

@@ -132,6 +132,7 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
     clear_m, clear_at = ways_of_all[:, approach.CLEAR_M], ways_of_all[:, approach.CLEAR_AT]
     p_last[:] = np.nan
     found, expected_found = np.empty((64, 4)), np.empty((64, 4))
+    watch = approach.FleetWatch(last, shapes, ways_of_all, found)
     near_in_all = too_near_in_all = 0
     for tick in range(60):
         p, v, flying = rng.uniform(-2.0, 2.0, (n, 3)), rng.uniform(-3.0, 3.0, (n, 3)), rng.random(n) < 0.8
@@ -148,9 +149,7 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
         own = ours[rows]
         expected_m, expected_at = clearances(shapes, was[own], p[rows][own], 0.5)
         known = np.where(np.isin(np.arange(n), rows)[:, None], p, np.nan)
-        count, *told, clearest = approach.look(
-            p, v, last, period_s, flying, ours, exempt, shapes, 0.8, math.inf, 0.5, 0.3, ways_of_all, found
-        )
+        count, *told, clearest = watch.look(p, v, period_s, flying, ours, exempt, 0.8, math.inf, 0.5, 0.3)
         clear = expected_m < 0.5
         assert clearest == (rows[own][expected_m.argmin()] if clear.any() else -1)
         too_near_in_all += int(clear.any())

@@ -47,10 +47,10 @@ class LinkQuality:
     def count_runs(self, runs: AnswerRuns, now_s: float) -> None:
         """Count the frames of vehicles that were delivered at `now_s`."""
         frame_runs.add_frames(runs.rows, self._received)
-        if now_s >= self._due_s:
+        if now_s >= self._due_s and len(runs):
             sysids = runs.rows[:, SYSID]
             self._sample(sysids, now_s)
-            self._due_s = float(self._sampled_s[sysids].min(initial=np.inf)) + SAMPLE_EVERY_S - _ROUNDING_S
+            self._due_s = float(self._sampled_s[sysids].min()) + SAMPLE_EVERY_S - _ROUNDING_S
 
     def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""

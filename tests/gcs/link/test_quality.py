@@ -1,8 +1,12 @@
 """How well each vehicle is heard, so far and lately."""
 
+import numpy as np
 import pytest
 
+from gcs.frame_spans import FrameSpans
 from gcs.link.quality import LinkQuality, copies
+from gcs.mavlink.datagram import AnswerRuns
+from gcs.mavlink.frame_runs import COLUMNS, FIRST, LAST, SYSID
 from gcs.mavlink.gaps import GapCounter
 
 
@@ -55,6 +59,30 @@ def test_one_that_says_nothing_any_more_has_no_share() -> None:
     for k in range(2, 30):
         radio.quality.count(2, 0, float(k))
     assert radio.quality.lost_share(2) is None
+
+
+def runs(*frames: tuple[int, int]) -> AnswerRuns:
+    """Runs of so many frames, as (system id, number)."""
+    rows = np.zeros((len(frames), COLUMNS), np.int64)
+    for row, (sysid, count) in zip(rows, frames, strict=True):
+        row[SYSID], row[FIRST], row[LAST] = sysid, 3, 3 + count
+    return AnswerRuns(FrameSpans(b"", np.empty((0, 2), np.int64)), rows)
+
+
+def test_runs_count_as_frames_one_by_one_do_also_where_none_or_another_vehicle_answers() -> None:
+    together, one_by_one = Radio(), Radio()
+    for tick in range(1, 400):
+        now_s = 0.1 * tick
+        answers = [] if tick == 57 else [(1, 4)] if tick < 120 else [(1, 4), (2, 2)]
+        together.quality.count_runs(runs(*answers), now_s)
+        for sysid, count in answers:
+            one_by_one.quality.count(sysid, count, now_s)
+        if tick % 50 == 0:
+            for radio in (together, one_by_one):
+                radio.gaps.lost_of[1] = radio.gaps.lost_of.get(1, 0) + 5
+        if not 119 < tick < 131:  # one that joins is sampled with the others
+            assert together.quality.lost_share(1) == one_by_one.quality.lost_share(1)
+            assert together.quality.lost_share(2) == one_by_one.quality.lost_share(2)
 
 
 @pytest.mark.parametrize("share", [0.05, 0.1, 0.2, 0.3])

@@ -121,7 +121,7 @@ def _arrival(flown: Flown) -> Value:
 
 
 def _in_flight(flown: Flown) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Times (k,), places (n, k, 3) and who is off the ground (n, k) of launched vehicles, by their own truth."""
+    """Times (k,), places (n, k, 3) of launched vehicles by their own truth; whether each is off the ground (n, k)."""
     rows = [flown.truth(vehicle.sysid) for vehicle in flown.scenario.vehicles.launched]
     count = min((len(one) for one in rows), default=0)
     places = np.array([one[:count, 1:] for one in rows]).reshape(len(rows), count, 3)

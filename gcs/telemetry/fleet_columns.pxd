@@ -30,7 +30,8 @@ cdef inline const Facts* facts_at(double[:, ::1] rows, Py_ssize_t i) noexcept no
 
 @cython.locals(
     some=cython.bint, known=cython.bint, landed=cython.bint, doubted=cython.bint, overfull=cython.bint,
-    reported=cython.bint, moded=cython.bint, alive=cython.bint, armed=cython.bint, flying=cython.bint, fresh=cython.bint, now_seen=int64_t)
+    reported=cython.bint, moded=cython.bint, alive=cython.bint, armed=cython.bint, flying=cython.bint,
+    fresh=cython.bint, now_seen=int64_t)
 cpdef fill(
     double now_s, double[:, ::1] reports, double[:, ::1] facts, accounts, int64_t[::1] seen, int64_t number,
     int64_t[::1] changed, unsigned char[:, ::1] flags, double[:, :, ::1] places, double[:, ::1] figures)

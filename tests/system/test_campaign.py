@@ -394,6 +394,8 @@ class Cluster:
         self.address = said.split()[-1]
         for _ in range(workers):
             self._start(folder, "dask_worker", self.address, "--nthreads", "1", "--no-dashboard")
+        for _ in range(workers):  # a busy machine starts them in more time than a campaign waits for one
+            next(line for line in self.scheduler.stderr if "Register worker" in line)
 
     def _start(self, folder: Path, module: str, *arguments: str) -> subprocess.Popen[str]:
         count = len(self._processes)
@@ -415,7 +417,11 @@ class Cluster:
         for process in self._processes[::-1]:
             process.terminate()
         for process in self._processes:
-            process.wait()
+            try:
+                process.wait(timeout=60.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
             if process.stderr is not None:
                 process.stderr.close()
 

@@ -9,14 +9,17 @@ from importlib import resources
 from pathlib import Path
 
 import jsonschema
+import pytest
 from commands import gcs
 from sessions import GCS
+
+pytestmark = pytest.mark.timeout(450)
 
 PARTS = "example2,fig3,fig6,loops"
 
 
 def paper(*options: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run([*GCS, "paper", *options], capture_output=True, text=True, check=False, timeout=100)
+    return subprocess.run([*GCS, "paper", *options], capture_output=True, text=True, check=False, timeout=400)
 
 
 def page_of(out: Path) -> str:

@@ -21,6 +21,7 @@ import numpy as np
 import psutil
 import yaml
 from pymavlink import mavutil
+from pymavlink.dialects.v20 import ardupilotmega
 
 GCS = [sys.executable, "-m", "gcs"]
 ROOT = Path(__file__).resolve().parents[2]
@@ -146,9 +147,9 @@ def frames_of(tlog: Path, types: Sequence[str]) -> Iterator[tuple[float, Any]]:
     A record is a time, big-endian in us, and a frame: https://mavlink.io/en/guide/serialization.html.
     """
     raw = tlog.read_bytes()
-    wanted = {number for number, kind in mavutil.mavlink.mavlink_map.items() if kind.msgname in types}
+    wanted = {number for number, kind in ardupilotmega.mavlink_map.items() if kind.msgname in types}
     assert len(wanted) == len(set(types)), types
-    parser = mavutil.mavlink.MAVLink(None)
+    parser = ardupilotmega.MAVLink(None)
     at = 0
     while at + 8 + 10 <= len(raw):
         head = raw[at + 8 : at + 18]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key
@@ -31,9 +31,11 @@ class Reception:
         peer_radio: PeerRadio | None,
         place_radio: PlaceRadio | None,
         watched: WatchedSchedule | None,
+        external: Collection[int],
     ) -> None:
-        """`watched`: a schedule that hears vehicles compete on board."""
+        """`watched`: a schedule that hears vehicles compete on board. `external`: those that fly on the real clock."""
         self._fleet, self._radio, self._watched = fleet, radio, watched
+        self._external = external
         self._peer_radio, self._place_radio = peer_radio, place_radio
         self._sent: dict[int, Sequence[Frame]] = {}
         self.gaps = GapCounter()
@@ -42,13 +44,14 @@ class Reception:
         self.inspection = MessageInspector()
 
     def receive(
-        self, answers: Iterable[Answers], now_s: float
+        self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0
     ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes; all frames, and the
         frames of each vehicle.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
-        in order of system id, as are the texts, acknowledgements and facts that the fleet keeps.
+        in order of system id, as are the texts, acknowledgements and facts that the fleet keeps. A tick that comes
+        late_s after its time finds what external vehicles have said until then.
         """
         received_from: dict[Key, Sequence[Frame]] = {}
         together: tuple[Sequence[Key], AnswerRuns] | None = None
@@ -61,7 +64,7 @@ class Reception:
                 together = keys, frames
             else:
                 for key, sent in zip(keys, frames, strict=True):
-                    received_from[key] = self._receive_from(key[0], sent, now_s)
+                    received_from[key] = self._receive_from(key[0], sent, now_s, late_s)
         arrived: Sequence[bytes]
         delivered: Mapping[int, Sequence[Frame]]
         if together is not None and not received_from:
@@ -83,7 +86,7 @@ class Reception:
         """Whether nothing stands between what vehicles send and what reads it by compiled code."""
         return self._peer_radio is None and self._radio.clear and self._watched is None
 
-    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float) -> Sequence[Frame]:
+    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float, late_s: float) -> Sequence[Frame]:
         """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
         received = self._sent[sysid] = frames
         if self._peer_radio is not None:
@@ -93,7 +96,7 @@ class Reception:
             grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
             received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
         self.gaps.feed_all(received)
-        self._fleet.ingest_all(received, now_s)
+        self._fleet.ingest_all(received, now_s + late_s if sysid in self._external else now_s)
         if self._watched is not None:
             for frame in received:
                 if frame.msgid == _DEBUG_FLOAT_ARRAY:

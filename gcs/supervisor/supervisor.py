@@ -129,7 +129,9 @@ class Supervisor:
         self._place_radio = make_place_radio(scenario, injections) if impaired else None
         self.command_queue = FleetCommandQueue(self.arming, stations)
         watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
-        self._reception = Reception(self.fleet, self._radio, self._peer_radio, self._place_radio, watched)
+        self._reception = Reception(
+            self.fleet, self._radio, self._peer_radio, self._place_radio, watched, scenario.vehicles.external
+        )
         self.gaps, self.quality = self._reception.gaps, self._reception.quality
         self.inspection = self._reception.inspection
         self._addressees = Addressees(self._join_ms)
@@ -152,6 +154,11 @@ class Supervisor:
         """Session time."""
         return self.time_ms / 1e3
 
+    @property
+    def _late_s(self) -> float:
+        """How far the wall clock, on which external vehicles fly, is ahead of this tick."""
+        return (self._periods - 1) * self.scenario.clock.period_s
+
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
         recording = TickRecord(0, [], [], [])
@@ -162,7 +169,7 @@ class Supervisor:
         """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
         self._periods = periods
         now_s = self.time_s
-        arrived, delivered = self._receive(self.link.answers(idle), now_s)
+        arrived, delivered = self._receive(self.link.answers(idle), now_s, self._late_s)
         self._receive_acknowledgements(now_s)
         if self._forwarder is not None:
             self._receive_forwarded(self._forwarder, now_s)
@@ -307,13 +314,13 @@ class Supervisor:
     # in
 
     def _receive(
-        self, answers: Iterable[Answers], now_s: float
+        self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0
     ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
         """Pass what came to all its readers: all frames, and the frames of each vehicle, in order of system id."""
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
-        arrived, delivered = self._reception.receive(answers, now_s)
+        arrived, delivered = self._reception.receive(answers, now_s, late_s)
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
@@ -385,13 +392,12 @@ class Supervisor:
         due = self._fleet_arming.due(snapshot.columns)
         if not due:
             return
-        late_s = (self._periods - 1) * self.scenario.clock.period_s
         for sysid in due:
             if self.time_ms < self._join_ms[sysid]:
                 continue
             view, arming = snapshot.vehicle(sysid), self.arming[sysid]
             before = arming.stage
-            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=late_s)
+            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=self._late_s)
             self._fleet_arming.asked(sysid, view)
             changed = arming.stage is not before
             if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):

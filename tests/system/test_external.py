@@ -15,6 +15,7 @@ from typing import Any
 
 import pymap3d
 import pytest
+import yaml
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import Outcome, Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
@@ -36,6 +37,12 @@ def scenario(vehicles: dict[str, Any], **changed: Any) -> dict[str, Any]:
 def home(north: float, east: float, height: float) -> str:
     lat, lon, alt = pymap3d.ned2geodetic(north, east, -height, LAT, LON, ALT)
     return f"{lat:.7f},{lon:.7f},{alt:.2f}"
+
+
+def _place(position: Any) -> tuple[float, float, float]:
+    """By GLOBAL_POSITION_INT, in the session's frame."""
+    n, e, d = pymap3d.geodetic2ned(1e-7 * position.lat, 1e-7 * position.lon, 1e-3 * position.alt, LAT, LON, ALT)
+    return float(n), float(e), float(d)
 
 
 @dataclass
@@ -121,6 +128,16 @@ def test_a_late_tick_is_caught_up_so_that_the_sessions_time_stays_the_walls(flow
     assert summary["sim_time_s"] == pytest.approx(summary["wall_time_s"], abs=0.3)
 
 
+def test_a_late_tick_takes_vehicles_to_be_where_they_are_and_carries_them_no_further(flown: Flown) -> None:
+    """They have flown on while the supervisor was away: what it believes of their distance is what they reported."""
+    (obstacle,) = yaml.safe_load((flown.outcome.folder / "scenario.yaml").read_text(encoding="utf-8"))["obstacles"]
+    reported = min(
+        math.dist(_place(m), obstacle["sphere_m"]) - obstacle["radius_m"]
+        for _, m in flown.outcome.messages("GLOBAL_POSITION_INT")
+    )
+    assert flown.outcome.summary["min_clearance_m"] == pytest.approx(reported, abs=0.1)
+
+
 def test_frames_of_their_own_are_brought_together_by_their_origins(flown: Flown) -> None:
     """Judged by GLOBAL_POSITION_INT, which the supervisor does not read: at the end all stand on the target's ring."""
     last: dict[int, Any] = {}
@@ -128,10 +145,7 @@ def test_frames_of_their_own_are_brought_together_by_their_origins(flown: Flown)
         if t_s <= FLOWN_S:  # then the target stands, and the others are told to hold
             last[message.get_srcSystem()] = message
     assert set(last) == {1, 2, 3, 4, 101}
-    place = {
-        sysid: pymap3d.geodetic2ned(1e-7 * m.lat, 1e-7 * m.lon, 1e-3 * m.alt, LAT, LON, ALT)
-        for sysid, m in last.items()
-    }
+    place = {sysid: _place(m) for sysid, m in last.items()}
     for sysid in (1, 2, 3, 4):
         assert math.dist(place[sysid], place[101]) == pytest.approx(RING_M, abs=0.5), sysid
 

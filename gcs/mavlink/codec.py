@@ -15,12 +15,11 @@ from functools import lru_cache, partial
 from operator import itemgetter
 from typing import Any, NamedTuple, cast
 
-from fastcrc.crc16 import mcrf4xx
-
 from gcs.mavlink import dialect
 from gcs.mavlink.dialect import CRC_TERMS
 from gcs.mavlink.frames import MOST_TRIES, Frame, Split, split
 from skytender import mavlink
+from skytender.checksum import mcrf4xx
 from skytender.mavlink import MESSAGES
 
 __all__ = [

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import struct
 
-from fastcrc.crc16 import mcrf4xx
-
+from skytender.checksum import mcrf4xx
 from skytender.mavlink import MESSAGES, Definition
 
 NAME = "ardupilotmega"

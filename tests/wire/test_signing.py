@@ -202,3 +202,15 @@ def test_who_has_used_up_all_time_stamps_signs_on_and_is_refused(program: str) -
     assert [int.from_bytes(raw[-12:-6], "little") for raw in frames] == [last] * 3
     receiver = Ours("gcs", streams={(7, 1, 5): last - 1})
     assert [receiver.judge(raw) for raw in frames] == ["good", SignatureVerdict.STALE, SignatureVerdict.STALE]
+
+
+@pytest.mark.parametrize("size", range(12))
+def test_what_is_too_short_to_be_a_frame_is_neither_signed_nor_accepted(size: int) -> None:
+    own = Signing(KEY)
+    with pytest.raises(ValueError, match=f"a frame has at least 12 bytes, not {size}"):
+        own.sign(plain()[:size], codec.seed_of(plain()), 5, NOW)
+    assert own.judge(b"\xfd\x00\x01" + bytes(max(size - 3, 0)), 0, NOW) != SignatureVerdict.GOOD
+
+
+def test_a_stamp_kept_from_an_earlier_run_that_no_signature_can_hold_is_taken_for_the_last_one() -> None:
+    assert Signing(KEY, latest=1 << 200).latest == signing.LAST_STAMP

@@ -200,6 +200,13 @@ class SupervisedLink(_Link):
         self.socket.setblocking(True)
         self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, time_of(most_s))
 
+    def receive(self) -> bytes:
+        """The next datagram; none where none came in the time of `wait_in_receive`, or the system was interrupted."""
+        try:
+            return self.socket.recv(SUPERVISED_BYTES)
+        except OSError:
+            return b""
+
     def send(self, datagrams: list[bytes]) -> None:
         """Send; a supervisor that is not there (yet) is no error."""
         for datagram in datagrams:

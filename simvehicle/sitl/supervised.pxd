@@ -1,7 +1,6 @@
 cimport cython
 from simvehicle.mavlink.connection cimport Connection
 from simvehicle.mavlink.lockstep cimport Bundle, Grants
-from simvehicle.sitl.datagram_reader cimport DatagramReader
 from simvehicle.sitl.unit cimport Unit
 
 cdef class Granted:
@@ -17,6 +16,6 @@ cdef class Granted:
     cdef receive(self, list frames, double now_s, list answers)
     cdef _apply(self, Bundle bundle)
 
-@cython.locals(reader=DatagramReader, one=Granted, granted=dict, answers=list, shared=cython.bint)
+@cython.locals(one=Granted, granted=dict, answers=list, shared=cython.bint)
 cpdef run_supervised(object seats, object link, object secret=?, object clock=?)
 cdef _send(int fd, list datagrams)

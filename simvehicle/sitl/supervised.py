@@ -17,8 +17,7 @@ from cython.cimports.skytender.system_calls import MSG_DONTWAIT, send
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants
-from simvehicle.sitl.datagram_reader import DatagramReader
-from simvehicle.sitl.link import SUPERVISED_BYTES, PlainLink, SupervisedLink
+from simvehicle.sitl.link import PlainLink, SupervisedLink
 from simvehicle.sitl.loop import ConnectedUnit
 from simvehicle.sitl.unit import Unit
 from skytender.exit import ABANDONED
@@ -108,13 +107,13 @@ def run_supervised(
         if connection is not None
     }
     link.wait_in_receive(HELLO_EVERY_S)
-    reader, fd, look_s = DatagramReader(link.fileno(), SUPERVISED_BYTES), link.fileno(), 0.0
+    fd, look_s = link.fileno(), 0.0
     now_s = clock()
     while granted:
         if now_s >= look_s:
             look_s = now_s + HELLO_EVERY_S
             granted = {sysid: one for sysid, one in granted.items() if one.look(now_s, link)}
-        datagram, answers = reader.receive(), list[bytes]()
+        datagram, answers = link.receive(), list[bytes]()
         now_s = clock()
         if not datagram:
             continue

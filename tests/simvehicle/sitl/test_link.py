@@ -14,7 +14,6 @@ from pymavlink.dialects.v20 import common as mav
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import DATAGRAM_BYTES, Connection, pack
 from simvehicle.sitl import link
-from simvehicle.sitl.datagram_reader import DatagramReader
 from simvehicle.sitl.link import (
     MOST_PEERS,
     PEER_SILENT_S,
@@ -219,7 +218,7 @@ def test_supervised_link_hears_its_supervisor_only() -> None:
             stranger.sendto(b"stranger", own)
             supervisor.sendto(b"supervisor", own)
             select.select([link.socket], [], [], 5.0)
-            assert DatagramReader(link.fileno(), 2048).receive() == b"supervisor"
+            assert link.receive() == b"supervisor"
             assert not link.waiting
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from gcs.campaign.family_parts import rounded_m
+from gcs.campaign.families.parts import rounded_m
 from gcs.campaign.model import Draw, RandomObstacles
 from gcs.scenario.model import Obstacle, Scenario
 from skytender import elementary, geometry

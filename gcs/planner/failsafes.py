@@ -17,6 +17,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from gcs.scenario.accuracy import widest_m
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase, keeps_apart
 from gcs.scenario.types import Vec3
 from skytender import elementary
@@ -57,10 +58,11 @@ def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
     vehicles = [vehicle for vehicle in scenario.vehicles.launched if vehicle.real is None]
     heights = {sysid: failsafe.altitude_m for sysid, failsafe in failsafes_of(scenario).items()}
     meet, found = _meeting(_boxes(vehicles, scenario)), dict[float, set[int]]()
+    pair_m, _ = widest_m(scenario)
     for i, j in np.argwhere(np.triu(meet, 1)).tolist():
         one, other = vehicles[i], vehicles[j]
         height_m = heights[one.sysid] - one.start_m[2]
-        if abs(height_m - heights[other.sysid] + other.start_m[2]) < scenario.planner.separation_m:
+        if abs(height_m - heights[other.sysid] + other.start_m[2]) < scenario.planner.separation_m + pair_m:
             found.setdefault(round(height_m, 3), set()).update((one.sysid, other.sysid))
     return [tuple(sorted(sysids)) for _, sysids in sorted(found.items())]
 
@@ -91,7 +93,7 @@ def _timetable(vehicles: Sequence[VehicleBase], alone: dict[int, Failsafe], scen
     """Heights and times of a fleet's return; a height that a vehicle's own parameters give stays."""
     boxes = _boxes(vehicles, scenario)
     layers = _coloured(_meeting(boxes))
-    gap_m = scenario.planner.separation_m + LAYER_SPARE_M
+    gap_m = scenario.planner.separation_m + widest_m(scenario)[0] + LAYER_SPARE_M
     over_m = max(
         _highest_place_m(vehicles, scenario) + OVER_M, *(alone[v.sysid].altitude_m - v.start_m[2] for v in vehicles)
     )
@@ -152,7 +154,7 @@ def _boxes(vehicles: Sequence[VehicleBase], scenario: Scenario) -> FloatArray:
     for vehicle in vehicles:
         own = places[vehicle.sysid][:, :2]
         rows.append([*own.min(axis=0), *own.max(axis=0)])
-    half_m = 0.5 * scenario.planner.separation_m + LAYER_SPARE_M
+    half_m = 0.5 * (scenario.planner.separation_m + widest_m(scenario)[0]) + LAYER_SPARE_M
     return np.array(rows) + np.array([-half_m, -half_m, half_m, half_m])
 
 

@@ -39,6 +39,7 @@ from gcs.planner.neighbours import IntArray
 from gcs.planner.potential_field import FieldConstants, widened_range
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.route import Router
+from gcs.scenario.accuracy import widest_m
 from gcs.scenario.model import Scenario, Target
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import FleetSnapshot, Vec3
@@ -163,7 +164,7 @@ class Planner(TickPlanner):
         brake_m_s2 = BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else math.inf
         self._limits = SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
         self._guides: dict[str, RouteFollower] | None = None
-        clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M)
+        clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M + widest_m(scenario)[1])
         self._fence = FenceBorder(scenario, clearance_m)
         solid = np.concatenate([self.obstacles, self._fence.walls])
         if rules.safety and rules.guide and len(solid):

@@ -25,6 +25,7 @@ from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import LEAST_MARGIN_M, LOOKAHEAD_S, STILL
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.tracking import Tracking
+from gcs.scenario.accuracy import spreads_m
 from gcs.scenario.model import Scenario
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import Vec3, VehicleView
@@ -73,6 +74,8 @@ class SafePlanner(TickPlanner):
         speeds = speeds_m_s(scenario)
         self._speed_m_s = np.array([speeds[v.sysid] for v in every])
         self._a_max = np.array([acceleration_m_s2(scenario, v) for v in every])
+        spreads = spreads_m(scenario)
+        self._spread_m = np.array([spreads[v.sysid] for v in every])
         self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
         launched = (v for v in every if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
@@ -181,6 +184,7 @@ class SafePlanner(TickPlanner):
                 v_max_m_s=self._speed_m_s[rows],
                 a_max_m_s2=self._a_max[rows],
                 margin_m=margin_m,
+                spread_m=self._spread_m[rows],
                 high_ned=floor,
             ),
             wanted_ned,
@@ -214,7 +218,7 @@ class SafePlanner(TickPlanner):
             if place is None:
                 continue
             silent = bool(self._link_age.silent[row])
-            radius_m = rules.separation_m + self.margin_m(view.sysid)
+            radius_m = rules.separation_m + self.margin_m(view.sysid) + float(self._spread_m[row])
             name, owner = f"vehicle {view.sysid}", view.sysid if self._led[row] else None
             age_s = min(view.age_s, request.snapshot.time_s)
             home, failsafe = self._failsafes.get(view.sysid, (STILL, None))

@@ -17,6 +17,7 @@ from gcs.planner.failsafes import failsafe_of, failsafes_of
 from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.processes.fork_server import ProcessSpec
 from gcs.refuelling.settlement import transfers_until_s
+from gcs.scenario.accuracy import widest_m
 from gcs.scenario.faults import COMMANDED
 from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from gcs.scenario.weather import RealAutopilot
@@ -208,6 +209,7 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
 def separation_rules(scenario: Scenario) -> dict[str, Any]:
     """Rules by which launched vehicles of a scenario keep apart while they fly by themselves, NED."""
     speeds, failsafes = speeds_m_s(scenario), failsafes_of(scenario)
+    pair_m, alone_m = widest_m(scenario)
     members = []
     for vehicle in scenario.vehicles.launched:
         if vehicle.real is None:
@@ -223,8 +225,8 @@ def separation_rules(scenario: Scenario) -> dict[str, Any]:
             )
     return {
         "period_s": scenario.clock.period_s,
-        "separation_m": scenario.planner.separation_m,
-        "clearance_m": scenario.planner.clearance_m,
+        "separation_m": scenario.planner.separation_m + pair_m,
+        "clearance_m": scenario.planner.clearance_m + alone_m,
         "vehicles": members,
         "obstacles": _solids(scenario),
     }

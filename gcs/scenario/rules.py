@@ -107,6 +107,9 @@ class PlannerRules(Part):
     """greatest acceleration of planned points under the safety filter, m/s²; launched vehicles can do 5"""
     clearance_m: Annotated[float, Exact(ge=0, le=1e5)] = 0.2
     """distance that the safety filter keeps to obstacles' surfaces beside each vehicle's margin, m"""
+    confidence: Annotated[float, Exact(ge=0.5, le=0.999999)] = 0.999
+    """share of sessions in which errors of places that `sensors` allows bring no vehicle nearer than wanted: by it the
+    safety filter keeps more than `separation_m` and `clearance_m`"""
 
 
 class FormationRules(Part):

@@ -48,6 +48,7 @@ cdef struct Near:  # what vehicles may come near to, and how near
     const double* a_max
     const double* brake
     const double* margin
+    const double* spread
     const unsigned char* beyond
     const double* walls  # (n, 6)
     const Other* others

@@ -39,9 +39,9 @@ def find_constraints(near: Any, reach: Any, boxes: Any, found: Any) -> int:
 
 
 def _find_pairs(near: Any, reach: Any, boxes: Any, found: Any) -> int:
-    most_reach, most_margin = reach[0], near.margin[0]
+    most_reach, most_margin = reach[0], near.margin[0] + near.spread[0]
     for i in range(near.n):
-        most_reach, most_margin = max(most_reach, reach[i]), max(most_margin, near.margin[i])
+        most_reach, most_margin = max(most_reach, reach[i]), max(most_margin, near.margin[i] + near.spread[i])
     farthest = 2.0 * (most_reach + most_margin) + near.separation
     for k in range(near.pairs_count):
         farthest = max(farthest, 2.0 * most_reach + near.pairs[3 * k + 2])
@@ -59,7 +59,8 @@ def _find_pairs(near: Any, reach: Any, boxes: Any, found: Any) -> int:
             q = near.p + 3 * j
             n, e, d = p[0] - q[0], p[1] - q[1], p[2] - q[2]
             if j > i and n * n + e * e + d * d <= square:
-                usual = near.separation + near.margin[i] + near.margin[j]
+                spread = sqrt(near.spread[i] * near.spread[i] + near.spread[j] * near.spread[j])
+                usual = near.separation + near.margin[i] + near.margin[j] + spread
                 required = _of_pair(near.pairs, near.pairs_count, i, j, usual)
                 if _distance(p, q) <= reach[i] + reach[j] + required:
                     _put(found, PAIR, i, j, required)
@@ -72,7 +73,7 @@ def _find_others(near: Any, reach: Any, found: Any) -> int:
     for i in range(near.n):
         for j in range(near.others_count):
             other = cython.address(near.others[j])
-            usual = other.radius + near.margin[i]
+            usual = other.radius + near.margin[i] + near.spread[i]
             d = _of_pair(near.singles, near.singles_count, i, j, usual)
             speed = sqrt(other.v[0] ** 2 + other.v[1] ** 2 + other.v[2] ** 2)
             far = speed * ahead + max(usual, d) + other.growth * ahead
@@ -92,7 +93,7 @@ def _find_shapes(near: Any, reach: Any, boxes: Any, found: Any) -> int:
         widest = max(widest, box.high[0] - box.low[0])
     qsort(boxes, count, cython.sizeof(Box), _by_south)
     for i in range(near.n):
-        p, d, first = near.p + 3 * i, near.clearance + near.margin[i], found.count
+        p, d, first = near.p + 3 * i, near.clearance + near.margin[i] + near.spread[i], found.count
         begin = _first_from(boxes, count, p[0] - reach[i] - d - widest, False)
         end = _first_from(boxes, count, p[0] + reach[i] + d, True)
         for at in range(begin, end):
@@ -108,8 +109,8 @@ def _find_walls(near: Any, reach: Any, found: Any) -> int:
         p, walls = near.p + 3 * i, near.walls + 6 * i
         for side in range(6):
             clear = p[side] - walls[side] if side < 3 else walls[side] - p[side - 3]
-            if clear <= reach[i] + near.margin[i]:
-                _put(found, PLANE, i, side, near.margin[i])
+            if clear <= reach[i] + near.margin[i] + near.spread[i]:
+                _put(found, PLANE, i, side, near.margin[i] + near.spread[i])
     return 0
 
 

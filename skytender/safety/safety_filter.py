@@ -96,6 +96,7 @@ class Leaders:
     ids (n,): different from each other. p_ned, v_ned (n, 3): m, m/s. v_max_m_s, a_max_m_s2 (n,): limits, above 0.
     margin_m (n,): tracking error and what latency costs; two vehicles keep separation + both margins.
     low_ned, high_ned (n, 3) or (3,): the fence; high_ned[:, 2] is the floor (down). Infinite where there is none.
+    spread_m (n,): how far each may be from its place as it is known; two keep the root of both spreads' squares more.
     """
 
     ids: ArrayLike
@@ -106,6 +107,7 @@ class Leaders:
     margin_m: ArrayLike = 0.0
     low_ned: ArrayLike = -np.inf
     high_ned: ArrayLike = np.inf
+    spread_m: ArrayLike = 0.0
 
 
 @dataclass(frozen=True)
@@ -168,7 +170,7 @@ def filter_step(
     p, v = _array("p_ned", vehicles.p_ned, (n, 3)), _array("v_ned", vehicles.v_ned, (n, 3))
     wanted = _array("v_wanted_ned", v_wanted_ned, (n, 3))
     v_max, a_max = _array("v_max_m_s", vehicles.v_max_m_s, (n,)), _array("a_max_m_s2", vehicles.a_max_m_s2, (n,))
-    margin = _array("margin_m", vehicles.margin_m, (n,))
+    margin, spread = _array("margin_m", vehicles.margin_m, (n,)), _array("spread_m", vehicles.spread_m, (n,))
     walls = np.empty((n, 6))
     walls[:, :3], walls[:, 3:] = vehicles.low_ned, vehicles.high_ned
     moving = np.empty((m, 8))
@@ -178,17 +180,25 @@ def filter_step(
         moving[:, 6] = _array("others: radius_m", around.radius_m, (m,))
         moving[:, 7] = _array("others: growth_m_s", around.growth_m_s, (m,))
     table = _NO_SHAPES if obstacles is None else _array("obstacles", obstacles, (len(obstacles), COLUMNS))
-    if not _sound(p, v, wanted, v_max, a_max, margin, moving, table, walls):
-        names = ("p_ned", "v_ned", "v_wanted_ned", "v_max_m_s", "a_max_m_s2", "margin_m", "others", "obstacles")
-        least = (None, None, None, LEAST_LIMIT, LEAST_LIMIT, 0.0, None, None)
-        for name, array, bound in zip(names, (p, v, wanted, v_max, a_max, margin, moving, table), least, strict=True):
-            _check(name, array, bound)
+    if not _sound(p, v, wanted, v_max, a_max, margin, spread, moving, table, walls):
+        for name, array, least in (
+            ("p_ned", p, None),
+            ("v_ned", v, None),
+            ("v_wanted_ned", wanted, None),
+            ("v_max_m_s", v_max, LEAST_LIMIT),
+            ("a_max_m_s2", a_max, LEAST_LIMIT),
+            ("margin_m", margin, 0.0),
+            ("spread_m", spread, 0.0),
+            ("others", moving, None),
+            ("obstacles", table, None),
+        ):
+            _check(name, array, least)
         _check("others: radius_m and growth_m_s", moving[:, 6:], 0.0)
         raise ValueError("low_ned and high_ned must be numbers; infinite ones stand for no wall")
     pairs = _special(pair_required_m, ids, ids, order, pairs=True)
     singles = _special(other_required_m, ids, np.arange(m), order, pairs=False)
     astray = np.zeros(n, dtype=np.bool_) if beyond is None else beyond
-    by_vehicle = [p, v, wanted, v_max, a_max, margin]
+    by_vehicle = [p, v, wanted, v_max, a_max, margin, spread]
     if order is not None:
         by_vehicle = [column[order] for column in by_vehicle]
         ids, astray, walls = ids[order], astray[order], walls[order]
@@ -243,12 +253,12 @@ def _array(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
 
 def _sound(
     p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
-    moving: FloatArray, table: FloatArray, walls: FloatArray,
+    spread: FloatArray, moving: FloatArray, table: FloatArray, walls: FloatArray,
 ) -> bool:  # fmt: skip
     """Whether all is finite, walls are numbers, and limits and distances not too small."""
     n, m = p.shape[0], moving.shape[0]
     for i in range(n):
-        if not (v_max[i] >= _LEAST and a_max[i] >= _LEAST and margin[i] >= 0.0):
+        if not (v_max[i] >= _LEAST and a_max[i] >= _LEAST and margin[i] >= 0.0 and spread[i] >= 0.0):
             return False
     for i in range(m):
         if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0):
@@ -263,6 +273,7 @@ def _sound(
         and _finite(cython.address(v_max[0]), n)
         and _finite(cython.address(a_max[0]), n)
         and _finite(cython.address(margin[0]), n)
+        and _finite(cython.address(spread[0]), n)
         and _finite(cython.address(moving[0, 0]), 8 * m)
         and _finite(cython.address(table[0, 0]), _SIZE * table.shape[0])
     )

@@ -45,6 +45,6 @@ cdef void _solve(
     level_view=cython.longlong[::1])
 cpdef solve(
     const double[:, ::1] p, const double[:, ::1] v, const double[:, ::1] wanted, const double[::1] v_max,
-    const double[::1] a_max, const double[::1] margin, const long long[::1] ids, const double[:, ::1] others,
+    const double[::1] a_max, const double[::1] margin, const double[::1] spread, const long long[::1] ids, const double[:, ::1] others,
     const double[:, ::1] table, const unsigned char[::1] beyond, const double[:, ::1] walls,
     const double[:, ::1] pair_required, const double[:, ::1] other_required, Rules rules)

@@ -381,8 +381,8 @@ def _solve(s: Any, rows: Any, active: Any, u: Any, changed: Any, kind: Any, bind
 
 def solve(
     p: FloatArray, v: FloatArray, wanted: FloatArray, v_max: FloatArray, a_max: FloatArray, margin: FloatArray,
-    ids: IntArray, others: FloatArray, table: FloatArray, beyond: Any, walls: FloatArray, pair_required: FloatArray,
-    other_required: FloatArray, rules: Any,
+    spread: FloatArray, ids: IntArray, others: FloatArray, table: FloatArray, beyond: Any, walls: FloatArray,
+    pair_required: FloatArray, other_required: FloatArray, rules: Any,
 ) -> tuple[FloatArray, FloatArray, IntArray, IntArray, IntArray]:  # fmt: skip
     """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
     each.
@@ -407,7 +407,8 @@ def solve(
             brake[i] = rules.brake_share * a_max[i]
         near = Near(
             n=n, p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), a_max=cython.address(a_max[0]), brake=brake,
-            margin=cython.address(margin[0]), beyond=cython.address(beyond[0]), walls=cython.address(walls[0, 0]),
+            margin=cython.address(margin[0]), spread=cython.address(spread[0]),
+            beyond=cython.address(beyond[0]), walls=cython.address(walls[0, 0]),
             others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])), others_count=len(others),
             shapes=shape_at(table, 0), shapes_count=len(table),
             pairs=cython.address(pair_required[0, 0]), pairs_count=len(pair_required),

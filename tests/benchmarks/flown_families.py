@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.campaign.families import family
+from gcs.campaign.families.makers import family
 
 PLANNERS: dict[str, dict[str, Any]] = {
     "skytender": {},

@@ -19,7 +19,7 @@ import numpy as np
 
 import gcs
 from gcs.campaign.engine import Progress
-from gcs.campaign.families import FAMILIES
+from gcs.campaign.families.makers import FAMILIES
 from gcs.campaign.statistics import wilson
 
 HERE = Path(__file__).resolve().parent

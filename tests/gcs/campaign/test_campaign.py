@@ -187,7 +187,7 @@ def test_paired_differences_are_found_where_unpaired_ones_drown(tmp_path: Path) 
 
 
 def test_the_shipped_campaigns_can_be_flown() -> None:
-    assert set(file.shipped_names()) == {"safety", "speed-against-safety", "loss", "policies", "silence"}
+    assert set(file.shipped_names()) == {"safety", "speed-against-safety", "loss", "policies", "silence", "accuracy"}
     for name in file.shipped_names():
         path = file.find(name)
         make(file.load(path), [path.parent]).check()

@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 import yaml
 
-from gcs.campaign.families import FAMILIES, LONGEST_S, family
-from gcs.campaign.family_parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
-from gcs.campaign.silence import COMES_DOWN_S, SILENT_BEFORE_S
-from gcs.campaign.tight import DURATION_S
+from gcs.campaign.families.accuracy import MOST_S
+from gcs.campaign.families.makers import FAMILIES, LONGEST_S, family
+from gcs.campaign.families.parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
+from gcs.campaign.families.silence import COMES_DOWN_S, SILENT_BEFORE_S
+from gcs.campaign.families.tight import DURATION_S
 from gcs.scenario.file import load
+from gcs.scenario.warnings import warnings
 from skytender import geometry as shapes
 
 SEEDS = range(12)
@@ -50,12 +52,18 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         path.write_text(yaml.safe_dump(document, sort_keys=False))
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
-        longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S}.get(
-            name, LONGEST_S
-        )
+        longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S,
+                     "accuracy": MOST_S}.get(name, LONGEST_S)  # fmt: skip
         assert 20 <= scenario.goal.duration_s <= longest_s
         assert scenario.clock.mode == "lockstep"
         assert 1.5 <= scenario.planner.cruise_m_s <= 5.0
+
+
+def test_fleets_that_do_not_know_their_places_exactly_have_room_for_that(tmp_path: Path) -> None:
+    for seed in range(60):
+        path = tmp_path / f"{seed}.yaml"
+        path.write_text(yaml.safe_dump(family("accuracy", seed), sort_keys=False))
+        assert [warning.text for warning in warnings(load(path)) if warning.about == "accuracy"] == []
 
 
 @pytest.mark.parametrize("name", FAMILIES)

@@ -415,3 +415,48 @@ def test_leaders_that_need_not_keep_apart_share_a_place_and_still_heed_obstacles
         filter_step(together, v_wanted, rules=RULES, apart=False, obstacles=ball).binding_kind.tolist()[:2]
         == [KINDS.index("obstacle")] * 2
     )
+
+
+@pytest.mark.parametrize(("one_m", "other_m", "apart_m"), [(0.0, 0.0, D), (0.3, 0.4, D + 0.5), (0.5, 0.0, D + 0.5)])
+def test_what_two_do_not_know_of_their_places_keeps_them_apart_by_the_root_of_its_squares(one_m, other_m, apart_m):
+    """Pressed together for 10 s they come to rest at the separation, both margins and that, and a buffer."""
+    p, v = np.array([[0.0, -4.0, -5.0], [0.0, 4.0, -5.0]]), np.zeros((2, 3))
+    nearest = math.inf
+    for _ in range(100):
+        out = filter_step(
+            Leaders([1, 2], p, v, 1.5, A, MARGIN, spread_m=[one_m, other_m]), np.sign(-p) * [0.0, 1.5, 0.0], rules=RULES
+        )
+        p, v = out.p_next_ned, out.v_next_ned
+        nearest = min(nearest, float(np.linalg.norm(p[0] - p[1])))
+    assert apart_m - 1e-6 <= nearest <= apart_m + 0.5
+
+
+def test_what_a_vehicle_does_not_know_of_its_place_keeps_it_from_obstacles_traffic_and_ground():
+    """Each is pressed against one of them."""
+    p = np.array([[0.0, 0.0, -5.0], [20.0, 0.0, -5.0], [40.0, 0.0, -5.0]])
+    wall, spread_m = shapes.table([shapes.box((3.0, -9.0, -20.0), (4.0, 9.0, 0.0))]), 0.7
+    traffic = Others(p_ned=[[23.0, 0.0, -5.0]], v_ned=[[0.0, 0.0, 0.0]], radius_m=[1.0])
+    v, wanted = np.zeros((3, 3)), np.array([[1.5, 0.0, 0.0], [1.5, 0.0, 0.0], [0.0, 0.0, 1.5]])
+    least_m = np.full(3, np.inf)
+    for _ in range(100):
+        out = filter_step(
+            Leaders([1, 2, 3], p, v, 1.5, A, MARGIN, high_ned=(np.inf, np.inf, FLOOR), spread_m=spread_m), wanted,
+            rules=RULES, obstacles=wall, others=traffic,
+        )  # fmt: skip
+        p, v = out.p_next_ned, out.v_next_ned
+        gaps = (shapes.clearance(wall, p[:1])[0], np.linalg.norm(p[1] - [23.0, 0.0, -5.0]), FLOOR - p[2, 2])
+        least_m = np.minimum(least_m, gaps)
+    wanted_m = np.array([CLEAR, 1.0 + MARGIN, MARGIN]) + spread_m
+    assert (least_m >= wanted_m - 1e-6).all(), least_m - wanted_m
+    assert least_m[0] <= wanted_m[0] + 0.3
+    assert least_m[2] <= wanted_m[2] + 0.3
+
+
+@pytest.mark.parametrize("spread_m", [-0.1, math.nan, math.inf])
+def test_a_spread_that_is_none_is_refused(spread_m):
+    with pytest.raises(ValueError, match="spread_m holds"):
+        filter_step(
+            Leaders([1], np.zeros((1, 3)), np.zeros((1, 3)), 1.5, A, 0.1, spread_m=spread_m),
+            np.zeros((1, 3)),
+            rules=RULES,
+        )

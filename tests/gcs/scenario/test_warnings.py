@@ -40,6 +40,31 @@ def test_a_scenario_whose_figures_fit_is_left_alone() -> None:
     assert warnings(scenario()) == []
 
 
+def uncertain(error_m: float | None, **changes: Any) -> Scenario:
+    """Two on the ground 2 m apart, and their target, which know their places to so much."""
+    document = scenario(**changes).model_dump(exclude_unset=True)
+    if error_m is not None:
+        for vehicle in (v for group in document["vehicles"].values() for v in group):
+            vehicle |= {"plant": "rotors", "sensors": {"position_m": error_m}}
+    return Scenario.model_validate(document)
+
+
+def test_places_without_room_for_what_vehicles_do_not_know_are_warned_of() -> None:
+    assert about(uncertain(None)) == about(uncertain(0.01)) == []
+    said = [one.text for one in warnings(uncertain(0.3)) if one.about == "accuracy"]
+    assert any(" start 2.00 m apart" in text and "(planner.confidence 0.999)" in text for text in said), said
+    near = uncertain(0.3, obstacles=[{"point_m": (-2.0, 0.3, -1.0), "name": "mast"}])
+    assert any("the start of pursuer 2 is" in one.text for one in warnings(near)), warnings(near)
+    (loose,) = [one.text for one in warnings(uncertain(0.3, planner={"safety": False})) if one.about == "accuracy"]
+    assert "without the safety filter" in loose
+
+
+@pytest.mark.parametrize(("ring_m", "warned"), [(1.0, True), (5.0, False)])
+def test_a_ring_without_room_for_what_vehicles_do_not_know_is_warned_of(ring_m: float, warned: bool) -> None:
+    said = [one.text for one in warnings(uncertain(0.2, formation={"ring_m": ring_m})) if "on the ring" in one.text]
+    assert bool(said) == warned
+
+
 def test_the_way_to_a_stand_is_latency_and_braking() -> None:
     """0.1 s + 0.37 s + 2 (0.1 + 0.05 / 2) s; at 3 m/s that times 3, and 9 / (2 · 5)."""
     slow = scenario(radio={"delay_s": 0.1, "jitter_s": 0.05})

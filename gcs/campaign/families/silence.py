@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gcs.campaign.family_parts import (
+from gcs.campaign.families.parts import (
     BATTERY,
     MARGIN_M,
     OBSTACLE_M,

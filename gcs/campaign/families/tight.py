@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from gcs.campaign.family_parts import BATTERY, Document, rounded_m
+from gcs.campaign.families.parts import BATTERY, Document, rounded_m
 from skytender import elementary
 
 HOVER_W = 210.0

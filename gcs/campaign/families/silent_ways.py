@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gcs.campaign.family_parts import OBSTACLE_M, Document, FloatArray
+from gcs.campaign.families.parts import OBSTACLE_M, Document, FloatArray
 from skytender import geometry as shapes
 
 SILENT_FROM_S, STOPS_WITHIN_S = 15.0, 1.5

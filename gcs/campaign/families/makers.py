@@ -15,7 +15,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from gcs.campaign.family_parts import (
+from gcs.campaign.families.accuracy import accuracy
+from gcs.campaign.families.parts import (
     BATTERY,
     LONGEST_S,
     MARGIN_M,
@@ -33,9 +34,9 @@ from gcs.campaign.family_parts import (
     speed_of,
     table_of,
 )
-from gcs.campaign.silence import silence
-from gcs.campaign.silent_ways import SILENT_FROM_S, clearance_over, floats_over
-from gcs.campaign.tight import tight
+from gcs.campaign.families.silence import silence
+from gcs.campaign.families.silent_ways import SILENT_FROM_S, clearance_over, floats_over
+from gcs.campaign.families.tight import tight
 from skytender import elementary, elementwise
 from skytender import geometry as shapes
 
@@ -373,6 +374,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "poor_tracking": _poor_tracking,
     "tight": tight,
     "silence": silence,
+    "accuracy": accuracy,
 }
 FAMILIES = tuple(_MAKERS)
 """Names that `family` knows."""

@@ -185,10 +185,27 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
     for problem in verdict.problems:
         click.echo(f"gcs: {problem}", err=True)
+    if verdict.acts:
+        click.echo(f"gcs: {_acts_text(verdict)}", err=True)
     if not verdict.compared:
         raise click.UsageError(f"{session} holds no decision to compare: was it killed before the first was written?")
     (_print_json if as_json else _print_verdict)(verdict)
     return AGREES if verdict.agrees else DIFFERS
+
+
+def _acts_text(verdict: Comparison) -> str:
+    """A sentence about what a program did."""
+    acts = verdict.acts
+    did = [
+        f"{acts[act]} {name}{'s' if acts[act] > 1 else ''}{more}"
+        for act, name, more in (
+            ("steered", "tick", " with set points"),
+            ("command", "command", ""),
+            ("inject", "fault", ""),
+        )
+        if acts[act]
+    ]
+    return f"a program in Python acted in this session ({', '.join(did)}): its acts are taken from the recording."
 
 
 def _print_verdict(verdict: Comparison) -> None:

@@ -74,13 +74,20 @@ class Impairment:
     ) -> None:
         self._loss, self._duplicate, self._reorder = loss, duplicate, reorder
         self._delay_s, self._jitter_s = delay_s, jitter_s
-        self._bursts = tuple(bursts)
+        self._bursts: tuple[Burst, ...] = ()
         self._seed = seed
         self._streams: dict[tuple[int, Direction | int], _Stream] = {}
-        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder, self._bursts))
+        self.clear = not any((loss, delay_s, jitter_s, duplicate, reorder))
         """whether every frame passes as it is"""
-        self.prompt = not any((delay_s, jitter_s, reorder, any(burst.delay_s for burst in self._bursts)))
+        self.prompt = not any((delay_s, jitter_s, reorder))
         """whether none is held back"""
+        self.add(bursts)
+
+    def add(self, bursts: Iterable[Burst]) -> None:
+        """Let the radio have these too, from the next frames on."""
+        self._bursts += tuple(bursts)
+        self.clear = self.clear and not self._bursts
+        self.prompt = self.prompt and not any(burst.delay_s for burst in self._bursts)
 
     def apply(
         self, sysid: int, direction: Direction | int, t_s: float, frames: Sequence[Item], *, dark: bool = False

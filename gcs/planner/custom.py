@@ -41,11 +41,13 @@ class OwnPlanner(TickPlanner):
         own_pursuers = self._pursuers - request.stations.keys()
         follows = self._follows if request.pursuing is None else request.pursuing
         led = steered & own_pursuers
-        own = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]
+        there = [view for view in snapshot.of_role("pursuer") if view.sysid in led and view.p_ned is not None]
+        own = [view for view in there if view.sysid not in request.given]
         if own:
             situation = Situation(snapshot.time_s, request.period_s, snapshot, follows, self._scenario.obstacles)
             self._plugins.ask(PLANNER, ([view.sysid for view in own], situation))
         points = list(self._shipped.plan(request._replace(steered=steered - own_pursuers)))
+        points += [SetPoint(view.sysid, *request.given[view.sysid]) for view in there if view.sysid in request.given]
         self._held = {view.sysid: self._held.get(view.sysid, view.p_now_ned()) for view in own}
         rows = self._plugins.answers(PLANNER) if own else ()
         planned: dict[int, tuple[Vec3, Vec3]] = {row[0]: (row[1:4], row[4:7]) for row in rows}

@@ -107,7 +107,7 @@ _NO_SET_POINTS = SetPoints((), np.zeros((0, 6)))
 
 
 class Planner(TickPlanner):
-    """The leaders of all steered vehicles; `plan` moves them by one period.
+    """The leaders of all steered vehicles; `plan` moves them by one period, or takes them to set points that are given.
 
     Arrays have a row for each of the scenario's n vehicles, in order of system id, as `FleetColumns` has.
     """
@@ -209,6 +209,8 @@ class Planner(TickPlanner):
                 moving = Moving(*movers, exempt)
             around = (self.obstacles, moving, self._attractors(request.snapshot, part), self._field, period_s)
             lead(leaders, part.rows, here, self._limits, *around, escape=self._rules.escape)
+            if request.given:
+                self._take(part, request.given, period_s)
         values = leaders.begin_and_v
         return SetPoints(team.sysids, values.copy() if len(team.rows) == len(values) else values[team.rows])
 
@@ -264,6 +266,16 @@ class Planner(TickPlanner):
         for sysid, place in zip(sysids, p_ned, strict=True):
             if self._led[row := self._row[sysid]]:
                 self._leaders.q_ned[row] = place
+
+    def _take(self, part: _Part, given: Mapping[int, tuple[Vec3, Vec3]], period_s: float) -> None:
+        """Let leaders of a role be where a program wants them; the leaders of the next roles follow them there."""
+        leaders = self._leaders
+        rows = [row for row, sysid in zip(part.rows.tolist(), part.sysids, strict=True) if sysid in given]
+        if not rows:
+            return
+        values = np.array([given[self._sysids[row]] for row in rows], np.float64)
+        p_ned, v_ned = values[:, 0], values[:, 1]
+        leaders.begin_ned[rows], leaders.v_ned[rows], leaders.q_ned[rows] = p_ned, v_ned, p_ned + period_s * v_ned
 
     # goals
 

@@ -33,7 +33,8 @@ class PlanRequest(NamedTuple):
     steered: system ids of the vehicles that fly set points. rendezvous: the receiver above which each tanker is to
     stand; the two may come near each other. targets_move: whether targets fly on along their paths. period_s: until the
     next request. pursuing: the target of each pursuer while all others hold; None: each pursues its own. stations:
-    vehicles that are to be at a place instead.
+    vehicles that are to be at a place instead. given: position and velocity of vehicles that a program steers, in place
+    of a planner's.
     """
 
     snapshot: FleetSnapshot
@@ -43,6 +44,7 @@ class PlanRequest(NamedTuple):
     rendezvous: Mapping[int, int] = _NONE
     pursuing: Mapping[int, int] | None = None
     stations: Mapping[int, Vec3] = _NONE
+    given: Mapping[int, tuple[Vec3, Vec3]] = _NONE
 
 
 class TickPlanner(Protocol):

@@ -10,6 +10,7 @@ from gcs.recording.decision_lines import Decisions, TickSetPoints
 from gcs.refuelling.explain import sentence
 from gcs.scenario.guard import PluginFault
 from gcs.telemetry.events import Event, Level
+from skytender.mavlink import command_name
 
 if TYPE_CHECKING:  # who only reads records need not load those who make them
     from gcs.mavlink.setpoints import SetPoint
@@ -95,6 +96,9 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "operator":
         level = "info" if record.get("taken") else "warning"
         return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
+    if kind == "command":
+        text = f"A program sends it MAV_CMD_{command_name(int(record['mav_cmd']))}"
+        return Event(t_s, int(record["sysid"]), "info", text, "operator")
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
     if kind == "safety":

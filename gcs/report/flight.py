@@ -28,7 +28,7 @@ MOST_SAMPLES, MOST_SAMPLES_OF_MANY = 1500, 600
 """Of a vehicle's places; between them the page goes straight on."""
 EVERY_S = 0.1
 MOST_EVENTS = 4000
-QUIET = ("competition", "set_point")
+QUIET = ("competition", "set_point", "steered", "inject")
 """Kinds of decision that are no event."""
 
 

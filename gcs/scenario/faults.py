@@ -11,9 +11,11 @@ import hashlib
 import math
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
-from gcs.scenario.document import Conflict, KeyPath
+from pydantic import ValidationError
+
+from gcs.scenario.document import Conflict, Document, KeyPath
 from gcs.scenario.parts.vehicles import VehicleBase
 from gcs.scenario.types import Coordinate, Exact, Fraction, Part, Seconds, SysId
 
@@ -37,6 +39,7 @@ _NEEDS: Mapping[str, tuple[str, ...]] = {
     "gps_jump": ("jump_m",),
 }
 _MAY = {"tanker_out": ("for_s",), "gps_off": ("for_s",), "gps_jump": ("for_s",)}
+ROUNDING_S = 1e-6
 _KEYS = ("for_s", "share", "delay_s", "jump_m")
 
 
@@ -74,7 +77,7 @@ class Injection(NamedTuple):
     """A fault as the seed has drawn it."""
 
     number: int
-    """its place in the scenario, from 1"""
+    """its place in the scenario, from 1; those that are injected in flight go on from there"""
     fault: Fault
     begin_s: float
     end_s: float
@@ -97,6 +100,28 @@ def drawn(faults: Sequence[Fault], seed: int) -> list[Injection]:
         begin_s = round(first_s + when * (last_s - first_s), 3)
         found.append(Injection(number, fault, begin_s, begin_s + (fault.for_s or math.inf)))
     return sorted(found, key=lambda one: (one.begin_s, one.number))
+
+
+def in_flight(content: Any, vehicles: Iterable[VehicleBase], now_s: float, duration_s: float) -> Fault:
+    """A fault that is given while the session flies: the keys of a scenario's, begun at once unless `at_s` says later.
+
+    Raises ValueError: one sentence.
+    """
+    if not isinstance(content, Mapping):
+        raise ValueError(f"a fault is a block of keys, such as {{'fault': 'motor', 'sysid': 1}}, not {content!r:.60}")
+    if drawn_keys := [key for key in ("between_s", "chance") if content.get(key) is not None]:
+        raise ValueError(f"a fault that is injected has no {drawn_keys[0]}: nothing is drawn in flight")
+    data = {"at_s": now_s, **{key: value for key, value in content.items() if value is not None}}
+    try:
+        fault = Fault.model_validate(data)
+    except ValidationError as error:
+        problems = Document("fault", data).explain(error, Fault.model_json_schema())
+        raise ValueError("; ".join(problem.message for problem in problems)) from None
+    if fault.at_s is not None and fault.at_s < now_s - ROUNDING_S:
+        raise ValueError(f"at_s is {fault.at_s:g}, which is past: the next tick is at {now_s:g} s")
+    if conflicts := list(fault_conflicts([fault], vehicles, duration_s)):
+        raise ValueError(conflicts[0].message)
+    return fault
 
 
 def fault_conflicts(faults: Sequence[Fault], vehicles: Iterable[VehicleBase], duration_s: float) -> Iterator[Conflict]:

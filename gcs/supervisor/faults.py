@@ -12,10 +12,12 @@ from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 from gcs.link.impairment import Burst
+from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.scenario.faults import COMMANDED, Injection
+from gcs.mavlink.parameters.value import ParameterValue, to_wire
+from gcs.scenario.faults import COMMANDED, ROUNDING_S, Fault, Injection
 from gcs.scenario.goal import Loss
 from gcs.scenario.model import Scenario
 from skytender import elementary
@@ -25,7 +27,6 @@ OUT_OF_ORDER = "out of order"
 INJECTED = "(injected)"
 BLAMED_S = 30.0
 """[choice] A vehicle that is lost so long after a fault has ended is not lost by it."""
-_ROUNDING_S = 1e-6
 _UNITS = {
     "motor": mav.FAILURE_UNIT_SYSTEM_MOTOR,
     "gps_off": mav.FAILURE_UNIT_SENSOR_GPS,
@@ -35,9 +36,20 @@ _UNITS = {
 _WRONG = ("gps_jump", "battery")
 
 
-def radio_faults(injections: Iterable[Injection], scenario: Scenario) -> tuple[list[Burst], list[Burst]]:
-    """Blackouts of single vehicles, the scenario's own too, and other bursts, of the vehicles that they befall."""
-    blackouts = [Burst(b.sysid, b.from_s, b.to_s, loss=1.0) for b in scenario.radio.blackouts]
+def _enabling(sysid: int) -> Message:
+    """PARAM_SET of what a vehicle of ours needs to take MAV_CMD_INJECT_FAILURE; its integers are sent bytewise."""
+    to = {"target_system": sysid, "target_component": AUTOPILOT}
+    one = ParameterValue(1, mav.MAV_PARAM_TYPE_INT32)
+    sent = to_wire(one, bytewise=True)
+    return codec.message("PARAM_SET", **to, param_id="SYS_FAILURE_EN", param_value=sent, param_type=one.kind)
+
+
+def radio_faults(
+    injections: Iterable[Injection], scenario: Scenario, *, own: bool = True
+) -> tuple[list[Burst], list[Burst]]:
+    """Blackouts of single vehicles, the scenario's own too unless `own` is false, and other bursts, of the vehicles
+    that they befall."""
+    blackouts = [Burst(b.sysid, b.from_s, b.to_s, loss=1.0) for b in scenario.radio.blackouts if own]
     bursts = []
     for one in injections:
         for sysid in filter(one.befalls, sorted(vehicle.sysid for vehicle in scenario.vehicles.all)):
@@ -58,6 +70,9 @@ class FaultInjector:
     def __init__(self, scenario: Scenario, injections: Iterable[Injection]) -> None:
         self._vehicles = {vehicle.sysid: vehicle for vehicle in scenario.vehicles.all}
         self._pending = list(injections)
+        self._count = len(scenario.faults)
+        self._enabled = {fault.sysid for fault in scenario.faults if fault.fault in COMMANDED}
+        """vehicles that were started so that they take such an order"""
         self.running: list[Injection] = []
         self.begun: list[Injection] = []
         """all that have happened so far"""
@@ -66,13 +81,26 @@ class FaultInjector:
         self.signal_process: Callable[[int, str], object] = lambda _sysid, _fault: None
         """`kill` or `hang` a vehicle's process; set by who has processes"""
 
+    @property
+    def any(self) -> bool:
+        """Whether there are any, so far."""
+        return self._count > 0
+
+    def add(self, fault: Fault) -> Injection:
+        """Let a fault that has its time happen too; it is numbered on."""
+        assert fault.at_s is not None
+        self._count += 1
+        one = Injection(self._count, fault, fault.at_s, fault.at_s + (fault.for_s or math.inf))
+        self._pending = sorted([*self._pending, one], key=lambda one: (one.begin_s, one.number))
+        return one
+
     def step(self, now_s: float) -> tuple[list[Injection], list[Injection]]:
         """Those that begin, and those that end, by a session time; they are recorded."""
-        begin = [one for one in self._pending if one.begin_s <= now_s + _ROUNDING_S]
+        begin = [one for one in self._pending if one.begin_s <= now_s + ROUNDING_S]
         self._pending = self._pending[len(begin) :]
         self.running += begin
         self.begun += begin
-        end = [one for one in self.running if one.end_s <= now_s + _ROUNDING_S]
+        end = [one for one in self.running if one.end_s <= now_s + ROUNDING_S]
         self.running = [one for one in self.running if one not in end]
         for state, some in (("begins", begin), ("ends", end)):
             self.records += [self._record(one, state, now_s) for one in some]
@@ -87,7 +115,11 @@ class FaultInjector:
         if self._vehicles[sysid].foreign is not None:
             return [CommandRequest(sysid, mav.MAV_CMD_INJECT_FAILURE, params, f"fault {one.number}")]
         order = CommandLong(CommandTarget(sysid, AUTOPILOT), mav.MAV_CMD_INJECT_FAILURE, params)
-        self._orders.setdefault(sysid, []).append(order.message(0))
+        orders = self._orders.setdefault(sysid, [])
+        if sysid not in self._enabled:
+            self._enabled.add(sysid)
+            orders.append(_enabling(sysid))
+        orders.append(order.message(0))
         return []
 
     @property
@@ -135,7 +167,7 @@ class FaultInjector:
         before = [
             one
             for one in self.begun
-            if one.befalls(loss.sysid) and one.begin_s <= loss.t_s + _ROUNDING_S and loss.t_s <= one.end_s + BLAMED_S
+            if one.befalls(loss.sysid) and one.begin_s <= loss.t_s + ROUNDING_S and loss.t_s <= one.end_s + BLAMED_S
         ]
         last = max(before, key=lambda one: (one.begin_s, one.fault.sysid is not None), default=None)
         return None if last is None else last.number

@@ -91,16 +91,21 @@ class Operator:
     def _judge(self, command: str, sysid: int | None, target: int | None, snapshot: FleetSnapshot) -> OperatorReply:
         if sysid is None:
             return OperatorReply(False, f"The command {command} needs a sysid, the system id of a vehicle.")
-        if sysid not in self._arming:
-            return OperatorReply(False, f"There is no vehicle {sysid} in this session.")
+        if (refusal := self.unreachable(sysid, snapshot)) is not None:
+            return OperatorReply(False, refusal)
         view = snapshot.vehicle(sysid)
-        if not view.alive:
-            return OperatorReply(False, f"{_name(view)} is dead.")
-        if view.last_received_s < 0.0:
-            return OperatorReply(False, f"{_name(view)} has not said anything yet.")
         if command == "retarget":
             return self._retarget(view, target, snapshot)
         return _COMMANDS[command](self, view, command)
+
+    def unreachable(self, sysid: int, snapshot: FleetSnapshot) -> str | None:
+        """Why nothing can be commanded of a vehicle, as a sentence; None where something can."""
+        if sysid not in self._arming:
+            return f"There is no vehicle {sysid} in this session."
+        view = snapshot.vehicle(sysid)
+        if not view.alive:
+            return f"{_name(view)} is dead."
+        return f"{_name(view)} has not said anything yet." if view.last_received_s < 0.0 else None
 
     def _take_over(self, view: VehicleView, command: str) -> OperatorReply:
         mode, does = TAKEN[command]

@@ -2,7 +2,8 @@
 
 The recorded answers of each tick go to a supervisor in place of a link's, its grants go nowhere, and its decisions are
 held against the recorded ones instead of being written. Frames were recorded after the radio, which is therefore clear
-here. Deaths and operators' orders are no decisions: they are taken from the recording as they happened.
+here. Deaths, operators' orders and what a program in Python did (set points, commands, faults) are no decisions: they
+are taken from the recording as they happened.
 """
 
 from __future__ import annotations
@@ -29,13 +30,14 @@ from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
 from gcs.scenario.plugins import PluginClient
+from gcs.supervisor import script
 from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS
 from gcs.supervisor.supervisor import Supervisor
 
 KEPT = 1000
 """Differences that are remembered one by one; all are counted."""
-INPUTS = frozenset({"death", "operator"})
+INPUTS = frozenset({"death", "operator", *script.KINDS})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _ABOUT = ("sysid", "receiver", "tanker", "base", "giver", "target")
 
@@ -104,6 +106,8 @@ class Comparison:
     subjects: dict[tuple[Any, ...], Subject] = field(default_factory=dict)
     """the same by kind and vehicles, in the order in which they begin"""
     problems: list[str] = field(default_factory=list)
+    acts: Counter[str] = field(default_factory=Counter)
+    """what a program in Python did, by its kind: ticks with set points, commands, faults"""
 
     @property
     def agrees(self) -> bool:
@@ -267,9 +271,11 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
     lines: list[dict[str, Any]] = []
 
     def relive(t_s: float) -> None:
-        """Let orders and deaths up to a time happen again."""
+        """Let acts, orders and deaths up to a time happen again."""
         for line in recorded.until(t_s):
-            _relive(supervisor, line)
+            _relive(supervisor, line, folder)
+            if line["kind"] in script.KINDS:
+                verdict.acts[line["kind"]] += 1
             lines.append(line)
 
     def decide(tick: Tick) -> bool:
@@ -279,6 +285,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
         link.recorded = tick.answers
         comparer.made = []
         supervisor.tick(lambda: None)
+        supervisor.script.steer({})
         supervisor.events.clear()
         if recorded.ended and (recorded.lines.cut or not whole):
             return False
@@ -321,13 +328,31 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
     return verdict
 
 
-def _relive(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
-    """Let an operator's order, or a death, happen again."""
+def _relive(supervisor: Supervisor, line: Mapping[str, Any], folder: Path) -> None:
+    """Let an operator's order, a death or a program's act happen again. Raises RedecideError."""
     if line["kind"] == "operator" and line.get("command") in COMMANDS:
         supervisor.obey({key: line[key] for key in ("command", "sysid", "target") if key in line})
     elif line["kind"] == "death" and not str(line.get("text", "")).endswith(INJECTED):  # that it does by itself
         sysid = int(line["sysid"])
         supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), str(line.get("text", "")))
+    elif line["kind"] in script.KINDS:
+        try:
+            _act(supervisor, line)
+        except (KeyError, TypeError, ValueError):
+            raise RedecideError(
+                f"{folder / DECISIONS} holds an act of a program at {line['t_s']:.3f} s that cannot be read: only a "
+                "session whose program's acts are all known can be decided again."
+            ) from None
+
+
+def _act(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
+    """Raises KeyError, TypeError, ValueError where the line does not say what was done."""
+    if line["kind"] == script.STEERED:
+        supervisor.script.steer(script.steered_of(line))
+    elif line["kind"] == script.COMMAND:
+        supervisor.command(int(line["number"]), int(line["sysid"]), int(line["mav_cmd"]), line["params"])
+    else:
+        supervisor.inject(script.fault_of(line))
 
 
 def _compare(

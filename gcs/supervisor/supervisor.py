@@ -34,7 +34,7 @@ from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.refuelling.watched_schedule import WatchedSchedule
-from gcs.scenario.faults import Injection, drawn
+from gcs.scenario.faults import Fault, Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
@@ -49,7 +49,7 @@ from gcs.supervisor.factory import (
     make_radio,
     make_schedule,
 )
-from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector
+from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector, radio_faults
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
@@ -59,6 +59,7 @@ from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.reception import Reception
 from gcs.supervisor.recovery import Recovery
+from gcs.supervisor.script import COMMAND, Script
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.metrics import Metrics
@@ -124,6 +125,8 @@ class Supervisor:
         self.faults = FaultInjector(scenario, injections)
         self.hung: set[int] = set()
         """whose process has been stopped by a fault"""
+        self.script = Script()
+        self._impaired = impaired
         self._radio = make_radio(scenario, injections) if impaired else Impairment()
         self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
         self._place_radio = make_place_radio(scenario, injections) if impaired else None
@@ -173,7 +176,7 @@ class Supervisor:
         self._receive_acknowledgements(now_s)
         if self._forwarder is not None:
             self._receive_forwarded(self._forwarder, now_s)
-        if self.scenario.faults:
+        if self.faults.any:
             self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
         ordered: Mapping[int, End] = self._fleet_arming.ordered
@@ -261,6 +264,29 @@ class Supervisor:
         answer, event = self.operator.obey(order, self.fleet.snapshot(self.time_s))
         self.events.append(event)
         return answer
+
+    def command(self, number: int, sysid: int, command: int, params: Sequence[float | None]) -> OperatorReply:
+        """Send a vehicle a MAV_CMD of a program's, number `number` of its commands, with the next grant, or say why
+        not."""
+        if (refusal := self.operator.unreachable(sysid, self.fleet.snapshot(self.time_s))) is not None:
+            return OperatorReply(False, refusal)
+        request = self.script.command(self.time_s, number, sysid, command, params)
+        self.command_queue.ask([request], self.time_s)
+        event = event_of({"t_s": self.time_s, "kind": COMMAND, "sysid": sysid, "mav_cmd": command})
+        self.events.append(event)
+        return OperatorReply(True, event.text)
+
+    def inject(self, fault: Fault) -> None:
+        """Let a fault happen that the scenario does not have."""
+        one = self.faults.add(fault)
+        self.script.injected(self.time_s, one)
+        if not self._impaired:
+            return
+        blackouts, bursts = radio_faults([one], self.scenario, own=False)
+        self._radio.add([*blackouts, *bursts])
+        for radio in (self._peer_radio, self._place_radio):
+            if radio is not None:
+                radio.black_out(blackouts)
 
     def note(self, command: str, answer: OperatorReply) -> None:
         """Report and record a command that the session's clock has carried out."""
@@ -355,6 +381,7 @@ class Supervisor:
 
     def _report(self, sysid: int, result: CommandResult, now_s: float) -> None:
         self.schedule.result(str(result.token), result.outcome == "accepted")
+        self.script.acknowledge(sysid, result)
         if self.externals.settles(sysid, result, now_s):
             return
         text, arming = acknowledged(result), self.arming[sysid]
@@ -448,6 +475,7 @@ class Supervisor:
                 decision.rendezvous,
                 pursuing,
                 decision.stations,
+                self.script.given(self.time_s),
             )
         )
 
@@ -579,9 +607,9 @@ class Supervisor:
         return faults
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Records of faults, of deaths and of operators' commands since the last call."""
+        """Records of a program's acts, of faults, of deaths and of operators' commands since the last call."""
         deaths, self._deaths = self._deaths, []
-        return self.faults.pop_records() + deaths + self.operator.pop_records()
+        return self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

@@ -38,6 +38,10 @@ class PeerRadio:
         self._splits = tuple(splits)
         self._sent: dict[int, list[tuple[int, bytes]]] = {}
 
+    def black_out(self, blackouts: Iterable[Burst]) -> None:
+        """Silence vehicles by these too."""
+        self._blackouts += tuple(blackouts)
+
     def send(self, sysid: int, frames: Iterable[Frame]) -> None:
         """Take what a vehicle has broadcast since the last tick, out of all its frames, for `receive`."""
         addressed = ((_reader(frame), frame.raw) for frame in frames)

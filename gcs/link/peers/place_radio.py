@@ -53,6 +53,10 @@ class PlaceRadio:
         self.delivered = False
         """whether a place has been delivered in this tick"""
 
+    def black_out(self, blackouts: Iterable[Burst]) -> None:
+        """Silence vehicles by these too."""
+        self._blackouts += tuple(blackouts)
+
     def send(self, frames: Mapping[int, Sequence[Frame]]) -> None:
         """Take what vehicles have sent since the last tick, by system id."""
         self._sent, self._all = frames, None

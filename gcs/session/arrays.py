@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
-import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from gcs.extras import missing
+from gcs.session.program.messages import FleetMessage
 
 _PLAIN: dict[str, type[np.generic]] = {
     "sysid": np.int64,
@@ -19,8 +18,16 @@ _PLAIN: dict[str, type[np.generic]] = {
     "alive": np.bool_,
     "armed": np.bool_,
 }
-_VECTORS = ("p_ned", "v_ned")
-_NUMBERS = ("target_m", "battery", "remaining_j", "endurance_s", "v", "tau")
+_VECTORS = {
+    "p_ned": ("p_n", "p_e", "p_d"),
+    "v_ned": ("v_n", "v_e", "v_d"),
+    "attitude_rad": ("roll_rad", "pitch_rad", "yaw_rad"),
+    "set_point_p_ned": ("set_point_p_n", "set_point_p_e", "set_point_p_d"),
+    "set_point_v_ned": ("set_point_v_n", "set_point_v_e", "set_point_v_d"),
+}
+_NUMBERS = (
+    "target_m", "battery", "remaining_j", "endurance_s", "v", "tau", "age_s", "heard_s", "lost_share",
+)  # fmt: skip
 """Columns of a snapshot, by what they hold; numbers may be unknown."""
 
 
@@ -50,6 +57,23 @@ class Serving:
     base: str | None = None
 
 
+@dataclass(slots=True)
+class SentCommand:
+    """A command of a program's, and what its vehicle has said to it so far."""
+
+    number: int
+    """from 1, in the order of the program's commands"""
+    sysid: int
+    command: str
+    """an order, as `hold`, or a MAV_CMD's name"""
+    text: str
+    """what the session says it does with it"""
+    outcome: Literal["accepted", "rejected", "timeout"] | None = None
+    """by COMMAND_ACK; None: nothing has come yet, or nothing was sent, as for an order to a vehicle on the ground"""
+    result: str | None = None
+    """of MAV_RESULT, such as `TEMPORARILY_REJECTED`; None: no outcome yet, or a time-out"""
+
+
 @dataclass(frozen=True, slots=True)
 class Snapshot:
     """The fleet at one instant of session time, as its messages report it. n vehicles; NaN: not known, or not
@@ -73,6 +97,12 @@ class Snapshot:
     """(n, 3) m"""
     v_ned: NDArray[np.float64]
     """(n, 3) m/s"""
+    attitude_rad: NDArray[np.float64]
+    """(n, 3) roll, pitch and yaw: ATTITUDE's, the heading where there is none"""
+    set_point_p_ned: NDArray[np.float64]
+    """(n, 3) position that was sent in this tick, after the safety filter, m; NaN: none was"""
+    set_point_v_ned: NDArray[np.float64]
+    """(n, 3) velocity that was sent with it, m/s"""
     target_m: NDArray[np.float64]
     """(n,) distance to what it pursues"""
     battery: NDArray[np.float64]
@@ -85,11 +115,21 @@ class Snapshot:
     """(n,) state in the competition"""
     tau: NDArray[np.float64]
     """(n,) bid in it"""
+    age_s: NDArray[np.float64]
+    """(n,) of the position"""
+    heard_s: NDArray[np.float64]
+    """(n,) since anything came from its autopilot"""
+    lost_share: NDArray[np.float64]
+    """(n,) of its frames in the last 10 s, 0 to 1"""
+    trouble: tuple[tuple[str, ...], ...]
+    """n: what is wrong with each, in a few words, the worst first"""
     services: tuple[Serving, ...]
     refuelled: int
     """services that have ended with energy on board"""
     events: tuple[Happening, ...]
     """since the snapshot before"""
+    acknowledged: tuple[SentCommand, ...] = ()
+    """the program's commands that have ended since the snapshot before"""
 
     def row(self, sysid: int) -> int:
         """The row of a vehicle. KeyError where there is none of that id."""
@@ -102,9 +142,10 @@ class Snapshot:
         """Columns of length n by name, vectors taken apart: what `pandas.DataFrame` and `numpy.savez` take as it is."""
         columns: dict[str, NDArray[Any]] = {"time_s": np.full(len(self.sysid), self.time_s)}
         columns |= {name: getattr(self, name) for name in _PLAIN}
-        for name in _VECTORS:
-            columns |= {f"{name[0]}_{axis}": values for axis, values in zip("ned", getattr(self, name).T, strict=True)}
-        return columns | {name: getattr(self, name) for name in _NUMBERS}
+        for name, parts in _VECTORS.items():
+            columns |= dict(zip(parts, getattr(self, name).T, strict=True))
+        columns |= {name: getattr(self, name) for name in _NUMBERS}
+        return columns | {"trouble": np.array(["; ".join(texts) for texts in self.trouble], dtype=np.str_)}
 
     def frame(self) -> Any:
         """`table()` as a pandas.DataFrame. Raises MissingExtra without pandas."""
@@ -115,22 +156,21 @@ class Snapshot:
         return pd.DataFrame(self.table())
 
 
-def from_message(message: Mapping[str, Any]) -> Snapshot:
-    """The snapshot in a message of type "snapshot" (gcs/session/messages.py)."""
-    vehicles = message["vehicles"]
-
-    def known(key: str, unknown: Any) -> list[Any]:
-        return [unknown if vehicle[key] is None else vehicle[key] for vehicle in vehicles]
-
+def from_message(message: FleetMessage, acknowledged: tuple[SentCommand, ...] = ()) -> Snapshot:
+    """The snapshot that a session's message holds."""
     columns: dict[str, Any] = {
-        **{key: np.array([vehicle[key] for vehicle in vehicles], dtype=kind) for key, kind in _PLAIN.items()},
-        **{key: np.array(known(key, (np.nan,) * 3), dtype=np.float64).reshape(-1, 3) for key in _VECTORS},
-        **{key: np.array(known(key, np.nan), dtype=np.float64) for key in _NUMBERS},
+        **{key: np.array(getattr(message, key), dtype=kind) for key, kind in _PLAIN.items()},
+        **{key: np.array(getattr(message, key), dtype=np.float64).reshape(-1, 3) for key in _VECTORS},
+        **{key: np.array(getattr(message, key), dtype=np.float64) for key in _NUMBERS},
     }
     return Snapshot(
-        time_s=float(message["t_s"]),
+        time_s=message.t_s,
         **columns,
-        services=msgspec.convert(message["services"], tuple[Serving, ...]),
-        refuelled=int(message["refuelled"]),
-        events=msgspec.convert(message["events"], tuple[Happening, ...]),
+        trouble=tuple(map(tuple, message.trouble)),
+        services=tuple(
+            Serving(s.receiver, s.tanker, s.phase, round(s.energy_j), s.by, s.base) for s in message.services
+        ),
+        refuelled=message.refuelled,
+        events=tuple(Happening(e.t_s, e.sysid, e.level, e.text, e.kind) for e in message.events),
+        acknowledged=acknowledged,
     )

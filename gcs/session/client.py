@@ -20,8 +20,6 @@ GONE_S = 3.0
 
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
-NEXT, STOP = b"n", b"s"
-"""Words of a program that reads snapshots on a channel of its own."""
 
 
 class Client:

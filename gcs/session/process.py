@@ -26,17 +26,17 @@ from skytender.exit import INTERNAL_ERROR, leave
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False, exists=True))
 @click.option("--drop-datagrams", type=click.FloatRange(0.0, 0.9), default=0.0)
 @click.option("--modules", multiple=True)
-@click.option("--reader", type=int, default=None)
+@click.option("--program", type=int, default=None)
 @click.option("--every-ms", type=int, default=None)
 def main(
     folder: Path,
     drop_datagrams: float,
     modules: tuple[str, ...],
-    reader: int | None,
+    program: int | None,
     every_ms: int | None,
 ) -> None:
     """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
-    leave(fly(folder, drop=drop_datagrams, modules=modules, reader=reader, every_ms=every_ms))
+    leave(fly(folder, drop=drop_datagrams, modules=modules, program=program, every_ms=every_ms))
 
 
 def fly(
@@ -44,7 +44,7 @@ def fly(
     *,
     drop: float = 0.0,
     modules: Sequence[str] = (),
-    reader: int | None = None,
+    program: int | None = None,
     every_ms: int | None = None,
     scenario: Scenario | None = None,
     server: ForkServer | None = None,
@@ -60,14 +60,16 @@ def fly(
     try:
         scenario = scenario or load(folder / "scenario.yaml")
         vehicles = OwnVehicles(scenario, folder, drop, server)
-        from gcs.session.server import Reader  # noqa: PLC0415 - the vehicles come up meanwhile
-        from gcs.session.session_process import SessionProcess  # noqa: PLC0415
+        from gcs.session.session_process import SessionProcess  # noqa: PLC0415 - the vehicles come up meanwhile
 
         with plugin_process.started(scenario, modules, folder, parent=0) as plugins:
             session = SessionProcess(folder, scenario, vehicles, plugins=plugins)
             signal.signal(signal.SIGTERM, session.terminate)
-            if reader is not None:
-                session.reader = Reader(reader, every_ms or round(1e3 * scenario.clock.period_s))
+            if program is not None:
+                from gcs.session.program.channel import Program  # noqa: PLC0415 - most sessions have none
+
+                lockstep = scenario.clock.mode == "lockstep"
+                session.program = Program(program, every_ms or round(1e3 * scenario.clock.period_s), lockstep=lockstep)
             status, outcome = session.run()
     except Exception as problem:
         from gcs.session.parent import explained  # noqa: PLC0415 - knows the errors of all that flies

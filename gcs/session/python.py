@@ -1,9 +1,17 @@
-"""A session from Python:
+"""A session from Python, watched:
 
     with gcs.Session("demo", lockstep=True) as session:
         for snapshot in session:
             ...
     print(session.summary.outcome_text)
+
+and acted in:
+
+    with gcs.Session("demo", lockstep=True) as session:
+        snapshot = session.step()
+        while snapshot.time_s < 60.0:
+            snapshot = session.step({1: (p_ned, v_ned)})
+        session.command(1, "return")
 
 The same processes as `gcs run` starts, and the same folder left behind; here the loop's body sees every snapshot, and
 in lockstep the fleet waits for it.
@@ -12,14 +20,16 @@ in lockstep the fleet waits for it.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import select
 import socket
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
-from typing import Self
+from typing import Any, Self
+
+import msgspec
+from numpy.typing import ArrayLike
 
 from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
@@ -27,13 +37,20 @@ from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import reached
 from gcs.scenario.parts.trust import digest_of, require
-from gcs.session.arrays import Snapshot, from_message
-from gcs.session.client import NEXT, READ_BYTES, STOP
+from gcs.session.arrays import SentCommand, Snapshot, from_message
+from gcs.session.client import READ_BYTES
+from gcs.session.message_types import Reply
+from gcs.session.program import acting
+from gcs.session.program.messages import INJECT, NEXT, SEND, STOP, FleetMessage
+from gcs.session.program.truth_tail import Truth, TruthTails
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
+
+_LINES: msgspec.json.Decoder[FleetMessage | Reply] = msgspec.json.Decoder(FleetMessage | Reply)
 
 
 class SessionError(RuntimeError):
-    """A session that could not be flown, or has not ended yet; the text says why and what to do."""
+    """A session that could not be flown, has not ended yet, or refuses what is asked of it; the text says why and what
+    to do."""
 
 
 class Session:
@@ -45,6 +62,9 @@ class Session:
 
     On the real clock the fleet does not wait: a slow body misses snapshots. Ending the context before the session's
     end stops it and saves what was flown.
+
+    In lockstep a program may also act: `step`, `command` and `inject`. What it does stands in decisions.jsonl, and the
+    same acts make the same session, byte for byte (docs/protocol.md#programs-that-act).
 
     trust: let the scenario use the code, programs, key files, devices and addresses that it names, which for a file is
     remembered until it changes, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError,
@@ -85,6 +105,14 @@ class Session:
         self._folder: Path | None = None
         self._process: Supervised | None = None
         self._channel: socket.socket | None = None
+        self._pending = b""
+        self._sysids = {vehicle.sysid for vehicle in self.scenario.vehicles.all}
+        self._time_s: float | None = None
+        """of the last snapshot"""
+        self._sent: dict[int, SentCommand] = {}
+        """commands without an outcome, by number"""
+        self._commands = 0
+        self._truth: TruthTails | None = None
         self._summary: Summary | None = None
 
     @property
@@ -111,29 +139,151 @@ class Session:
             raise SessionError(error.message) from None
         ours, theirs = socket.socketpair()
         with theirs:
-            arguments = ["--reader", str(theirs.fileno()), "--every-ms", str(self._every_ms), *self._arguments]
+            arguments = ["--program", str(theirs.fileno()), "--every-ms", str(self._every_ms), *self._arguments]
             self._channel = ours
             self._process = Supervised(self._folder, arguments, (theirs.fileno(),))
         return self
 
     def __iter__(self) -> Iterator[Snapshot]:
+        self._check_flies()
+        while (snapshot := self._next({})) is not None:
+            yield snapshot
+
+    def step(
+        self, set_points: Mapping[int, ArrayLike] | None = None, commands: Iterable[tuple[Any, ...]] = ()
+    ) -> Snapshot:
+        """Fly on to the next snapshot, and return it; the first one is of time 0.
+
+        set_points: (p_ned, v_ned) by system id, shape (2, 3): position (m) and velocity (m/s), common NED frame, where
+        the vehicle is to be at the time of the snapshot that is returned, and how fast it is to move on from there.
+        They take the place of the planner's in this step, and pass the safety filter and its limits as these do; with
+        every_s longer than a period they move on with their velocity. A vehicle that is not in offboard (on its way up,
+        an operator's, down) is sent none, and `Snapshot.set_point_p_ned` says what was sent. Vehicles without one are
+        the planner's. commands: arguments of `command`, given before the step.
+
+        Raises ValueError for what makes no set point or command, SessionError where the session does not fly in
+        lockstep, has ended, or refuses a command.
+        """
+        self._check_acts()
+        points = {} if set_points is None else acting.checked_set_points(set_points, self._sysids)
+        for one in commands:
+            self.command(*one)
+        snapshot = self._next(points)
+        if snapshot is None:
+            raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: it cannot be stepped any more")
+        return snapshot
+
+    def command(self, sysid: int, command: str | int, *params: float) -> SentCommand:
+        """Command a vehicle, with the next tick.
+
+        command: an operator's order (`hold`, `return`, `land`, `release`, `rejoin`, `refuel`, `skip`, and `retarget`
+        with the new target's system id), as the console has them; or a MAV_CMD by name or number with up to 7
+        parameters, sent in a COMMAND_LONG and again until it is acknowledged. The planner goes on with a vehicle that a
+        MAV_CMD has put into another mode, unless it was given away by `release` before.
+
+        What is returned gets its `outcome` as the session is stepped on; `Snapshot.acknowledged` has those that ended.
+        Raises ValueError for what is no command, SessionError where it is refused or nothing can be commanded.
+        """
+        self._check_acts()
+        sysid = acting.known(sysid, self._sysids)
+        name, number = acting.checked_command(command, params)
+        if number is not None:
+            content = {"command": SEND, "mav_cmd": number, "params": acting.checked_params(name, params)}
+        elif params:
+            content = {"command": name, "target": acting.known(params[0], self._sysids)}
+        else:
+            content = {"command": name}
+        self._commands += 1
+        text = self._ask({**content, "sysid": sysid, "id": self._commands})
+        sent = self._sent[self._commands] = SentCommand(self._commands, sysid, name, text)
+        return sent
+
+    def inject(self, fault: Mapping[str, Any]) -> None:
+        """Let a fault happen, with the next tick or at `at_s`.
+
+        fault: a scenario's fault (docs/protocol.md#faults), such as {"fault": "motor", "sysid": 3}; without `between_s`
+        and `chance`, since nothing is drawn in flight. `kill` and `hang` need a vehicle with a process of its own.
+        Raises SessionError where there is no such fault, or it cannot befall that vehicle.
+        """
+        self._check_acts()
+        if isinstance(fault, Mapping) and fault.get("sysid") is not None:
+            acting.known(fault["sysid"], self._sysids)
+        self._ask({"command": INJECT, "fault": dict(fault) if isinstance(fault, Mapping) else repr(fault)})
+
+    @property
+    def truth(self) -> Truth:
+        """Motion and energy of the vehicles at the last snapshot's time, by their own records, whatever they report.
+
+        Raises SessionError before the first snapshot, and where the scenario has `truth: false`.
+        """
+        if self._time_s is None:
+            raise SessionError("there is no truth before the first snapshot: call step, or read it in the loop")
+        if not self.scenario.truth:
+            raise SessionError("the scenario has truth: false, so that its vehicles leave none: take that out")
+        if self._truth is None:
+            self._truth = TruthTails(self.folder, sorted(self._sysids))
+        truth = self._truth.at(self._time_s)
+        if self._channel is None:
+            self._truth.close()
+        return truth
+
+    def _check_flies(self) -> None:
+        if self._summary is not None:
+            raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: make another one")
         if self._channel is None:
             raise SessionError("the session does not fly; use it as `with Session(...) as session:`")
-        pending = b""
-        while True:
+
+    def _check_acts(self) -> None:
+        if self.scenario.clock.mode != "lockstep":
+            raise SessionError(
+                "step, command and inject need Session(..., lockstep=True): else the fleet does not wait"
+            )
+        self._check_flies()
+
+    def _next(self, points: Mapping[int, list[float]]) -> Snapshot | None:
+        """The next snapshot; None at the end."""
+        self._say({"command": NEXT, "set_points": points} if points else {"command": NEXT})
+        message = self._receive()
+        if message is None:
+            return None
+        assert isinstance(message, FleetMessage)
+        self._time_s = message.t_s
+        ended = []
+        for row in message.acknowledged:
+            if (sent := self._sent.pop(row.number, None)) is not None:
+                sent.outcome, sent.result = row.outcome, row.result
+                ended.append(sent)
+        return from_message(message, tuple(ended))
+
+    def _ask(self, content: Mapping[str, Any]) -> str:
+        """The session's answer to a request. Raises SessionError where it refuses, or has ended."""
+        self._say(content)
+        reply = self._receive()
+        if reply is None:
+            raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: nothing can be asked of it any more")
+        assert isinstance(reply, Reply)
+        if not reply.ok:
+            raise SessionError(reply.text)
+        return reply.text
+
+    def _say(self, content: Mapping[str, Any]) -> None:
+        if self._channel is not None:
             with contextlib.suppress(OSError):
-                self._channel.sendall(NEXT)
-            while b"\n" not in pending:
-                try:
-                    chunk = self._channel.recv(READ_BYTES)
-                except OSError:
-                    chunk = b""
-                if not chunk:
-                    self._end()
-                    return
-                pending += chunk
-            line, _, pending = pending.partition(b"\n")
-            yield from_message(json.loads(line))
+                self._channel.sendall(msgspec.json.encode(content) + b"\n")
+
+    def _receive(self) -> FleetMessage | Reply | None:
+        """The next line; None once the session has ended, whose summary is there then."""
+        while b"\n" not in self._pending:
+            try:
+                chunk = self._channel.recv(READ_BYTES) if self._channel is not None else b""
+            except OSError:
+                chunk = b""
+            if not chunk:
+                self._end()
+                return None
+            self._pending += chunk
+        line, _, self._pending = self._pending.partition(b"\n")
+        return _LINES.decode(line)
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""
@@ -143,8 +293,7 @@ class Session:
     def stop(self) -> Summary:
         """End the session now, save what was flown, and return the summary; its outcome is `interrupted`."""
         if self._channel is not None and self._summary is None:
-            with contextlib.suppress(OSError):
-                self._channel.sendall(STOP)
+            self._say({"command": STOP})
             self._end(time.monotonic() + PATIENCE_S[0])
         return self.summary
 
@@ -157,6 +306,8 @@ class Session:
         finally:
             self._close()
             self._process.__exit__()
+            if self._truth is not None:
+                self._truth.close()
 
     def _close(self) -> None:
         if self._channel is not None:

@@ -10,21 +10,17 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import select
 import socket
 from collections import deque
-from collections.abc import Iterable, Mapping
-from dataclasses import asdict
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import msgspec
 
-from gcs.session.client import NEXT, READ_BYTES, SOCKET, STOP
+from gcs.session.client import READ_BYTES, SOCKET
 from gcs.session.messages import CONTEST_EVERY_S, CONTEST_S, reply_message
-from gcs.telemetry.events import Event
 
-BUFFER_BYTES = 1 << 20
 BACKLOG_BYTES = 1 << 20
 REMEMBERED = 1000
 """Earlier events that a new client is sent: those of the start of 254 vehicles, in a greeting that a socket's buffer
@@ -187,43 +183,3 @@ def _line(content: Mapping[str, Any]) -> bytes:
         return msgspec.json.encode(content) + b"\n"
     except UnicodeEncodeError:  # half a pair of surrogates, which JSON can spell and UTF-8 cannot
         return json.dumps(content, allow_nan=False).encode() + b"\n"
-
-
-class Reader:
-    """The channel on an inherited file descriptor."""
-
-    def __init__(self, descriptor: int, every_ms: int) -> None:
-        self._socket = socket.socket(fileno=descriptor)
-        self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER_BYTES)
-        self._events: list[Event] = []
-        self._every_ms = every_ms
-        self.open = True
-        self.asked = False
-        self.stops = False
-
-    def due(self, time_s: float) -> bool:
-        """Whether a snapshot of this session time is one that the reader wants to be asked about."""
-        return self.open and round(1e3 * time_s) % self._every_ms == 0
-
-    def wants(self, timeout_s: float) -> bool:
-        """Whether the next snapshot is asked for, or the end; waits for a word up to `timeout_s`."""
-        if self.open and not self.asked and select.select([self._socket], [], [], timeout_s)[0]:
-            try:
-                said = self._socket.recv(64)
-            except OSError:
-                said = b""
-            self.open = bool(said)
-            self.asked = NEXT in said
-            self.stops = STOP in said
-        return self.asked or self.stops
-
-    def remember(self, events: Iterable[Event]) -> None:
-        """Keep these for the next snapshot."""
-        self._events += events
-
-    def give(self, snapshot: Mapping[str, Any]) -> None:
-        """Answer with this snapshot and the events since the last one."""
-        events, self._events = self._events, []
-        self.asked = False
-        with contextlib.suppress(OSError):
-            self._socket.sendall(_line({**snapshot, "events": [asdict(event) for event in events]}))

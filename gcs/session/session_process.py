@@ -31,7 +31,8 @@ from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
 from gcs.session.own_vehicles import OwnVehicles
 from gcs.session.parent import has_gone, say
-from gcs.session.server import Publisher, Reader
+from gcs.session.program.channel import Program
+from gcs.session.server import Publisher
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event, Kind, Level
@@ -102,8 +103,8 @@ class SessionProcess:
         self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder, plugins=plugins)
         self._supervisor.faults.signal_process = self._signal
         self._unpublished: list[Event] = []
-        self.reader: Reader | None = None
-        """who is given every snapshot, as a program in Python is; not a client of the socket"""
+        self.program: Program | None = None
+        """the program in Python that steps the session; not a client of the socket"""
         self._clients = Clients(self._publisher, self._supervisor, self._pace)
         self._labels = {v.sysid: v.label for v in scenario.vehicles.all} | {255: "traffic"}
         self._blocks = {order.sysid: order.sysids for order in vehicles.orders}
@@ -215,14 +216,17 @@ class SessionProcess:
         pace.start()  # of a full fleet's first bundles none is late
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:
+            self._await_program()
             periods = pace.next(self._scenario.clock.period_s)
             supervisor.tick(self._watch, periods)
             self._answered_s = self._said_waiting_s = time.monotonic()
             if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
                 self._watch()
+            self._show_program()
             self._wait()
+        self._await_program()
         supervisor.finish(self._watch)
-        self._serve_reader()
+        self._show_program()
 
     def _begin_on_true_time(self) -> None:
         """Let session time 0 be now: autopilots' own logs, beside which the recording is laid, are on the true time."""
@@ -236,7 +240,6 @@ class SessionProcess:
 
     def _wait(self) -> None:
         """Until the next tick is due, or while the session is paused, see who wants something."""
-        self._serve_reader()
         repeat_s = time.monotonic() + REPEAT_S
         while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
             self._sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))
@@ -245,23 +248,30 @@ class SessionProcess:
                 self._link.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
 
-    def _serve_reader(self) -> None:
-        """A reader gets the snapshots that it asks for; in lockstep it is waited for."""
-        reader, supervisor = self.reader, self._supervisor
-        if reader is None or not reader.due(supervisor.snapshot.time_s):
+    def _await_program(self) -> None:
+        """Let a program say what it wants; in lockstep the session stands still until it has asked to go on."""
+        program = self.program
+        if program is None:
             return
         repeat_s = time.monotonic() + REPEAT_S
-        lockstep = self._scenario.clock.mode == "lockstep"
-        while not reader.wants(WATCH_EVERY_S if lockstep else 0.0) and reader.open and lockstep:
+        blocks = self._blocks.values()
+        program.serve(self._supervisor, blocks, 0.0)
+        while program.awaited:
+            if program.serve(self._supervisor, blocks, WATCH_EVERY_S):
+                continue
+            self._answered_s = self._said_waiting_s = time.monotonic()  # it is no vehicle that is waited for
             self._watch()
             if time.monotonic() >= repeat_s:
                 self._link.repeat()
                 repeat_s = time.monotonic() + REPEAT_S
-        if reader.stops:
+        if program.stops:
             raise _Stopped
-        if reader.asked:
+
+    def _show_program(self) -> None:
+        """Give a program the snapshot that it has asked for."""
+        if self.program is not None and self.program.wants(self._supervisor.snapshot.time_s):
             self._gather_events()
-            reader.give({**self._snapshot(()), "t_s": supervisor.snapshot.time_s})
+            self.program.give(self._supervisor)
 
     def _watch(self) -> None:
         """Deaths, operators, the parent's pipe; and a fresh snapshot for clients."""
@@ -346,11 +356,11 @@ class SessionProcess:
         return goal.INTERRUPTED, f"{text}; {goal.outcome_text(broken)}" if broken else text
 
     def _gather_events(self) -> None:
-        """New events, for the next snapshot and for the reader's."""
+        """New events, for the next snapshot and for the program's."""
         events, self._supervisor.events = self._supervisor.events, []
         self._unpublished += events
-        if self.reader is not None:
-            self.reader.remember(events)
+        if self.program is not None:
+            self.program.remember(events)
 
     def _publish(self) -> None:
         """Send clients a snapshot, with the events since the last one; where there are none, these are kept."""

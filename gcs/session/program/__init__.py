@@ -1,0 +1,1 @@
+"""A program in Python that steps a session: both ends of its channel, and what passes between them."""

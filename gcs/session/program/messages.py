@@ -2,7 +2,7 @@
 
 The program's are objects with a text `command`: one of the requests below, or an operator's command with its `id`. The
 session answers NEXT with the fleet, a column for each thing, and everything else but STOP with a reply. Positions in m
-and velocities in m/s, common NED frame; numbers that are not known are null.
+and velocities in m/s, common NED frame; numbers that are not known, or infinite, are null, as msgspec writes them.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ import planned_and_filtered
 import prompt_to_prompt
 import report_opened
 import sessions_timed
+import steps_from_python
 from measure import REFERENCE_STEPS_S, Figure, calibrate
 from rich.console import Console
 from rich.table import Table
@@ -50,6 +51,7 @@ def main() -> None:
         12: campaign_sessions.figures,
         13: page_shown.figures,
         14: lambda: autopilots_in_lockstep.figures(scale),
+        15: lambda: steps_from_python.figures(scale),
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)
@@ -61,7 +63,7 @@ def main() -> None:
     console.print(
         f"This machine now: {scale.cpu:.2f} of the reference ({REFERENCE_STEPS_S:.1e} steps of the calibration loop "
         f"per CPU second), {scale.wall:.2f} on the wall; load {load:.1f} before, {os.getloadavg()[0]:.1f} after; "
-        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6, 8 and 14 are scaled by it."
+        f"{time.monotonic() - begun_s:.0f} s. Goals of 2, 4, 5, 6, 8, 14 and 15 are scaled by it."
     )
     rows = [
         {"id": f.id, "name": f.name.strip(), "value": f.value, "unit": f.unit, "peer": f.peer or None,

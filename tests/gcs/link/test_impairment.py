@@ -145,3 +145,25 @@ def test_a_burst_in_one_direction_leaves_the_other_alone() -> None:
     assert not radio.clear
     assert list(radio.apply(1, "out", 1.0, [1, 2])) == []
     assert list(radio.apply(1, "in", 1.0, [1, 2])) == [1, 2]
+
+
+def test_a_burst_that_is_added_in_flight_is_as_one_that_was_there_from_the_start() -> None:
+    burst = Burst(1, 2.0, 3.0, loss=1.0, delay_s=0.2)
+    whole = flown(Impairment(loss=0.3, seed=4, bursts=[burst]), 50)
+    radio, parts = Impairment(loss=0.3, seed=4), []
+    for tick in range(50):
+        if tick == 15:
+            radio.add([burst])
+        frames = list(range(tick * 5, (tick + 1) * 5))
+        parts += [(tick / 10, frame) for frame in radio.apply(1, "in", tick / 10, frames)]
+    assert parts == whole
+    assert not radio.prompt
+
+
+def test_a_clear_radio_is_not_clear_any_more_once_it_has_a_burst() -> None:
+    radio = Impairment(seed=4)
+    assert (radio.clear, radio.prompt) == (True, True)
+    radio.add([Burst(None, 1.0, 2.0, loss=1.0)])
+    assert (radio.clear, radio.prompt) == (False, True)
+    assert list(radio.apply(1, "in", 0.9, [1, 2])) == [1, 2]
+    assert list(radio.apply(1, "in", 1.0, [3])) == []

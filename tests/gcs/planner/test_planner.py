@@ -67,10 +67,14 @@ class World:
         views = [view(v.sysid, v.role, self.at[v.sysid], self.v[v.sysid]) for v in self.scenario.vehicles.all]
         return FleetSnapshot(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
 
-    def tick(self, rendezvous: Mapping[int, int] | None = None, move: bool = True) -> dict[int, Vec3]:
-        self.plan = self.planner.plan(
-            PlanRequest(self.snapshot(), frozenset(self.at), PERIOD_S, targets_move=move, rendezvous=rendezvous or {})
-        )
+    def tick(
+        self,
+        rendezvous: Mapping[int, int] | None = None,
+        move: bool = True,
+        given: Mapping[int, tuple[Vec3, Vec3]] | None = None,
+    ) -> dict[int, Vec3]:
+        request = PlanRequest(self.snapshot(), frozenset(self.at), PERIOD_S, targets_move=move)
+        self.plan = self.planner.plan(request._replace(rendezvous=rendezvous or {}, given=given or {}))
         for point in self.plan:
             self._past[point.sysid].append((self.time_s, point.p_ned, point.v_ned))
         self.time_s += PERIOD_S
@@ -130,6 +134,26 @@ def test_leaders_keep_formation_while_the_target_moves() -> None:
     # At the corner the formation learns of the turn one period later: 0.8 m/s · 0.1 s · √2.
     assert max(errors_m) <= 0.114
     assert math.dist(world.at[101], path[0]) > 12.0
+
+
+def test_followers_form_on_a_target_that_is_given_its_set_points_and_the_planner_goes_on_from_there() -> None:
+    path = [(0.0, 0.0, -4.0), (30.0, 0.0, -4.0)]
+    world = World(scenario(vehicles={"pursuers": FIVE, "targets": [target(101, *path)]}, formation=RING))
+    offsets = [tuple(offset) for offset in ring_offsets(5, 2.0, 1.0)]
+    world.fly(6.0)
+    begin_n, begin_e, begin_d = world.at[101]
+    for tick in range(200):
+        east_m = begin_e + 0.05 * tick
+        set_point = ((begin_n, east_m, begin_d), (0.0, 0.5, 0.0))
+        planned = world.tick(given={101: set_point})
+        assert next(point for point in world.plan if point.sysid == 101)[1:] == set_point
+        if tick > 50:
+            slots = [np.add(planned[101], offset) for offset in offsets]
+            assert max(min(math.dist(planned[k], slot) for slot in slots) for k in range(1, 6)) < 0.03
+    last = world.tick()[101]
+    assert math.dist(last, (begin_n, east_m + 0.05, begin_d)) < 1e-9
+    world.fly(30.0)
+    assert world.at[101][1] == pytest.approx(0.0, abs=0.1)  # back on its path
 
 
 def test_a_target_flies_its_path_at_its_speed_and_only_when_all_are_ready() -> None:

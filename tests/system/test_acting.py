@@ -1,0 +1,201 @@
+"""Sessions that a program in Python steps and acts in: whole sessions by real processes."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+import yaml
+from commands import gcs as run_gcs
+from pages import DOCS, block
+from sessions import ROOT, fly, merged, read_truth, small
+
+import gcs
+
+PAGE = DOCS / "how-to" / "act.md"
+STILL = (0.0, 0.0, 0.0)
+PERIOD_S = 0.1
+
+
+def five(**changes: Any) -> dict[str, Any]:
+    """The page's five vehicles."""
+    content: dict[str, Any] = yaml.safe_load(block(PAGE, "five.yaml"))
+    return merged(content, changes)
+
+
+def write(folder: Path, content: dict[str, Any]) -> Path:
+    path = folder / "scenario.yaml"
+    path.write_text(yaml.safe_dump(content, sort_keys=False), encoding="utf-8")
+    return path
+
+
+def decisions(folder: Path, *kinds: str) -> list[dict[str, Any]]:
+    lines = map(json.loads, (folder / "decisions.jsonl").read_text(encoding="utf-8").splitlines())
+    return [line for line in lines if line["kind"] in kinds]
+
+
+def test_the_program_of_the_page_is_short() -> None:
+    assert len(block(PAGE, "act.py").splitlines()) <= 30
+
+
+def test_a_session_that_is_only_stepped_is_that_of_gcs_run(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 12.0, "refuelled_at_least": 0})
+    times = []
+    with gcs.Session(write(tmp_path, content), lockstep=True, out=tmp_path / "stepped") as session:
+        with pytest.raises(gcs.SessionError, match=r"ended at 12 s: it cannot be stepped"):  # noqa: PT012
+            while True:
+                times.append(session.step().time_s)
+        with pytest.raises(gcs.SessionError, match="ended at 12 s: make another one"):
+            session.command(1, "hold")
+    assert [round(10 * t_s) for t_s in times] == list(range(121))
+    assert session.summary.digest == fly(content, tmp_path / "alone", "--quiet").summary["digest"]
+    assert not decisions(session.folder, "steered", "command", "inject")
+
+
+def act(path: Path, folder: Path) -> gcs.Session:
+    """Two vehicles are sent to one place, one loses its link for a while, one is held, one is sent a MAV_CMD."""
+    seen = []
+    with gcs.Session(path, lockstep=True, out=folder) as session:
+        snapshot = session.step()
+        while snapshot.time_s < 7.0:
+            snapshot = session.step()
+        hold, speed = session.command(4, "hold"), session.command(5, "DO_CHANGE_SPEED", 1.0, 2.0, math.nan)
+        session.inject({"fault": "blackout", "sysid": 3, "for_s": 2.0})
+        meeting = {1: ((0.0, 0.0, -6.0), STILL), 2: ([0, 0, -6], [0, 0, 0])}
+        while snapshot.time_s < 16.0:
+            seen.append(snapshot := session.step(meeting))
+        with pytest.raises(gcs.SessionError, match="flies by the plan already"):
+            session.step(commands=[(2, "rejoin")])
+        truth = session.truth
+    assert (hold.outcome, hold.result, speed.outcome) == ("accepted", "ACCEPTED", "accepted")
+    assert [one.command for snapshot in seen for one in snapshot.acknowledged] == ["hold", "MAV_CMD_DO_CHANGE_SPEED"]
+    assert snapshot.mode[3] == "hold"
+    assert np.isnan(snapshot.set_point_p_ned[3]).all()
+    assert max(snapshot.heard_s[2] for snapshot in seen) == pytest.approx(2.0, abs=PERIOD_S)
+    assert np.linalg.norm(snapshot.p_ned[:2] - (0.0, 0.0, -6.0), axis=1).max() < 2.0
+    for row, sysid in enumerate(truth.sysid):
+        flown = read_truth(folder / "vehicles" / f"{sysid}.truth")
+        at = int(np.flatnonzero(flown.time_s == truth.time_s[row])[0])
+        assert truth.time_s[row] == snapshot.time_s
+        assert truth.p_ned[row].tolist() == flown.p_ned[at].tolist()
+        assert truth.remaining_j[row] == flown.energy[at][-1]
+    return session
+
+
+@pytest.fixture(scope="module")
+def acted(tmp_path_factory: pytest.TempPathFactory) -> tuple[gcs.Session, gcs.Session]:
+    folder = tmp_path_factory.mktemp("acted")
+    path = write(folder, five())
+    return act(path, folder / "first"), act(path, folder / "second")
+
+
+def test_the_same_acts_make_the_same_session(acted: tuple[gcs.Session, gcs.Session]) -> None:
+    first, second = acted
+    assert first.summary.digest == second.summary.digest
+    for name in ("decisions.jsonl", "session.tlog", "vehicles/3.truth"):
+        assert (first.folder / name).read_bytes() == (second.folder / name).read_bytes()
+
+
+def test_set_points_of_a_program_pass_the_safety_filter(acted: tuple[gcs.Session, gcs.Session]) -> None:
+    one, other = (read_truth(acted[0].folder / "vehicles" / f"{sysid}.truth").p_ned for sysid in (1, 2))
+    apart_m = np.linalg.norm(one - other, axis=1)
+    assert acted[0].scenario.planner.separation_m <= apart_m.min() < 1.5
+    asked = decisions(acted[0].folder, "steered")
+    assert {tuple(line["n"].values()) for line in asked} == {(0.0, 0.0)}
+    sent = [line["p_ned"] for line in decisions(acted[0].folder, "set_point") if line["t_s"] == asked[-1]["t_s"]]
+    assert [0.0, 0.0, -6.0] not in sent
+
+
+def test_acts_stand_in_the_decisions_and_are_decided_again(acted: tuple[gcs.Session, gcs.Session]) -> None:
+    folder = acted[0].folder
+    schema = json.loads((ROOT / "gcs" / "schemas" / "decisions.schema.json").read_text(encoding="utf-8"))
+    acts = decisions(folder, "steered", "command", "inject", "operator", "fault")
+    for line in acts:
+        jsonschema.Draft202012Validator(schema).validate(line)
+    told = [(line["kind"], line.get("sysid"), line["t_s"]) for line in acts if line["kind"] != "steered"]
+    begin_s = told[0][2]
+    assert begin_s == pytest.approx(7.1)
+    assert [entry for entry in told if entry[2] == begin_s] == [
+        ("command", 5, begin_s), ("inject", 3, begin_s), ("fault", 3, begin_s), ("operator", 4, begin_s),
+    ]  # fmt: skip
+    again = run_gcs("replay", str(folder), "--decide")
+    assert (again.returncode, again.stdout.endswith("agree\n")) == (0, True)
+    assert "a program in Python acted in this session (90 ticks with set points, 1 command, 1 fault)" in again.stderr
+
+
+def test_an_act_that_cannot_be_read_is_not_decided_again(
+    acted: tuple[gcs.Session, gcs.Session], tmp_path: Path
+) -> None:
+    for name in ("session.tlog", "summary.json", "scenario.yaml"):
+        (tmp_path / name).symlink_to(acted[0].folder / name)
+    text = (acted[0].folder / "decisions.jsonl").read_text()
+    (tmp_path / "decisions.jsonl").write_text(text.replace('"fault":"blackout"', '"fault":"black magic"', 1))
+    again = run_gcs("replay", str(tmp_path), "--decide")
+    assert again.returncode == 2
+    assert "holds an act of a program at 7.100 s that cannot be read" in again.stderr
+
+
+def test_over_several_periods_a_set_point_moves_on_with_its_velocity(tmp_path: Path) -> None:
+    path, moving = write(tmp_path, five()), ((1.0, 2.0, -5.0), (0.5, -0.25, 0.0))
+    with gcs.Session(path, lockstep=True, every_s=0.5, out=tmp_path / "out") as session:
+        session.step()
+        session.step({1: moving})
+        session.step()
+    told = decisions(session.folder, "steered")
+    assert [round(10 * line["t_s"]) for line in told] == [1, 2, 3, 4, 5]
+    for index, line in enumerate(told):
+        assert [line[axis]["1"] for axis in "ned"] == pytest.approx([1 + 0.05 * index, 2 - 0.025 * index, -5.0])
+
+
+def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
+    path = write(tmp_path, five(vehicles_per_process=5))
+    with gcs.Session(path, lockstep=True, out=tmp_path / "out") as session:
+        with pytest.raises(gcs.SessionError, match="no truth before the first snapshot"):
+            _ = session.truth
+        session.step()
+        for points, sentence in (
+            ({77: (STILL, STILL)}, "no vehicle 77 in this session: it has 1 to 5$"),
+            ({"one": (STILL, STILL)}, "'one' is no system id"),
+            ({1: (STILL, (0.0, math.nan, 0.0))}, "set point of vehicle 1 holds NaN, which is no place or speed"),
+            ({1: (STILL, (0.0, 0.0, math.inf))}, "vehicle 1 holds inf"),
+            ({1: STILL}, r"vehicle 1 has the shape \(3,\), not \(2, 3\)"),
+            ({1: ((0.0, 0.0), STILL)}, r"vehicle 1 is not \(p_ned, v_ned\) of three numbers each"),
+            ([STILL], "set_points is a mapping from system id"),
+        ):
+            with pytest.raises(ValueError, match=sentence):
+                session.step(points)  # type: ignore[arg-type]
+        for command, sentence in (
+            ((9, "hold"), "no vehicle 9"),
+            ((1, "holt"), "'holt' is neither an order .* did you mean 'hold'"),
+            ((1, "hold", 3.0), "hold takes no parameters"),
+            ((1, "retarget"), "needs the system id of the new target"),
+            ((1, 1 << 20), "is no MAV_CMD"),
+            ((1, "MAV_CMD_NAV_LAND", *[0.0] * 8), "has 8 parameters"),
+            ((1, 21, "low"), "parameter 1 of MAV_CMD_NAV_LAND is 'low', and not a number"),
+            ((1, 21, 1e300), "more than its float32 holds"),
+        ):
+            with pytest.raises(ValueError, match=sentence):
+                session.command(*command)  # type: ignore[arg-type]
+        for fault, sentence in (
+            ({"fault": "moter", "sysid": 1}, "did you mean 'motor'"),
+            ({"fault": "motor"}, "motor needs the sysid"),
+            ({"fault": "motor", "sysid": 1, "chance": 0.5}, "has no chance: nothing is drawn in flight"),
+            ({"fault": "motor", "sysid": 1, "at_s": 0.0}, "at_s is 0, which is past: the next tick is at 0.1 s"),
+            ({"fault": "motor", "sysid": 1, "at_s": 90.0}, "begins at 90 s, which is not before duration_s"),
+            ({"fault": "kill", "sysid": 1}, "vehicle 1 shares its process with others: kill needs"),
+            ("motor", "a fault is a block of keys"),
+        ):
+            with pytest.raises(gcs.SessionError, match=sentence):
+                session.inject(fault)  # type: ignore[arg-type]
+        with pytest.raises(gcs.SessionError, match=r"^Pursuer 1 flies by the plan already: nobody has taken it\.$"):
+            session.command(1, "rejoin")
+    assert not decisions(session.folder, "steered", "command", "inject")
+    with gcs.Session(path, speed=50.0, out=tmp_path / "real") as session:
+        for asks in (session.step, lambda: session.command(1, "hold"), lambda: session.inject({})):
+            with pytest.raises(gcs.SessionError, match=r"need Session.*lockstep=True"):
+                asks()

@@ -28,5 +28,9 @@ def test_what_a_page_has_run_does_what_it_says(page: Path, tmp_path: Path, monke
         assert digests[0] == digests[1]
         assert len(set(digests)) == 3
         json.loads((tmp_path / "scenario.schema.json").read_text())
+    if page.stem == "act":
+        first, second = (json.loads((tmp_path / name / "summary.json").read_text()) for name in ("first", "second"))
+        assert first["digest"] == second["digest"]
+        assert [fault["fault"] for fault in first["faults"]] == ["motor"]
     if page.stem == "ci":
         assert "testsuite" in (tmp_path / "outcome.xml").read_text()

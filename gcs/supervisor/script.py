@@ -60,8 +60,9 @@ class Script:
             return self._points
         if self._since_s is None:
             self._since_s = now_s
-        after_s = now_s - self._since_s
-        points = {sysid: (_moved(p, v, after_s), v) for sysid, (p, v) in self._points.items()}
+        points = self._points
+        if (after_s := now_s - self._since_s) > 0.0:
+            points = {sysid: (_moved(p, v, after_s), v) for sysid, (p, v) in points.items()}
         columns = zip(*((*p, *v) for p, v in points.values()), strict=True)
         names = list(map(str, points))
         self._record(

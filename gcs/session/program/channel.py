@@ -16,7 +16,6 @@ from typing import Any
 import msgspec
 
 from gcs.scenario.faults import in_flight
-from gcs.session.client import Lines
 from gcs.session.message_types import Reply
 from gcs.session.program.fleet_message import fleet_message
 from gcs.session.program.messages import INJECT, NEXT, SEND, STOP, FleetMessage
@@ -35,7 +34,7 @@ class Program:
     def __init__(self, descriptor: int, every_ms: int, *, lockstep: bool) -> None:
         self._socket = socket.socket(fileno=descriptor)
         self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER_BYTES)
-        self._lines = Lines()
+        self._unread = b""
         self._events: list[Event] = []
         self._every_ms = every_ms
         self._lockstep = lockstep
@@ -67,7 +66,9 @@ class Program:
         self._open = bool(said)
         if not said:
             supervisor.script.steer({})
-        for request in self._lines.feed(said):
+        *lines, self._unread = (self._unread + said).split(b"\n")
+        for line in lines:
+            request = msgspec.json.decode(line)
             command = request.get("command")
             if command == NEXT:
                 self._asked = True

@@ -217,6 +217,8 @@ def shown(value: Any) -> str:
         return f"the text {value if len(value) <= 40 else value[:37] + '...'!r}"
     if isinstance(value, list | dict):
         return "a list" if isinstance(value, list) else "a block of keys"
+    if not isinstance(value, int | float):  # of a program, which sets keys
+        return f"the class {value.__name__}" if isinstance(value, type) else f"a Python {type(value).__name__}"
     if not math.isfinite(value):
         return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
     return str(value) if abs(value) < 1e15 else f"{value:g}"

@@ -92,6 +92,8 @@ def test_a_block_given_in_short_can_be_set_into(tmp_path: Path) -> None:
         ("planner.cruise_m_s", 200, "planner.cruise_m_s must be less than or equal to 100, not 200"),
         ("planner.cruise_m_s", "fast", "planner.cruise_m_s must be a number, not the text 'fast'"),
         ("vehicles.pursuers.1.sysid", 1, "the sysid 1 is given twice"),
+        ("planner.method", dict, "planner.method must be text, in quotes if need be, not the class dict"),
+        ("planner.cruise_m_s", object(), "planner.cruise_m_s must be a number, not a Python object"),
     ],
 )
 def test_mistakes_are_one_sentence_that_names_the_setting(key: str, value: Any, sentence: str) -> None:

@@ -140,6 +140,39 @@ def test_an_act_that_cannot_be_read_is_not_decided_again(
     assert "holds an act of a program at 7.100 s that cannot be read" in again.stderr
 
 
+def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 40.0, "refuelled_at_least": 0})
+    content["vehicles"]["pursuers"].append({"sysid": 2, "start_m": [4, 3, 0], "battery": {"capacity_j": 24000}})
+    path, digests = write(tmp_path, content), []
+    for name in ("first", "second"):
+        with gcs.Session(path, lockstep=True, out=tmp_path / name) as session:
+            while (before := session.step()).time_s < 8.0:
+                pass
+            for fault in (
+                {"fault": "kill", "sysid": 2},
+                {"fault": "loss", "share": 0.4, "for_s": 3.0},
+                {"fault": "delay", "delay_s": 0.3, "for_s": 2.0, "at_s": 9.0},
+                {"fault": "tanker_out", "sysid": 201, "for_s": 2.0},
+                {"fault": "battery", "sysid": 1, "share": 0.1},
+                {"fault": "gps_jump", "sysid": 101, "jump_m": [1.0, 2.0], "for_s": 3.0},
+            ):
+                session.inject(fault)
+            while (snapshot := session.step()).time_s < 10.0:
+                pass
+            truth = session.truth
+        digests.append(session.summary.digest)
+    assert digests[0] == digests[1]
+    assert snapshot.alive.tolist() == [True, False, True, True]
+    assert (snapshot.trouble[1], truth.time_s[1]) == (("dead",), pytest.approx(8.1))
+    assert snapshot.lost_share.max() > 0.1
+    assert before.battery[0] - snapshot.battery[0] > 0.09  # a tenth of it is gone, and reported with its rounding
+    assert np.linalg.norm(snapshot.p_ned[2] - truth.p_ned[2]) > 1.0  # it reports, and flies by, another place
+    told = [(line["fault"], line["number"]) for line in decisions(session.folder, "fault") if line["state"] == "begins"]
+    assert sorted(number for _, number in told) == [1, 2, 3, 4, 5, 6]
+    again = run_gcs("replay", str(session.folder), "--decide")
+    assert (again.returncode, again.stdout.endswith("agree\n")) == (0, True)
+
+
 def test_over_several_periods_a_set_point_moves_on_with_its_velocity(tmp_path: Path) -> None:
     path, moving = write(tmp_path, five()), ((1.0, 2.0, -5.0), (0.5, -0.25, 0.0))
     with gcs.Session(path, lockstep=True, every_s=0.5, out=tmp_path / "out") as session:

@@ -220,7 +220,15 @@ class VehicleRow(Struct):
     tau: float | None
     state: str
     trouble: list[str]
+    """what is wrong, worst first"""
     severity: int
+    """0 well, 1 look, 2 act"""
+    condition: str
+    """dead, silent, failing, low or warned; empty: well"""
+    figure: str
+    """how badly: `48 s` (left, when low; silent or dead for so long), or a few words"""
+    urgency: float
+    """among vehicles of one condition the greatest is the worst"""
     note: str
     link: str | UnsetType = UNSET
     """of a vehicle with several links, the address of the one in use"""

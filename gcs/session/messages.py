@@ -45,7 +45,7 @@ from gcs.session.message_types import (
 )
 from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import State, health_issues, severity, state
+from gcs.telemetry.health import State, health_issues, severity, state, worst
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender import elementary
 
@@ -72,6 +72,7 @@ def vehicle_row(
     """
     lost_share = quality.lost_share(view.sysid)
     found = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)
+    condition, figure, urgency = worst(found)
     received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
     return VehicleRow(
         sysid=view.sysid,
@@ -107,6 +108,9 @@ def vehicle_row(
         state=State.IDLE if view.alive else State.LOST,
         trouble=[issue.text for issue in found],
         severity=severity(found),
+        condition=condition,
+        figure=figure,
+        urgency=urgency,
         note="",
     )
 

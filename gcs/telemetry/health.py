@@ -23,13 +23,49 @@ HELD_LOOK = 0.5
 """[choice] Charge below which it matters that who is held by an operator is not refuelled."""
 EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
 LOSS_LOOK, LOSS_ACT = 0.2, 0.6
+LONG_S = 1e6
+"""A time left that is longer than any that is known."""
+
+
+class Condition(StrEnum):
+    """Kind of trouble that a vehicle is in, the worst first."""
+
+    DEAD = "dead"
+    SILENT = "silent"
+    FAILING = "failing"
+    LOW = "low"
+    WARNED = "warned"
+    WELL = ""
 
 
 class HealthIssue(NamedTuple):
-    """One thing that is wrong, in a word or a few."""
+    """One thing that is wrong, in a few words."""
 
     text: str
     severity: int
+    kind: Condition = Condition.WELL
+    """`WELL`: by its severity, failing or warned"""
+    figure: str = ""
+    """how badly, beside the condition's name; empty: the text says it"""
+    urgency: float = 0.0
+    """among issues of one condition the greatest is the worst"""
+
+    @property
+    def condition(self) -> Condition:
+        """The condition that this issue alone puts a vehicle in."""
+        return self.kind or (Condition.FAILING if self.severity == ACT else Condition.WARNED)
+
+
+CONDITIONS = tuple(condition for condition in Condition if condition)
+"""Those in which a vehicle needs an operator, the worst first."""
+
+
+class Worst(NamedTuple):
+    """Condition of a vehicle by its worst issue, the figure of that, and how urgent it is among vehicles alike."""
+
+    condition: Condition = Condition.WELL
+    figure: str = ""
+    urgency: float = 0.0
 
 
 class State(StrEnum):
@@ -58,23 +94,25 @@ def health_issues(
     `down`: it has flown, or was to fly, and does no more. `ordered`: an operator has taken it, so that hold, return and
     land are no surprise.
     """
-    if not view.alive:
-        return [HealthIssue("dead", ACT)]
     silent_s = view.silent_s(now_s)
+    if not view.alive:
+        return [_dead(silent_s)]
     if silent_s == math.inf:
-        return [HealthIssue("no word yet", LOOK)] if now_s >= SILENT_S else []
+        if now_s < SILENT_S:
+            return []
+        return [HealthIssue("no telemetry yet", LOOK, Condition.SILENT, "none yet", round(now_s))]
     found = []
     if view.doubt:
         found.append(HealthIssue("not believed", ACT))
     beatless_s = min(now_s - view.last_received_s, now_s)
     if silent_s >= SILENT_S:
-        found.append(HealthIssue(f"no word {silent_s:.0f} s", ACT))
+        found.append(_silent("no telemetry for", silent_s, f"{silent_s:.0f} s"))
     elif beatless_s >= SILENT_S:
-        found.append(HealthIssue(f"no HEARTBEAT {beatless_s:.0f} s", ACT))
+        found.append(_silent("no HEARTBEAT for", beatless_s, f"HEARTBEAT {beatless_s:.0f} s"))
     if view.p_ned is None:
         found.append(HealthIssue("no position", LOOK))
     elif view.age_s > STALE_S:
-        found.append(HealthIssue("position old", LOOK))
+        found.append(HealthIssue("position out of date", LOOK))
     if view.p_ned is not None and view.uncertain:
         found.append(HealthIssue("position uncertain", LOOK))
     found += _energy(view)
@@ -85,26 +123,49 @@ def health_issues(
     elif ordered and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
         found.append(HealthIssue("held, not refuelled", LOOK))
     if lost_share is not None and lost_share >= LOSS_LOOK:
-        found.append(HealthIssue(f"loses {100.0 * lost_share:.0f} %", ACT if lost_share >= LOSS_ACT else LOOK))
+        found.append(HealthIssue(f"{100.0 * lost_share:.0f} % packet loss", ACT if lost_share >= LOSS_ACT else LOOK))
     return sorted(found, key=lambda issue: -issue.severity)
+
+
+def _dead(silent_s: float) -> HealthIssue:
+    if silent_s == math.inf:
+        return HealthIssue("dead", ACT, Condition.DEAD, "never heard")
+    return HealthIssue("dead", ACT, Condition.DEAD, f"{silent_s:.0f} s", round(silent_s))
+
+
+def _silent(what: str, for_s: float, figure: str) -> HealthIssue:
+    return HealthIssue(f"{what} {for_s:.0f} s", ACT, Condition.SILENT, figure, round(for_s))
 
 
 def _energy(view: VehicleView) -> list[HealthIssue]:
     if view.energy_source == "none":
         return []
     found = []
-    share = view.remaining_j / view.capacity_j
-    if share < BATTERY_LOOK:
-        found.append(HealthIssue(f"battery {100.0 * max(share, 0.0):.0f} %", ACT if share < BATTERY_ACT else LOOK))
-    if view.flying and view.endurance_s < EMPTIES_LOOK_S:
-        left_s = max(view.endurance_s, 0.0)
-        found.append(HealthIssue(f"empties in {left_s:.0f} s", ACT if left_s < EMPTIES_ACT_S else LOOK))
+    lasts_s = max(view.endurance_s, 0.0) if view.flying else math.inf
+    percent = 100.0 * max(view.remaining_j / view.capacity_j, 0.0)
+    if percent < 100.0 * BATTERY_LOOK:
+        how = ACT if percent < 100.0 * BATTERY_ACT else LOOK
+        # After those whose time left is known to be short; on the ground, or drawing nothing, by their charge.
+        urgency = -round(lasts_s) - 0.5 if lasts_s < math.inf else -LONG_S - percent // 1
+        found.append(HealthIssue(f"battery {percent:.0f} %", how, Condition.LOW, f"{percent:.0f} %", urgency))
+    if lasts_s < EMPTIES_LOOK_S:
+        how = ACT if lasts_s < EMPTIES_ACT_S else LOOK
+        text = f"{lasts_s:.0f} s of flight left"
+        found.append(HealthIssue(text, how, Condition.LOW, f"{lasts_s:.0f} s", -round(lasts_s)))
     return found
 
 
 def severity(found: Iterable[HealthIssue]) -> int:
     """The worst of them."""
     return max((issue.severity for issue in found), default=WELL)
+
+
+def worst(found: Iterable[HealthIssue]) -> Worst:
+    """The condition that all issues of a vehicle together put it in."""
+    first = min(found, key=lambda one: (CONDITIONS.index(one.condition), -one.severity, -one.urgency), default=None)
+    if first is None:
+        return Worst()
+    return Worst(first.condition, first.figure or first.text, first.urgency)
 
 
 def state(

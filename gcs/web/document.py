@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 from gcs.scenario.colours import DARK, LIGHT, SOURCES_DARK, SOURCES_LIGHT
 from gcs.session.order_table import ORDERS
+from gcs.telemetry.health import CONDITIONS, Condition
 
 SCRIPT, STYLE = "page.js", "page.css"
 _PAGE = """<!doctype html>
@@ -34,9 +35,21 @@ def built(name: str) -> str:
 
 
 def config(source: Literal["server", "report"], tiles: str | None = None) -> dict[str, Any]:
-    """Settings of the script: the palette, the operator's orders, where its flight and its map's tiles come from."""
+    """Settings of the script: palette, operator's orders, conditions of vehicles, where flight and tiles come from."""
     palette = {"light": LIGHT, "dark": DARK, "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK}}
-    return {"palette": palette, "orders": [asdict(order) for order in ORDERS], "source": source, "tiles": tiles}
+    return {
+        "palette": palette,
+        "orders": [asdict(order) for order in ORDERS],
+        "conditions": [_condition(one) for one in CONDITIONS],
+        "source": source,
+        "tiles": tiles,
+    }
+
+
+def _condition(condition: Condition) -> dict[str, str]:
+    """A condition's name and title, and what the first figure beside it says more: `Low battery: 5 (48 s left)`."""
+    low = condition is Condition.LOW
+    return {"name": condition, "title": "Low battery" if low else condition.capitalize(), "unit": "left" if low else ""}
 
 
 def as_json(content: Any) -> str:

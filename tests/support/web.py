@@ -11,8 +11,11 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from playwright.sync_api import Browser, Page, sync_playwright
+from sessions import small
 
+from gcs.scenario.model import Scenario
 from gcs.session.client import MessageSource
+from gcs.session.messages import session_message
 from gcs.web.serve import serve
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -51,6 +54,42 @@ class Script:
 
     def close(self) -> None:
         self.connected = False
+
+
+def row(sysid: int, t_s: float, **changed: Any) -> dict[str, Any]:
+    """A vehicle on a circle."""
+    return {
+        "sysid": sysid, "role": "pursuer", "label": f"pursuer {sysid}", "alive": True, "stage": "fly",
+        "mode": "offboard", "armed": True, "landed": False, "autopilot": "px4",
+        "p_ned": [sysid % 16 + 0.2 * t_s, sysid // 16, -5.0], "v_ned": [0.2, 0.0, 0.0],
+        "speed_m_s": 0.2, "height_m": 5.0, "heading_rad": 0.3, "roll_rad": 0.05,
+        "pitch_rad": -0.05, "aim_ned": None, "margin_m": None, "age_s": 0.0, "heard_s": 0.1, "lost": 0,
+        "lost_share": 0.0, "target_m": 2.0, "battery": 0.8, "remaining_j": 8e3, "power_w": 100.0, "endurance_s": 80.0,
+        "energy_source": "energy_consumed", "v": None, "tau": None, "state": "idle", "trouble": [], "severity": 0,
+        "condition": "", "figure": "", "urgency": 0.0, "note": "", **changed,
+    }  # fmt: skip
+
+
+def snapshot(t_s: float, rows: list[dict[str, Any]], *events: dict[str, Any]) -> dict[str, Any]:
+    goal = {
+        "separation_m": None, "clearance_m": None, "traffic_m": None, "pursue_within_m": None, "pursue_for_s": None,
+        "refuelled_at_least": 0, "pursue_held_s": None, "broken": [],
+    }  # fmt: skip
+    nobody = {"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None, "threshold": 0.9}
+    return {
+        "type": "snapshot", "t_s": t_s, "duration_s": 120.0, "speed": 1.0, "phase": "flying", "vehicles": rows,
+        "traffic": [], "competition": nobody, "services": [], "history": [], "refuelled": 0, "goal": goal,
+        "inspected": {}, "events": list(events),
+    }  # fmt: skip
+
+
+def session(rows: list[dict[str, Any]], **changed: Any) -> dict[str, Any]:
+    members = [
+        {"sysid": r["sysid"], "role": r["role"], "label": r["label"], "capacity_j": 1e4, "path_ned": [], "colour": k}
+        for k, r in enumerate(rows)
+    ]
+    told = session_message(Scenario.model_validate(small()), None)
+    return {**told, "vehicles": members, **changed}
 
 
 class Stopping:

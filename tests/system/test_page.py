@@ -19,11 +19,9 @@ import yaml
 from PIL import Image
 from playwright.sync_api import Browser, Page, Route, expect
 from sessions import Outcome, Running, merged, small
-from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, serious, served, until
+from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, row, serious, served, session, snapshot, until
 
 from gcs.report.page import make
-from gcs.scenario.model import Scenario
-from gcs.session.messages import session_message
 from gcs.session.replay import Replay, ReplaySource
 from gcs.web.hub import READ_ONLY
 
@@ -35,42 +33,6 @@ HOSTILE = '<img src=x onerror="window.hacked=1"></script><script>window.hacked=1
 def browser() -> Iterator[Browser]:
     with chromium() as browser:
         yield browser
-
-
-def row(sysid: int, t_s: float, **changed: Any) -> dict[str, Any]:
-    """A vehicle on a circle."""
-    return {
-        "sysid": sysid, "role": "pursuer", "label": f"pursuer {sysid}", "alive": True, "stage": "fly",
-        "mode": "offboard", "armed": True, "landed": False, "autopilot": "px4",
-        "p_ned": [sysid % 16 + 0.2 * t_s, sysid // 16, -5.0], "v_ned": [0.2, 0.0, 0.0],
-        "speed_m_s": 0.2, "height_m": 5.0, "heading_rad": 0.3, "roll_rad": 0.05,
-        "pitch_rad": -0.05, "aim_ned": None, "margin_m": None, "age_s": 0.0, "heard_s": 0.1, "lost": 0,
-        "lost_share": 0.0, "target_m": 2.0, "battery": 0.8, "remaining_j": 8e3, "power_w": 100.0, "endurance_s": 80.0,
-        "energy_source": "energy_consumed", "v": None, "tau": None, "state": "idle", "trouble": [], "severity": 0,
-        "note": "", **changed,
-    }  # fmt: skip
-
-
-def snapshot(t_s: float, rows: list[dict[str, Any]], *events: dict[str, Any]) -> dict[str, Any]:
-    goal = {
-        "separation_m": None, "clearance_m": None, "traffic_m": None, "pursue_within_m": None, "pursue_for_s": None,
-        "refuelled_at_least": 0, "pursue_held_s": None, "broken": [],
-    }  # fmt: skip
-    nobody = {"v": {}, "tau": {}, "leader": None, "share": None, "runner_up": None, "threshold": 0.9}
-    return {
-        "type": "snapshot", "t_s": t_s, "duration_s": 120.0, "speed": 1.0, "phase": "flying", "vehicles": rows,
-        "traffic": [], "competition": nobody, "services": [], "history": [], "refuelled": 0, "goal": goal,
-        "inspected": {}, "events": list(events),
-    }  # fmt: skip
-
-
-def session(rows: list[dict[str, Any]], **changed: Any) -> dict[str, Any]:
-    members = [
-        {"sysid": r["sysid"], "role": r["role"], "label": r["label"], "capacity_j": 1e4, "path_ned": [], "colour": k}
-        for k, r in enumerate(rows)
-    ]
-    told = session_message(Scenario.model_validate(small()), None)
-    return {**told, "vehicles": members, **changed}
 
 
 def chosen(page: Page) -> Any:
@@ -106,7 +68,7 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         until(page, f"Math.abs(skytender.current.t_s - {past_s}) < 0.01")
         live.click()
         until(page, f"skytender.current.t_s > {past_s} + 2")
-        until(page, "skytender.trouble.textContent.includes('held, not refuelled')")
+        until(page, "skytender.strip.element.textContent.includes('Low battery: 1 (')")
         assert live.bounding_box() == place, "trouble moves no button away from under the pointer"
         assert serious(page) == []
         assert serious(other) == []
@@ -199,13 +161,13 @@ def test_the_report_plays_from_a_file_and_fetches_nothing(recorded: Outcome, tmp
 
 def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None:
     rows = [row(sysid, 0.0) for sysid in range(1, 255)]
-    rows[199] |= {"trouble": ["battery 4 %"], "severity": 3, "battery": 0.04}
+    rows[199] |= {"trouble": ["battery 4 %"], "severity": 2, "condition": "low", "figure": "4 %", "battery": 0.04}
     source = Script(session(rows), snapshot(1.0, rows), snapshot(2.0, [row(r["sysid"], 1.0) | r for r in rows]))
     with served(source) as links:
         watched = Watched(browser)
         page = watched.flying(links["command"])
         expect(page.locator(".totals")).to_have_text("254 vehicles: 254 offboard")
-        expect(page.get_by_label("what is wrong")).to_contain_text("pursuer 200: battery 4 %")
+        expect(page.get_by_label("trouble", exact=True)).to_contain_text("Low battery: 200 (4 % left)")
         assert "1 below 20 %" in (page.locator(".histogram").get_attribute("aria-label") or "")
         page.get_by_label("filter vehicles").fill("25")
         assert page.locator("table.fleet tbody tr:visible").count() == 6, "25, and 250 to 254"
@@ -328,6 +290,8 @@ def test_hostile_names_and_texts_are_shown_as_text(browser: Browser) -> None:
             note=HOSTILE,
             trouble=[HOSTILE],
             severity=2,
+            condition="failing",
+            figure=HOSTILE,
         )
     ]
     event = {"t_s": 1.0, "sysid": 1, "level": "warning", "kind": "text", "text": HOSTILE}

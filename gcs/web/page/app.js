@@ -5,9 +5,10 @@ import { h, number, say } from "./elements.js";
 import { Flight } from "./flight.js";
 import { colourOf, nextTheme, onLook, setMembers } from "./look.js";
 import { MapView } from "./map.js";
-import { EventList, showContest, showTrouble, showVehicle } from "./panels.js";
+import { EventList, showContest, showVehicle } from "./panels.js";
 import { plansOf, showPlans } from "./plans.js";
 import { SpaceView } from "./space.js";
+import { Strip } from "./strip.js";
 import { FleetTable } from "./table.js";
 import { Timeline } from "./timeline.js";
 
@@ -44,6 +45,8 @@ export class App {
     this.at_s = null;
     /** @type {number | null} */
     this.chosen = null;
+    /** all that are selected, the chosen one among them @type {Set<number>} */
+    this.selected = new Set();
     /** vehicles that figures draw singly @type {Set<number>} */
     this.shown = new Set();
     this.given = false;
@@ -67,7 +70,7 @@ export class App {
     this.current = null;
     /** @type {Snapshot | null} */
     this.paneled = null;
-    /** @type {number | null} */
+    /** @type {Set<number> | null} */
     this.paneledFor = null;
     this.charted = -1;
     this.charted_at = 0;
@@ -79,7 +82,7 @@ export class App {
     this.first = new Promise((resolve) => (this.drawnFirst = () => resolve(null)));
 
     const choose = (/** @type {number | null} */ sysid) => this.choose(sysid);
-    this.trouble = h("ul", { class: "problems now-wrong", tabindex: 0, "aria-label": "what is wrong", "aria-live": "polite" });
+    this.strip = new Strip((sysids) => this.select(sysids));
     const space = h("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": "the fleet in space; arrow keys turn, + and − zoom, 0 shows everything" });
     const names = h("canvas", { class: "names", "aria-hidden": "true" });
     const map = h("canvas", { class: "map", tabindex: 0, role: "img", "aria-label": "the fleet from above, north up; arrow keys move, + and − zoom, 0 shows everything" });
@@ -105,7 +108,7 @@ export class App {
     this.plansAt = h("div", { class: "plans" });
     this.plansCard = h("section", { class: "card", "aria-label": "missions and fences" }, h("h2", {}, "Missions and fences"), this.plansAt);
     this.plansCard.hidden = true;
-    root.append(this.trouble, h("div", { class: "flight" },
+    root.append(h("div", { class: "flight" },
       h("div", { class: "wide" }, scene, timelineAt), h("div", { class: "narrow" }, fleet, vehicle), h("div", { class: "narrow" }, this.plansCard, contest, events)));
     this.map = new MapView(map, choose);
     try {
@@ -248,7 +251,14 @@ export class App {
 
   /** @param {number | null} sysid */
   choose(sysid) {
+    this.select(sysid === null ? [] : [sysid]);
+  }
+
+  /** Select these alone; the first is the chosen one. @param {number[]} sysids */
+  select(sysids) {
+    const sysid = sysids[0] ?? null;
     this.chosen = sysid;
+    this.selected = new Set(sysids);
     const many = (this.flight.session?.vehicles.length ?? 0) > MANY;
     if (many && sysid !== null && !this.shown.has(sysid)) this.toggle(sysid);
     if (sysid === null) this.setCamera("free");
@@ -318,7 +328,7 @@ export class App {
     this.map.dirty = false;
     if (this.space) this.space.dirty = false;
     const t_s = this.at_s ?? snapshot.t_s;
-    const options = { chosen: this.chosen, paths: this.paths, until_s: t_s, trail_s: this.whole_paths && !this.playing ? Infinity : TRAIL_S };
+    const options = { chosen: this.chosen, selected: this.selected, paths: this.paths, until_s: t_s, trail_s: this.whole_paths && !this.playing ? Infinity : TRAIL_S };
     if (this.view === "space") this.space?.draw(this.flight, snapshot, options);
     else this.map.draw(this.flight, snapshot, options);
     this.frames += 1;
@@ -340,17 +350,17 @@ export class App {
     if (snapshot && now - this.shown_at > (this.flight.columns.size > MANY ? 2.5 : 1) * PANELS_MS && this.paneled !== snapshot) {
       this.shown_at = now;
       this.paneled = snapshot;
-      this.table.show(snapshot, this.chosen);
-      showTrouble(this.trouble, snapshot, (sysid) => this.choose(sysid));
+      this.table.show(snapshot, this.chosen, this.selected);
+      this.strip.show(snapshot);
       showPlans(this.plansAt, this.flight.session, snapshot);
       showContest(this.contestAt, snapshot, (id) => this.label(id));
       showVehicle(this.vehicleAt, snapshot, this.chosen);
       this.events.show(this.flight.events, this.at_s ?? Infinity, (id) => this.label(id));
       return;
     }
-    if (snapshot && this.paneledFor !== this.chosen) {
-      this.paneledFor = this.chosen;
-      this.table.show(snapshot, this.chosen, true);
+    if (snapshot && this.paneledFor !== this.selected) {
+      this.paneledFor = this.selected;
+      this.table.show(snapshot, this.chosen, this.selected, true);
       showVehicle(this.vehicleAt, snapshot, this.chosen);
     }
     if (this.charts.length && now - this.charted_at > (this.flight.columns.size > MANY ? 2 : 1) * CHARTS_MS && this.charted !== this.flight.version) {

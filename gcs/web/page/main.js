@@ -6,10 +6,11 @@ import { nextTheme, restoreTheme, usePalette } from "./look.js";
 import { Live } from "./live.js";
 import { Operator } from "./operator.js";
 import { recorded } from "./recorded.js";
+import { useConditions } from "./strip.js";
 import { Tiles } from "./tiles.js";
 
 /** @typedef {import("./operator.js").Order} Order */
-/** @typedef {{palette: import("./look.js").Palette, orders: Order[], source: "server" | "report", tiles: string | null}} Config */
+/** @typedef {{palette: import("./look.js").Palette, orders: Order[], conditions: import("./strip.js").Condition[], source: "server" | "report", tiles: string | null}} Config */
 
 const KEYS = [
   ["space", "pause, or go on"], ["← →", "10 s back or on (replay, report, or back in a live flight)"], ["< >", "slower, faster"], ["End", "back to the newest"],
@@ -56,7 +57,8 @@ function served(config) {
   const title = h("h1", {}, "connecting …");
   const badge = h("span", { class: "badge" });
   const phase = h("span", { class: "badge phase" });
-  const goal = h("p", { class: "soft small goal-line" });
+  const [broken, reached] = [h("b", { class: "bad" }), h("span")];
+  const goal = h("p", { class: "soft small goal-line" }, broken, reached);
   const help = h("button", { type: "button" }, "keys ?");
   const theme = h("button", { type: "button", onclick: () => nextTheme() }, "dark / light");
   const state = h("p", { class: "connection", role: "alert" });
@@ -97,6 +99,7 @@ function served(config) {
     if (!ok) operator.notice(text, "bad");
   };
   const app = new App(root, { charts: true, player });
+  top.append(app.strip.element);
   if (config.tiles) app.map.tiles = new Tiles(config.tiles, () => (app.map.dirty = true));
   const operator = new Operator(config.orders, (command, answer) => live.send(command, answer));
   const ask = (/** @type {Order} */ order) => {
@@ -138,7 +141,10 @@ function served(config) {
       const { goal: wanted } = line;
       const held = wanted.pursue_for_s && wanted.pursue_held_s !== null ? `pursuit held ${wanted.pursue_held_s.toFixed(0)} of ${wanted.pursue_for_s.toFixed(0)} s` : "";
       const served = wanted.refuelled_at_least ? `${line.refuelled} refuelled, at least ${wanted.refuelled_at_least} wanted` : line.refuelled ? `${line.refuelled} refuelled` : "";
-      say(goal, [held, served, wanted.broken.length ? `${wanted.broken.length} parts of the goal are broken` : ""].filter(Boolean).join("; "));
+      const failed = wanted.broken.map((one) => one.text + (one.t_s === null ? "" : ` (${one.t_s.toFixed(1)} s)`));
+      say(broken, failed.length ? `${failed.length} ${failed.length === 1 ? "goal" : "goals"} failed: ${failed.join("; ")}. ` : "");
+      say(reached, [held, served].filter(Boolean).join("; "));
+      goal.title = goal.textContent ?? "";
       app.dirty = true;
     } else if (line.type === "end") {
       ended = `The session has ended: ${line.text || line.outcome || "unknown"}. The page keeps what it has seen.`;
@@ -165,5 +171,6 @@ function served(config) {
 restoreTheme();
 const config = /** @type {Config} */ (JSON.parse(document.getElementById("config")?.textContent ?? "{}"));
 usePalette(config.palette);
+useConditions(config.conditions);
 const begun = config.source === "report" ? recorded(config, keyboard) : served(config);
 Object.assign(window, { skytender: begun }); // for the console of a developer, and tests

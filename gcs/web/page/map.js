@@ -153,10 +153,10 @@ export class MapView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, paths: boolean, until_s: number, trail_s: number, shown?: Set<number> | null}} options
+   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number, shown?: Set<number> | null}} options
    *   `trail_s`: how much of their paths is drawn where there are many
    */
-  draw(flight, snapshot, { chosen, paths, until_s, trail_s, shown = null }) {
+  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s, shown = null }) {
     const { width, height, scale } = fit(this.canvas);
     const context = plane(this.canvas);
     const colours = look();
@@ -186,7 +186,7 @@ export class MapView {
     drawPlans(context, flight.session, snapshot, X, Y);
     if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
-    this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen);
+    this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen, selected);
     this.#scale(context, perMetre, width, height);
     this.#wind(context, flight, width);
   }
@@ -351,8 +351,8 @@ export class MapView {
     context.setLineDash([]);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Flight} flight @param {Snapshot} snapshot @param {Axis} X @param {Axis} Y @param {number} perMetre @param {number | null} chosen */
-  #vehicles(context, flight, snapshot, X, Y, perMetre, chosen) {
+  /** @param {CanvasRenderingContext2D} context @param {Flight} flight @param {Snapshot} snapshot @param {Axis} X @param {Axis} Y @param {number} perMetre @param {number | null} chosen @param {Set<number>} selected */
+  #vehicles(context, flight, snapshot, X, Y, perMetre, chosen, selected) {
     const colours = look();
     const ring_m = flight.session?.ring_m ?? null;
     const many = snapshot.vehicles.length > MOST_NAMED;
@@ -385,9 +385,9 @@ export class MapView {
       context.fill();
       context.stroke();
       context.restore();
-      if (row.sysid === chosen) {
+      if (selected.has(row.sysid)) {
         context.strokeStyle = colours.ink;
-        context.lineWidth = 2;
+        context.lineWidth = row.sysid === chosen ? 2.5 : 1.5;
         context.beginPath();
         context.arc(x, y, size + 8, 0, 2 * Math.PI);
         context.stroke();

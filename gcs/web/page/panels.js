@@ -1,4 +1,4 @@
-// What is wrong, the competition and the services with their reasons, the events, and one vehicle's page.
+// The competition and the services with their reasons, the events, and one vehicle's page.
 // @ts-check
 import { clock, h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
@@ -7,7 +7,6 @@ import { colourOf } from "./look.js";
 /** @typedef {import("./messages").EventRow} EventRow */
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 
-const MOST_TOLD = 8;
 const MOST_EVENTS = 300;
 const FOLD_S = 0.35;
 
@@ -16,45 +15,6 @@ function renew(at, key, make) {
   if (at.dataset.key === key) return;
   at.dataset.key = key;
   at.replaceChildren(...make());
-}
-
-/** What is wrong now, the worst first. @param {HTMLElement} at @param {Snapshot} snapshot @param {(sysid: number) => void} choose */
-export function showTrouble(at, snapshot, choose) {
-  /** @type {{level: "bad" | "warn", text: string, sysid: number | null, count: number}[]} */
-  const found = snapshot.goal.broken.map((one) => ({ level: "bad", text: one.text + (one.t_s === null ? "" : ` (${one.t_s.toFixed(1)} s)`), sysid: null, count: 1 }));
-  /** @type {Map<string, {rows: VehicleRow[], level: "bad" | "warn"}>} */
-  const alike = new Map();
-  for (const row of snapshot.vehicles) {
-    const told = row.trouble.length ? row.trouble : row.alive ? [] : ["lost"];
-    for (const text of told) {
-      const general = text.replace(/-?\d+(\.\d+)?/g, "…");
-      const kind = alike.get(general) ?? { rows: /** @type {VehicleRow[]} */ ([]), level: /** @type {"bad" | "warn"} */ ("warn") };
-      kind.rows.push(row);
-      if (row.severity > 1 || !row.alive) kind.level = "bad";
-      alike.set(general, kind);
-    }
-  }
-  for (const [general, { rows, level }] of alike) {
-    const one = rows.length === 1;
-    const text = one ? `${rows[0].label}: ${rows[0].trouble.find((t) => t.replace(/-?\d+(\.\d+)?/g, "…") === general) ?? general}` : `${rows.length} vehicles: ${general} (${few(rows.map((row) => row.sysid))})`;
-    found.push({ level, text, sysid: rows[0].sysid, count: rows.length });
-  }
-  found.sort((a, b) => Number(b.level === "bad") - Number(a.level === "bad") || b.count - a.count);
-  renew(at, JSON.stringify(found), () => {
-    const items = found.slice(0, MOST_TOLD).map(({ level, text, sysid }) => {
-      const who = sysid;
-      const said = who === null ? h("span", {}, text) : h("button", { type: "button", class: "link", onclick: () => choose(who) }, text);
-      return h("li", { class: level }, level === "bad" ? "✗ " : "! ", said);
-    });
-    if (!found.length) items.push(h("li", { class: "note" }, "Nothing is wrong."));
-    if (found.length > MOST_TOLD) items.push(h("li", { class: "note" }, `and ${found.length - MOST_TOLD} more`));
-    return items;
-  });
-}
-
-/** @param {number[]} ids */
-function few(ids) {
-  return ids.length <= 6 ? ids.join(", ") : `${ids.slice(0, 5).join(", ")} and ${ids.length - 5} more`;
 }
 
 /** @param {HTMLElement} at @param {Snapshot} snapshot @param {(sysid: number) => string} label */

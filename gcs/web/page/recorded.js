@@ -119,7 +119,7 @@ export async function recorded(config, keyboard) {
     const canvas = h("canvas", { class: "still" });
     div.replaceChildren(canvas);
     const snapshot = app.flight.at(model.end_s);
-    if (snapshot) new MapView(canvas, () => {}).draw(app.flight, snapshot, { chosen: null, paths: true, until_s: model.end_s, trail_s: Infinity, shown: chosen });
+    if (snapshot) new MapView(canvas, () => {}).draw(app.flight, snapshot, { chosen: null, selected: new Set(), paths: true, until_s: model.end_s, trail_s: Infinity, shown: chosen });
     div.dataset.lines = String(chosen.size);
   }
 

@@ -274,9 +274,9 @@ export class SpaceView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, paths: boolean, until_s: number, trail_s: number}} options
+   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number}} options
    */
-  draw(flight, snapshot, { chosen, paths, until_s, trail_s }) {
+  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s }) {
     const box = this.canvas.getBoundingClientRect();
     if (!box.width || !box.height) return;
     if (this.width !== box.width || this.height !== box.height) {
@@ -295,7 +295,7 @@ export class SpaceView {
     if (paths) this.#drawPaths(flight, until_s, trail_s, chosen);
     this.#look(snapshot, chosen);
     this.renderer.render(this.scene, this.camera);
-    this.#write(snapshot, chosen);
+    this.#write(snapshot, chosen, selected);
   }
 
   /** @param {Snapshot} snapshot @param {number | null} chosen */
@@ -441,8 +441,8 @@ export class SpaceView {
     this.camera.position.copy(here).add(new Vector3(0, 0.12, 0).applyQuaternion(this.camera.quaternion));
   }
 
-  /** Names over the picture, where there is room for them. @param {Snapshot} snapshot @param {number | null} chosen */
-  #write(snapshot, chosen) {
+  /** Names over the picture, where there is room for them. @param {Snapshot} snapshot @param {number | null} chosen @param {Set<number>} selected */
+  #write(snapshot, chosen, selected) {
     const scale = Math.min(window.devicePixelRatio || 1, 2);
     const { width, height } = this;
     if (this.names.width !== Math.round(width * scale)) this.names.width = Math.round(width * scale);
@@ -474,9 +474,9 @@ export class SpaceView {
       if (at.z > 1) continue;
       const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
       this.places.push({ sysid: row.sysid, x, y });
-      if (row.sysid === chosen && this.mode !== "first") {
+      if (selected.has(row.sysid) && (row.sysid !== chosen || this.mode !== "first")) {
         context.strokeStyle = ink;
-        context.lineWidth = 2;
+        context.lineWidth = row.sysid === chosen ? 2.5 : 1.5;
         context.beginPath();
         context.arc(x, y, 15, 0, 2 * Math.PI);
         context.stroke();

@@ -68,13 +68,13 @@ export class FleetTable {
   }
 
   again() {
-    if (this.last) this.show(this.last.snapshot, this.last.chosen, true);
+    if (this.last) this.show(this.last.snapshot, this.last.chosen, this.last.picked, true);
   }
 
-  /** @param {Snapshot} snapshot @param {number | null} chosen */
-  show(snapshot, chosen, now = false) {
-    const changed = this.last?.chosen !== chosen;
-    this.last = { snapshot, chosen };
+  /** @param {Snapshot} snapshot @param {number | null} chosen @param {Set<number>} picked */
+  show(snapshot, chosen, picked, now = false) {
+    const changed = this.last?.picked !== picked;
+    this.last = { snapshot, chosen, picked };
     const pause_ms = snapshot.vehicles.length > MANY ? 500 : 180;
     if (!now && !changed && performance.now() - this.shown_at < pause_ms) return;
     this.shown_at = performance.now();
@@ -94,7 +94,7 @@ export class FleetTable {
       const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
       const hidden = wanted !== "" && !wanted.split(/\s+/).every((word) => (/^\d+$/.test(word) ? String(row.sysid).startsWith(word) : text.includes(word)));
       if (one.row.hidden !== hidden) one.row.hidden = hidden;
-      const selected = String(row.sysid === chosen);
+      const selected = String(picked.has(row.sysid));
       if (one.row.getAttribute("aria-selected") !== selected) one.row.setAttribute("aria-selected", selected);
       const level = row.severity > 1 || !row.alive ? "acute" : row.severity > 0 ? "doubtful" : "";
       if (one.row.className !== level) one.row.className = level;

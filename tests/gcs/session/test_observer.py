@@ -369,8 +369,8 @@ def test_silence_is_told_and_its_end(observer: Observer) -> None:
     observer.receive(local(0.0, 0.0, 0.0), 0.0)
     rows(observer, 0.1)
     row = rows(observer, 6.0)[1]
-    assert row["trouble"][0] == "no word 6 s"
-    assert row["severity"] == 2
+    assert row["trouble"][0] == "no telemetry for 6 s"
+    assert (row["severity"], row["condition"], row["figure"], row["urgency"]) == (2, "silent", "6 s", 6.0)
     observer.receive(beat(1), 7.0)
     observer.receive(local(0.0, 0.0, 0.0), 7.0)
     events = observer.snapshot(7.0, speed=1.0, phase="flying")["events"]
@@ -398,7 +398,7 @@ def test_seldom_positions_of_a_vehicle_that_is_heard_are_no_silence(observer: Ob
     assert texts == ["First heard of: px4 autopilot", "No position for 1.7 s, though it is heard", "No word for 1.7 s"]
     assert troubles == {
         ("position", True, True), ("position", False, True), ("no HEART", False, True),
-        ("no HEART", False, False), ("position", False, False), ("no word", False, False),
+        ("no HEART", False, False), ("position", False, False), ("no telem", False, False),
     }  # fmt: skip
 
 

@@ -7,7 +7,7 @@ import pytest
 from views import view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.telemetry.health import ACT, LOOK, WELL, State, health_issues, severity, state
+from gcs.telemetry.health import ACT, CONDITIONS, LOOK, WELL, State, Worst, health_issues, severity, state, worst
 
 NOW_S = 100.0
 
@@ -21,26 +21,26 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
     ("changed", "how", "text", "how_bad"),
     [
         ({"alive": False}, {}, "dead", ACT),
-        ({"last_received_s": -math.inf, "last_message_s": -math.inf}, {}, "no word yet", LOOK),
-        ({"last_received_s": 96.0, "last_message_s": 96.0}, {}, "no word 4 s", ACT),
-        ({"last_received_s": 94.0, "last_message_s": 96.0}, {}, "no word 4 s", ACT),
-        ({"last_received_s": 96.0}, {}, "no HEARTBEAT 4 s", ACT),
-        ({"last_received_s": -math.inf}, {}, "no HEARTBEAT 100 s", ACT),
+        ({"last_received_s": -math.inf, "last_message_s": -math.inf}, {}, "no telemetry yet", LOOK),
+        ({"last_received_s": 96.0, "last_message_s": 96.0}, {}, "no telemetry for 4 s", ACT),
+        ({"last_received_s": 94.0, "last_message_s": 96.0}, {}, "no telemetry for 4 s", ACT),
+        ({"last_received_s": 96.0}, {}, "no HEARTBEAT for 4 s", ACT),
+        ({"last_received_s": -math.inf}, {}, "no HEARTBEAT for 100 s", ACT),
         ({"uncertain": "by its own word"}, {}, "position uncertain", LOOK),
         ({"p_ned": None}, {}, "no position", LOOK),
-        ({"age_s": 2.0}, {}, "position old", LOOK),
+        ({"age_s": 2.0}, {}, "position out of date", LOOK),
         ({"drawn_j": 8_500.0}, {}, "battery 15 %", LOOK),
         ({"drawn_j": 9_200.0}, {}, "battery 8 %", ACT),
         ({"drawn_j": 10_400.0, "power_w": 0.0}, {}, "battery 0 %", ACT),
-        ({"power_w": 100.0}, {}, "empties in 50 s", LOOK),
-        ({"power_w": 250.0}, {}, "empties in 20 s", ACT),
+        ({"power_w": 100.0}, {}, "50 s of flight left", LOOK),
+        ({"power_w": 250.0}, {}, "20 s of flight left", ACT),
         ({"mode": FlightMode.LAND}, {}, "land", ACT),
         ({"mode": FlightMode.RETURN}, {}, "return", ACT),
         ({"mode": FlightMode.RETURN}, {"ordered": True}, "return", LOOK),
         ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": True}, "held, not refuelled", LOOK),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
-        ({}, {"lost_share": 0.3}, "loses 30 %", LOOK),
-        ({}, {"lost_share": 0.7}, "loses 70 %", ACT),
+        ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),
+        ({}, {"lost_share": 0.7}, "70 % packet loss", ACT),
     ],
 )
 def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text: str, how_bad: int) -> None:
@@ -66,7 +66,34 @@ def test_what_is_in_order_is_no_trouble(changed: Any, how: Any) -> None:
 def test_the_worst_comes_first() -> None:
     found = health_issues(view(age_s=2.0, drawn_j=9_500.0, mode=FlightMode.LAND), NOW_S, lost_share=0.3)
     assert [trouble.severity for trouble in found] == sorted((trouble.severity for trouble in found), reverse=True)
-    assert {"battery 5 %", "land", "position old", "loses 30 %"} <= {trouble.text for trouble in found}
+    assert {"battery 5 %", "land", "position out of date", "30 % packet loss"} <= {trouble.text for trouble in found}
+
+
+SILENT = {"last_received_s": 91.0, "last_message_s": 91.0}
+
+
+@pytest.mark.parametrize(
+    ("changed", "how", "expected"),
+    [
+        ({}, {}, Worst()),
+        ({"alive": False, **SILENT}, {}, ("dead", "9 s", 9.0)),
+        ({"alive": False, "last_received_s": -math.inf, "last_message_s": -math.inf}, {}, ("dead", "never heard", 0.0)),
+        ({**SILENT, "power_w": 250.0, "mode": FlightMode.LAND}, {}, ("silent", "9 s", 9.0)),
+        ({"mode": FlightMode.LAND, "power_w": 250.0}, {}, ("failing", "land", 0.0)),
+        ({"power_w": 250.0, "drawn_j": 5_000.0}, {"lost_share": 0.3}, ("low", "20 s", -20.0)),
+        ({"power_w": 30.0, "drawn_j": 8_500.0}, {}, ("low", "50 s", -50.0)),
+        ({"armed": False, "landed": True, "drawn_j": 8_500.0}, {"ordered": True}, ("low", "15 %", -1e6 - 15)),
+        ({}, {"lost_share": 0.3}, ("warned", "30 % packet loss", 0.0)),
+        ({}, {"lost_share": 0.7}, ("failing", "70 % packet loss", 0.0)),
+    ],
+)
+def test_a_vehicles_condition_is_the_worst_that_it_is_in(changed: Any, how: Any, expected: Any) -> None:
+    """Of 10 kJ, 100 W last 100 s; LOOK below 60 s."""
+    assert worst(health_issues(view(**changed), NOW_S, **how)) == expected
+
+
+def test_conditions_go_from_dead_to_warned() -> None:
+    assert CONDITIONS == ("dead", "silent", "failing", "low", "warned")
 
 
 def test_before_three_seconds_nobody_need_have_spoken() -> None:

@@ -47,7 +47,7 @@ def in_view(page: Page, selector: str) -> bool:
     there: bool = page.evaluate(
         """(selector) => {
           const box = document.querySelector(selector).getBoundingClientRect();
-          const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
+          const [x, y] = [box.left + box.width / 2, box.bottom - 3];
           const inside = box.left >= 0 && box.right <= innerWidth && box.top >= 0 && box.bottom <= innerHeight;
           return inside && document.elementFromPoint(x, y)?.closest(selector) !== null;
         }""",
@@ -108,6 +108,42 @@ def test_trouble_is_read_on_every_screen(
         assert in_view(page, f".strip .{condition} button"), "it stays on top"
     page.evaluate("scrollTo(0, 0)")
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    assert serious(page) == []
+    assert watched.wrong == []
+    page.close()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize(("width", "height"), SCREENS)
+def test_the_table_has_trouble_first_and_nothing_is_cut_off(
+    browser: Browser, link: str, width: int, height: int, dark: bool, tmp_path: Path
+) -> None:
+    watched = Watched(browser, width=width, height=height, dark=dark)
+    page = watched.flying(link)
+    until(page, "document.querySelector('table.fleet tbody tr')")
+    table = page.locator("table.fleet")
+    expect(table.locator("th").nth(1)).to_have_text("trouble")
+    rows = table.locator("tbody tr")
+    first = [rows.nth(k).get_attribute("class") for k in range(7)]
+    assert first == ["dead", "silent", "failing", "low", "low", "warned", None]
+    low = [int(rows.nth(k).locator("td").first.inner_text()) for k in (3, 4)]
+    assert low[1] == low[0] + 2, "by their ids"
+    expect(rows.nth(2)).to_contain_text("land, battery 4 %")
+    cut = page.evaluate(
+        """[...document.querySelectorAll('.fleet-scroll, table.fleet th, table.fleet td')]
+          .filter((one) => one.scrollWidth > one.clientWidth).map((one) => one.outerHTML.slice(0, 80))"""
+    )
+    assert cut == []
+    grounds = "[...document.querySelectorAll('table.fleet tbody tr')].map((one) => getComputedStyle(one).background)"
+    dead, _, _, low_ground, _, _, well, *_ = page.evaluate(grounds)
+    assert len({dead, low_ground, well}) == 3
+    if width >= 1280:
+        for condition in ("dead", "silent", "failing", "low", "warned"):
+            assert in_view(page, f"table.fleet tr.{condition}"), "on the screen from the beginning"
+    table.scroll_into_view_if_needed()
+    page.screenshot(path=tmp_path / "page.png")
+    table.get_by_role("button", name="id").click()
+    assert [rows.nth(k).locator("td").first.inner_text() for k in range(3)] == ["1", "2", "3"]
     assert serious(page) == []
     assert watched.wrong == []
     page.close()

@@ -1,7 +1,9 @@
-// The fleet as a table: filter, totals by state, a histogram of the batteries, and go-to by id.
+// The fleet as a table, trouble first: filter, totals by state, a histogram of the batteries, and go-to by id.
 // @ts-check
 import { h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
+import { signOf } from "./signs.js";
+import { rank } from "./strip.js";
 
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -9,26 +11,33 @@ import { colourOf } from "./look.js";
 const BINS = 10;
 const MANY = 40;
 
-/** @type {{key: string, name: string, word?: boolean, text: (row: VehicleRow) => string, sort: (row: VehicleRow) => number | string}[]} */
+/**
+ * `folds`: where the table is narrow its text stands in the second column, under the trouble.
+ * @type {{key: string, name: string, word?: boolean, folds?: boolean, text: (row: VehicleRow) => string, sort: (row: VehicleRow) => number | string}[]}
+ */
 const COLUMNS = [
   { key: "id", name: "id", text: (row) => String(row.sysid), sort: (row) => row.sysid },
-  { key: "role", name: "role", word: true, text: (row) => row.role, sort: (row) => row.role },
-  { key: "state", name: "state", word: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
-  { key: "mode", name: "mode", word: true, text: (row) => row.mode || "–", sort: (row) => row.mode },
+  { key: "trouble", name: "trouble", word: true, text: (row) => row.trouble.join(", ") || row.note || (row.landed ? "landed" : ""), sort: rank },
+  { key: "state", name: "state", word: true, folds: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
+  { key: "mode", name: "mode", word: true, folds: true, text: (row) => row.mode || "–", sort: (row) => row.mode },
+  { key: "role", name: "role", word: true, folds: true, text: (row) => row.role, sort: (row) => row.role },
   { key: "battery", name: "battery %", text: (row) => number(row.battery === null ? null : 100 * row.battery, 0), sort: (row) => row.battery ?? -1 },
   { key: "height", name: "height m", text: (row) => number(row.height_m, 1), sort: (row) => row.height_m ?? -1e9 },
   { key: "speed", name: "speed m/s", text: (row) => number(row.speed_m_s, 1), sort: (row) => row.speed_m_s },
   { key: "target", name: "target m", text: (row) => number(row.target_m, 1), sort: (row) => row.target_m ?? -1 },
-  { key: "note", name: "note", word: true, text: (row) => row.trouble[0] ?? row.note, sort: (row) => -row.severity },
 ];
+const FOLDED = COLUMNS.filter((column) => column.folds);
+
+/** @param {typeof COLUMNS[number]} column */
+const classOf = (column) => [column.word && "word", column.folds && "folds", column.key === "trouble" && "trouble"].filter(Boolean).join(" ");
 
 export class FleetTable {
   /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean) => void} choose */
   constructor(parent, choose) {
     this.choose = choose;
-    this.by = "id";
+    this.by = "trouble";
     this.down = false;
-    /** @type {Map<number, {row: HTMLTableRowElement, cells: HTMLTableCellElement[], swatch: HTMLElement, colour: string}>} */
+    /** @type {Map<number, {row: HTMLTableRowElement, texts: HTMLElement[], sign: HTMLElement, folded: HTMLElement, swatch: HTMLElement, colour: string}>} */
     this.rows = new Map();
     this.shown_at = 0;
     this.filter = h("input", { type: "search", placeholder: "filter, e.g. tanker, served, 12", "aria-label": "filter vehicles", oninput: () => this.again() });
@@ -45,20 +54,20 @@ export class FleetTable {
     this.histogram = h("div", { class: "histogram", role: "img" });
     this.heads = COLUMNS.map((column) => {
       const button = h("button", { type: "button", onclick: () => this.sortBy(column.key) }, column.name);
-      return h("th", { scope: "col", class: column.word ? "word" : "" }, button);
+      return h("th", { scope: "col", class: classOf(column) }, button);
     });
     this.body = h("tbody");
     const table = h("table", { class: "fleet" }, h("thead", {}, h("tr", {}, ...this.heads)), this.body);
     parent.append(
       h("div", { class: "tools" }, this.filter, form), this.totals, this.histogram,
-      h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "vehicles" }, table),
+      h("div", { class: "scroll fleet-scroll", tabindex: 0, role: "region", "aria-label": "vehicles" }, table),
     );
-    this.sortBy("id", false);
+    this.sortBy("trouble", false);
   }
 
   /** @param {string} key */
   sortBy(key, turn = true) {
-    this.down = turn && this.by === key ? !this.down : key === "note";
+    this.down = turn && this.by === key && !this.down;
     this.by = key;
     this.heads.forEach((head, k) => {
       if (COLUMNS[k].key === key) head.setAttribute("aria-sort", this.down ? "descending" : "ascending");
@@ -88,7 +97,9 @@ export class FleetTable {
     const place = [];
     for (const row of rows) {
       const one = this.rows.get(row.sysid) ?? this.#make(row);
-      COLUMNS.forEach((col, k) => (k ? say(one.cells[k], col.text(row)) : say(/** @type {Node} */ (one.cells[0].lastChild), col.text(row))));
+      COLUMNS.forEach((col, k) => say(one.texts[k], col.text(row)));
+      say(one.sign, signOf(row));
+      say(one.folded, FOLDED.map((col) => col.text(row)).filter((text) => text !== "–").join(" · "));
       const colour = colourOf(row.sysid);
       if (one.colour !== colour) one.swatch.style.background = one.colour = colour;
       const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
@@ -96,8 +107,7 @@ export class FleetTable {
       if (one.row.hidden !== hidden) one.row.hidden = hidden;
       const selected = String(picked.has(row.sysid));
       if (one.row.getAttribute("aria-selected") !== selected) one.row.setAttribute("aria-selected", selected);
-      const level = row.severity > 1 || !row.alive ? "acute" : row.severity > 0 ? "doubtful" : "";
-      if (one.row.className !== level) one.row.className = level;
+      if (one.row.className !== row.condition) one.row.className = row.condition;
       place.push(one.row);
     }
     if (place.some((row, k) => this.body.children[k] !== row) || this.body.children.length !== place.length) this.body.replaceChildren(...place);
@@ -108,12 +118,14 @@ export class FleetTable {
   /** @param {VehicleRow} row */
   #make(row) {
     const swatch = h("i", { class: "swatch" });
+    const sign = h("span", { class: "sign", "aria-hidden": "true" });
+    const folded = h("small", { class: "folded" });
+    const texts = COLUMNS.map((column, k) => (k ? h("span") : h("button", { type: "button", class: "link" })));
     const cells = COLUMNS.map((column, k) => {
-      if (k) return h("td", { class: column.word ? "word" : "" });
-      const link = h("button", { type: "button", class: "link" }, String(row.sysid));
-      return h("td", {}, swatch, link);
+      const beside = { id: [swatch], trouble: [sign] }[column.key] ?? [];
+      return h("td", { class: classOf(column) }, ...beside, texts[k], column.key === "trouble" ? folded : null);
     });
-    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), cells, swatch, colour: "" };
+    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), texts, sign, folded, swatch, colour: "" };
     this.rows.set(row.sysid, made);
     return made;
   }

@@ -13,3 +13,7 @@ DARK = ("#56b4e9", "#ff8c42", "#2fc79f", "#ee8fc6", "#e8c547", "#a79bff", "#c4c4
 SOURCES_LIGHT = ("#b9c2cb", "#5b8c2a", "#6b7682", "#c79a00", "#3f6fa0")
 SOURCES_DARK = ("#56606b", "#9ccc65", "#8b97a3", "#ffd54f", "#8fb3d9")
 """of energy: initial, received, drawn, given, remaining"""
+
+ALARM_LIGHT, ALARM_DARK = "#800010", "#e03050"
+"""Of signs that say dead, silent or failing: apart from every vehicle's colour for normal sight, protanopia,
+deuteranopia and tritanopia."""

@@ -11,7 +11,7 @@ from html import escape
 from importlib.resources import files
 from typing import Any, Literal
 
-from gcs.scenario.colours import DARK, LIGHT, SOURCES_DARK, SOURCES_LIGHT
+from gcs.scenario.colours import ALARM_DARK, ALARM_LIGHT, DARK, LIGHT, SOURCES_DARK, SOURCES_LIGHT
 from gcs.session.order_table import ORDERS
 from gcs.telemetry.health import CONDITIONS, Condition
 
@@ -36,7 +36,12 @@ def built(name: str) -> str:
 
 def config(source: Literal["server", "report"], tiles: str | None = None) -> dict[str, Any]:
     """Settings of the script: palette, operator's orders, conditions of vehicles, where flight and tiles come from."""
-    palette = {"light": LIGHT, "dark": DARK, "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK}}
+    palette = {
+        "light": LIGHT,
+        "dark": DARK,
+        "sources": {"light": SOURCES_LIGHT, "dark": SOURCES_DARK},
+        "alarm": {"light": ALARM_LIGHT, "dark": ALARM_DARK},
+    }
     return {
         "palette": palette,
         "orders": [asdict(order) for order in ORDERS],

@@ -1,12 +1,12 @@
 // Colours and themes: one colour per vehicle by its place in the scenario, the same as in console, report and plan.
 // @ts-check
 
-/** @typedef {{light: string[], dark: string[], sources: {light: string[], dark: string[]}}} Palette */
+/** @typedef {{light: string[], dark: string[], sources: {light: string[], dark: string[]}, alarm: {light: string, dark: string}}} Palette */
 /** @typedef {{dark: boolean, ink: string, soft: string, grid: string, paper: string, faint: string, solid: string, band: string, crowd: string, bad: string, warn: string, good: string}} Look */
 
 const darkly = matchMedia("(prefers-color-scheme: dark)");
 /** @type {Palette} */
-let palette = { light: ["#000"], dark: ["#fff"], sources: { light: [], dark: [] } };
+let palette = { light: ["#000"], dark: ["#fff"], sources: { light: [], dark: [] }, alarm: { light: "#000", dark: "#fff" } };
 /** @type {Map<number, {index: number, role: string}>} */
 const members = new Map();
 let printing = false;
@@ -85,6 +85,9 @@ export function colourOf(id) {
   const colours = isDark() ? palette.dark : palette.light;
   return colours[(one?.index ?? id - 1) % colours.length];
 }
+
+/** Of signs that say dead, silent or failing, on a drawing: no vehicle has it. */
+export const alarmColour = () => (isDark() ? palette.alarm.dark : palette.alarm.light);
 
 /** Beyond the palette's colours, dashes tell vehicles apart. @param {number} id @returns {number[]} */
 export function dashOf(id) {

@@ -4,6 +4,7 @@ import { fit, number } from "./elements.js";
 import { last } from "./flight.js";
 import { plane } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
+import { drawSign } from "./signs.js";
 import { covered as covered_by_plans, drawPlans } from "./plans.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
@@ -372,8 +373,8 @@ export class MapView {
         context.setLineDash([]);
       }
       context.fillStyle = colourOf(row.sysid);
-      context.strokeStyle = row.severity > 1 || !row.alive ? colours.bad : colours.paper;
-      context.lineWidth = row.severity > 1 || !row.alive ? 3 : 1.5;
+      context.strokeStyle = colours.paper;
+      context.lineWidth = 1.5;
       context.save();
       context.translate(x, y);
       context.rotate(row.heading_rad);
@@ -385,6 +386,7 @@ export class MapView {
       context.fill();
       context.stroke();
       context.restore();
+      drawSign(context, row, x, y, size);
       if (selected.has(row.sysid)) {
         context.strokeStyle = colours.ink;
         context.lineWidth = row.sysid === chosen ? 2.5 : 1.5;

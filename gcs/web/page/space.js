@@ -12,6 +12,7 @@ import { plane } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
 import { lines as linesOfPlans } from "./plans.js";
+import { drawSign } from "./signs.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -322,7 +323,7 @@ export class SpaceView {
       if (k > MOST) continue;
       const grown = this.size * (row.sysid === chosen ? 1.35 : 1);
       mesh.setMatrixAt(k, matrix.compose(place(row.p_ned, at), turn(row, attitude), scale.setScalar(grown)));
-      mesh.setColorAt(k, tint.set(row.alive ? colourOf(row.sysid) : look().bad));
+      mesh.setColorAt(k, tint.set(row.alive ? colourOf(row.sysid) : look().solid));
       roles.set(role, k + 1);
     }
     for (const [kind, mesh] of this.bodies) {
@@ -451,7 +452,7 @@ export class SpaceView {
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.clearRect(0, 0, width, height);
     context.font = "600 12px system-ui, sans-serif";
-    const { ink, paper, bad, warn } = look();
+    const { ink, paper, warn } = look();
     const at = new Vector3();
     const many = snapshot.vehicles.length > MOST_NAMED;
     this.places = [];
@@ -474,6 +475,7 @@ export class SpaceView {
       if (at.z > 1) continue;
       const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
       this.places.push({ sysid: row.sysid, x, y });
+      drawSign(context, row, x, y, many ? 5 : 8);
       if (selected.has(row.sysid) && (row.sysid !== chosen || this.mode !== "first")) {
         context.strokeStyle = ink;
         context.lineWidth = row.sysid === chosen ? 2.5 : 1.5;
@@ -481,7 +483,7 @@ export class SpaceView {
         context.arc(x, y, 15, 0, 2 * Math.PI);
         context.stroke();
       }
-      if (taken.length < MOST_NAMED && (!many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer")) write(String(row.sysid), x, y, row.severity > 1 ? bad : ink);
+      if (taken.length < MOST_NAMED && (!many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer")) write(String(row.sysid), x, y, ink);
     }
     for (const craft of snapshot.traffic) {
       place(craft.p_ned, at).project(this.camera);

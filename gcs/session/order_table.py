@@ -17,6 +17,8 @@ class OperatorCommand:
     of_vehicle: bool = True
     means: str = ""
     """what follows from it that one might not think of"""
+    of_many: bool = False
+    """whether it may be given to several vehicles at once"""
 
 
 ORDERS = (
@@ -27,10 +29,11 @@ ORDERS = (
         "hold",
         "hold its position, out of the planner's hands",
         "Let {} hold its position?",
-        means="Nobody refuels it until it rejoins",
+        means="It will not be refuelled until you return it to the planner",
+        of_many=True,
     ),
-    OperatorCommand("r", "return", "return", "return to its home", "Send {} home?"),
-    OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?"),
+    OperatorCommand("r", "return", "return", "return to its home", "Send {} home?", of_many=True),
+    OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?", of_many=True),
     OperatorCommand("j", "rejoin", "rejoin", "back into the planner's hands", "Give {} back to the planner?"),
     OperatorCommand("f", "refuel", "refuel", "serve it next, whatever the competition says", "Refuel {} next?"),
     OperatorCommand(

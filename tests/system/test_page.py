@@ -52,7 +52,7 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         place = live.bounding_box()
         page.get_by_role("button", name="1", exact=True).first.click()
         assert chosen(page) == 1
-        page.get_by_role("button", name="hold").click()
+        page.get_by_role("button", name="hold", exact=True).click()
         dialog = page.get_by_role("dialog")
         expect(dialog).to_contain_text("Let pursuer 1 hold its position?")
         dialog.get_by_role("button", name="Yes").click()
@@ -60,7 +60,7 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         expect(page.locator(".notices .good")).to_contain_text("hold pursuer 1:")
         for seen in (page, other):  # the other is told too
             until(seen, "skytender.flight.events.some((e) => /operator/i.test(e.text + e.kind))")
-        expect(other.get_by_role("button", name="hold")).to_be_hidden()
+        expect(other.get_by_role("button", name="hold", exact=True)).to_be_hidden()
         refused = "new Promise((done) => skytender.operator.send({command: 'stop'}, (ok, text) => done([ok, text])))"
         assert other.evaluate(refused) == [False, READ_ONLY]
         # back in time, and to the newest again
@@ -112,7 +112,7 @@ def test_the_slider_moves_a_replay(recorded: Outcome, browser: Browser) -> None:
         page.locator("h1").click()
         page.keyboard.press("Space")
         until(page, "skytender.current.phase === 'paused'")
-        expect(page.get_by_role("button", name="hold")).to_be_hidden()
+        expect(page.get_by_role("button", name="hold", exact=True)).to_be_hidden()
         page.keyboard.press("m")
         expect(page.locator("canvas.map")).to_be_visible()
         page.keyboard.press("?")
@@ -299,7 +299,7 @@ def test_hostile_names_and_texts_are_shown_as_text(browser: Browser) -> None:
         watched = Watched(browser)
         page = watched.flying(links["command"])
         page.get_by_role("button", name="1", exact=True).first.click()
-        page.get_by_role("button", name="hold").click()
+        page.get_by_role("button", name="hold", exact=True).click()
         expect(page.get_by_role("dialog")).to_contain_text("onerror")
         page.get_by_role("dialog").get_by_role("button", name="No").click()
         expect(page.locator("h1")).to_have_text(HOSTILE)

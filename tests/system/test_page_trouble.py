@@ -69,7 +69,7 @@ def test_the_strip_tells_how_many_how_badly_and_selects_them(browser: Browser) -
         told = snapshot(2.0, rows)
         told["goal"]["broken"] = [broken]
         source.tell(told)
-        expect(strip.get_by_role("button")).to_have_text(
+        expect(strip.locator("li").get_by_role("button")).to_have_text(
             [
                 "✕1Dead: 7 (9 s)",
                 "⌀1Silent: 3 (6 s)",

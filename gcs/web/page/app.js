@@ -81,7 +81,7 @@ export class App {
     /** is kept when the fleet has been drawn */
     this.first = new Promise((resolve) => (this.drawnFirst = () => resolve(null)));
 
-    const choose = (/** @type {number | null} */ sysid) => this.choose(sysid);
+    const choose = (/** @type {number | null} */ sysid, /** @type {MouseEvent} */ event) => this.pick(sysid, event);
     this.strip = new Strip((sysids) => this.select(sysids));
     const space = h("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": "the fleet in space; arrow keys turn, + and − zoom, 0 shows everything" });
     const names = h("canvas", { class: "names", "aria-hidden": "true" });
@@ -102,7 +102,8 @@ export class App {
     const events = h("section", { class: "card", "aria-label": "events" }, h("h2", {}, "Events"));
     this.vehicleAt = h("div", { class: "vehicle-page" });
     this.orders = h("div", { class: "tools orders" });
-    vehicle.append(this.orders, this.vehicleAt);
+    this.selection = h("p", { class: "small selection", "aria-live": "polite" });
+    vehicle.append(this.selection, this.orders, this.vehicleAt);
     this.contestAt = h("div");
     contest.append(this.contestAt);
     this.plansAt = h("div", { class: "plans" });
@@ -118,8 +119,8 @@ export class App {
       this.views.space.disabled = true;
     }
     this.timeline = new Timeline(timelineAt, player);
-    this.table = new FleetTable(fleet, (sysid, go) => {
-      this.choose(sysid);
+    this.table = new FleetTable(fleet, (sysid, go, event) => {
+      this.pick(sysid, event);
       if (go) this.setCamera("follow");
     });
     this.events = new EventList(events, (event) => {
@@ -254,11 +255,21 @@ export class App {
     this.select(sysid === null ? [] : [sysid]);
   }
 
+  /** A click on a vehicle: with Shift, Ctrl or ⌘ it joins or leaves the selection. @param {number | null} sysid @param {MouseEvent} [event] */
+  pick(sysid, event) {
+    if (sysid === null || !(event?.shiftKey || event?.ctrlKey || event?.metaKey)) return this.choose(sysid);
+    const span = event.shiftKey && this.chosen !== null ? this.table.between(this.chosen, sysid, event) : null;
+    if (span) return this.select([...new Set([sysid, ...span, ...this.selected])]);
+    const others = [...this.selected].filter((one) => one !== sysid);
+    this.select(this.selected.has(sysid) ? others : [sysid, ...others]);
+  }
+
   /** Select these alone; the first is the chosen one. @param {number[]} sysids */
   select(sysids) {
     const sysid = sysids[0] ?? null;
     this.chosen = sysid;
     this.selected = new Set(sysids);
+    say(this.selection, sysids.length > 1 ? `${sysids.length} vehicles selected: hold, return and land go to all of them.` : "");
     const many = (this.flight.session?.vehicles.length ?? 0) > MANY;
     if (many && sysid !== null && !this.shown.has(sysid)) this.toggle(sysid);
     if (sysid === null) this.setCamera("free");

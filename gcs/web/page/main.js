@@ -85,7 +85,7 @@ function served(config) {
       else ask(/** @type {Order} */ (config.orders.find((order) => order.command === "pause")));
     },
     faster: (/** @type {number} */ step) => {
-      if (!replaying) return void operator.notice("The speed of a flight is its own: only a recording can be hurried.");
+      if (!replaying) return void operator.notice("Speed can be changed only in a replay.");
       const now = replay?.speed ?? 1;
       const nearest = SPEEDS.reduce((best, one, k) => (Math.abs(one - now) < Math.abs(SPEEDS[best] - now) ? k : best), 0);
       live.send({ command: "speed", speed: SPEEDS[Math.min(Math.max(nearest + step, 0), SPEEDS.length - 1)] }, refused);
@@ -103,9 +103,15 @@ function served(config) {
   if (config.tiles) app.map.tiles = new Tiles(config.tiles, () => (app.map.dirty = true));
   const operator = new Operator(config.orders, (command, answer) => live.send(command, answer));
   const ask = (/** @type {Order} */ order) => {
-    if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "This link shows, and commands nothing.", "bad");
-    operator.ask(order, app.chosen, (id) => app.label(id), () => app.flight.newest);
+    if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "View-only link: commands are disabled.", "bad");
+    if (order.of_many && app.selected.size > 1) operator.askMany(order, [...app.selected], false, label, () => app.flight.newest);
+    else operator.ask(order, app.chosen, label, () => app.flight.newest);
   };
+  const label = (/** @type {number} */ id) => app.label(id);
+  for (const order of config.orders.filter((one) => one.of_many && one.command !== "land")) {
+    const everyone = () => (app.flight.newest?.vehicles ?? []).map((row) => row.sysid);
+    app.strip.all.append(h("button", { type: "button", title: `${order.name} all vehicles`, onclick: () => operator.askMany(order, everyone(), true, label, () => app.flight.newest) }, `all: ${order.name}`));
+  }
   help.addEventListener("click", keyboard(app, config.orders, ask).showModal.bind(document.querySelector("dialog[aria-label=keys]")));
   for (const order of config.orders) {
     const button = h("button", { type: "button", title: `${order.what} (Shift+${order.key.toUpperCase()})`, onclick: () => ask(order) }, order.name);
@@ -121,7 +127,7 @@ function served(config) {
       document.title = `${line.name} – Skytender`;
       say(title, line.name);
       say(badge, ({ session: "live", monitor: "monitor", replay: "replay" })[line.source]);
-      for (const part of [session, app.orders]) part.hidden = !control;
+      for (const part of [session, app.orders, app.strip.all]) part.hidden = !control;
       app.timeline.live.hidden = replaying;
       app.members();
     } else if (line.type === "snapshot") {

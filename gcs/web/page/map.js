@@ -62,7 +62,7 @@ function covered(flight) {
 }
 
 export class MapView {
-  /** @param {HTMLCanvasElement} canvas @param {(sysid: number | null) => void} choose @param {boolean} still drawn once, for paper */
+  /** @param {HTMLCanvasElement} canvas @param {(sysid: number | null, event: MouseEvent) => void} choose @param {boolean} still drawn once, for paper */
   constructor(canvas, choose, still = false) {
     this.canvas = canvas;
     this.still = still;
@@ -102,7 +102,7 @@ export class MapView {
       const at = this.places
         .map((one) => ({ ...one, off: Math.hypot(one.x - event.offsetX, one.y - event.offsetY) }))
         .sort((a, b) => a.off - b.off)[0];
-      choose(at && at.off < 24 ? at.sysid : null);
+      choose(at && at.off < 24 ? at.sysid : null, event);
     };
     canvas.addEventListener("pointerup", release);
     canvas.addEventListener("pointercancel", release);

@@ -2,7 +2,7 @@
 // @ts-check
 import { h, say } from "./elements.js";
 
-/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, means: string}} Order */
+/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 
 export class Operator {
@@ -24,6 +24,44 @@ export class Operator {
     this.notices.append(told);
     while (this.notices.children.length > 4) this.notices.firstChild?.remove();
     setTimeout(() => told.remove(), level === "bad" ? 12000 : 6000);
+  }
+
+  /**
+   * Ask once about several vehicles; send to those that can obey, and say how many did and which refused, and why.
+   * @param {Order} order @param {number[]} sysids @param {boolean} all @param {(sysid: number) => string} name @param {() => Snapshot | null} present
+   */
+  askMany(order, sysids, all, name, present) {
+    if (this.dialog.open) return;
+    const rows = (present()?.vehicles ?? []).filter((row) => sysids.includes(row.sysid));
+    const refusing = rows.flatMap((row) => (refusal(row) ? [`${name(row.sysid)} ${refusal(row)}`] : []));
+    const able = rows.filter((row) => !refusal(row)).map((row) => row.sysid);
+    const title = `${order.name[0].toUpperCase()}${order.name.slice(1)} ${all ? "all " : ""}${rows.length} vehicles?`;
+    const list = h("ul", { class: "refusing" }, ...refusing.map((text) => h("li", {}, text)));
+    const which = all ? "" : sysids.join(", ");
+    const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
+    yes.disabled = !able.length;
+    this.dialog.replaceChildren(h("form", { method: "dialog" }, h("h2", { id: "ask-question" }, title), which ? h("p", {}, which) : null, order.means ? h("p", { class: "soft" }, order.means) : null,
+      refusing.length ? h("p", { class: "bad" }, `${refusing.length} of them cannot:`) : null, refusing.length ? list : null,
+      h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No"))));
+    this.dialog.returnValue = "no";
+    this.dialog.onclose = () => {
+      if (this.dialog.returnValue !== "yes") return;
+      /** @type {string[]} */
+      const refused = [];
+      let waiting = able.length;
+      this.notice(`${order.name} ${able.length} vehicles: sent`);
+      for (const sysid of able) {
+        this.send({ command: order.command, sysid }, (ok, text) => {
+          if (!ok) refused.push(text || `${name(sysid)}: not taken`);
+          waiting -= 1;
+          if (waiting) return;
+          const obey = `${order.name}: ${able.length - refused.length} of ${able.length} obey.`;
+          this.notice([obey, ...refused].join(" "), refused.length ? "bad" : "good");
+        });
+      }
+    };
+    this.dialog.showModal();
+    /** @type {HTMLElement | null} */ (able.length ? yes : this.dialog.querySelector("button[value=no]"))?.focus();
   }
 
   /**
@@ -66,6 +104,11 @@ export class Operator {
     this.dialog.showModal();
     yes.focus();
   }
+}
+
+/** Why no order reaches a vehicle; empty where one does. The session has the last word. @param {import("./messages").VehicleRow} row */
+function refusal(row) {
+  return !row.alive ? "is dead." : row.heard_s === null ? "has not sent any telemetry yet." : "";
 }
 
 /** What an operator should have in view while deciding. @param {import("./messages").VehicleRow} row */

@@ -67,7 +67,7 @@ function body(role, plain) {
 }
 
 export class SpaceView {
-  /** @param {HTMLCanvasElement} canvas @param {HTMLCanvasElement} names what is written over it @param {(sysid: number | null) => void} choose */
+  /** @param {HTMLCanvasElement} canvas @param {HTMLCanvasElement} names what is written over it @param {(sysid: number | null, event: MouseEvent) => void} choose */
   constructor(canvas, names, choose) {
     this.canvas = canvas;
     this.names = names;
@@ -112,7 +112,7 @@ export class SpaceView {
       const near = this.places
         .map((one) => ({ ...one, off: Math.hypot(one.x - event.offsetX, one.y - event.offsetY) }))
         .sort((a, b) => a.off - b.off)[0];
-      choose(near && near.off < 24 ? near.sysid : null);
+      choose(near && near.off < 24 ? near.sysid : null, event);
     });
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }

@@ -47,7 +47,8 @@ export class Strip {
     }
     // Figures change each second: only counts are read out.
     this.counts = h("p", { class: "unseen", "aria-live": "polite" });
-    this.element = h("section", { class: "strip", "aria-label": "trouble" }, this.well, list, this.counts);
+    this.all = h("div", { class: "all" });
+    this.element = h("section", { class: "strip", "aria-label": "trouble" }, this.well, list, this.all, this.counts);
   }
 
   /** @param {Snapshot} snapshot */

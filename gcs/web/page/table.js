@@ -32,7 +32,7 @@ const FOLDED = COLUMNS.filter((column) => column.folds);
 const classOf = (column) => [column.word && "word", column.folds && "folds", column.key === "trouble" && "trouble"].filter(Boolean).join(" ");
 
 export class FleetTable {
-  /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean) => void} choose */
+  /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean, event?: MouseEvent) => void} choose */
   constructor(parent, choose) {
     this.choose = choose;
     this.by = "trouble";
@@ -115,6 +115,14 @@ export class FleetTable {
     if (changed && chosen !== null) this.rows.get(chosen)?.row.scrollIntoView({ block: "nearest" });
   }
 
+  /** Vehicles from one to another as they stand in the table; null for a click elsewhere. @param {number} from @param {number} to @param {MouseEvent} event */
+  between(from, to, event) {
+    if (!(event.target instanceof Node && this.body.contains(event.target))) return null;
+    const shown = [...this.rows].filter(([, one]) => !one.row.hidden).sort(([, a], [, b]) => a.row.rowIndex - b.row.rowIndex).map(([sysid]) => sysid);
+    const [a, b] = [shown.indexOf(from), shown.indexOf(to)].sort((x, y) => x - y);
+    return a < 0 ? null : shown.slice(a, b + 1);
+  }
+
   /** @param {VehicleRow} row */
   #make(row) {
     const swatch = h("i", { class: "swatch" });
@@ -125,7 +133,7 @@ export class FleetTable {
       const beside = { id: [swatch], trouble: [sign] }[column.key] ?? [];
       return h("td", { class: classOf(column) }, ...beside, texts[k], column.key === "trouble" ? folded : null);
     });
-    const made = { row: h("tr", { onclick: () => this.choose(row.sysid, false) }, ...cells), texts, sign, folded, swatch, colour: "" };
+    const made = { row: h("tr", { onclick: (/** @type {MouseEvent} */ event) => this.choose(row.sysid, false, event) }, ...cells), texts, sign, folded, swatch, colour: "" };
     this.rows.set(row.sysid, made);
     return made;
   }

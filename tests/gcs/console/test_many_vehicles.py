@@ -119,7 +119,7 @@ def test_a_question_shows_its_vehicle_as_it_is_now_and_what_follows() -> None:
     async def steps(shown: Shown) -> None:
         await shown.press("h")
         assert "battery 8 %" in shown.text()
-        assert "Nobody refuels it until" in shown.text()
+        assert "It will not be refuelled" in shown.text()
         rows = [row | {"battery": 0.07} for row in snapshot(48.4)["vehicles"]]
         await shown.feed({**snapshot(48.4), "vehicles": rows})
         assert "battery 7 %" in shown.text()

@@ -133,7 +133,8 @@ def test_seeking_shows_what_playing_there_shows(session: Outcome, t_s: float) ->
     for sysid, row in rows(there).items():
         other = rows(here)[sysid]
         assert other.pop("power_w") == pytest.approx(row.pop("power_w"), rel=0.2, abs=15.0)
-        for key in ("endurance_s", "trouble", "severity", "lost_share"):  # they follow from the draw, and from before
+        derived = ("endurance_s", "trouble", "severity", "condition", "figure", "urgency", "lost_share")
+        for key in derived:  # they follow from the draw, and from before
             row.pop(key), other.pop(key)
         assert other == row
     assert all(here[key] == there[key] for key in ("t_s", "services", "history", "competition", "goal", "traffic"))

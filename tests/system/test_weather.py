@@ -13,7 +13,7 @@ from sessions import Outcome, fly, small
 def windy(**changes: Any) -> dict[str, Any]:
     """A refuelling in 8 m/s with light turbulence, in 35 s."""
     wind = {"speed_m_s": 8.0, "from_deg": 250.0, "turbulence_m_s": 7.7}
-    content = small(goal={"duration_s": 35.0}, wind=wind, **changes)
+    content = small(goal={"duration_s": 35.0}, formation={"ring_m": 3.0}, wind=wind, **changes)
     content["vehicles"]["defaults"] = {"plant": "rotors", "sensors": {}}
     return content
 

@@ -60,7 +60,7 @@ def accuracy(rng: np.random.Generator) -> Document:
         {"sysid": i + 1, "start_m": rounded_m(starts[i]), "airborne": True, "waypoints_m": [rounded_m(ends[i])]}
         for i in range(n)
     ]
-    longest_m = float(np.sqrt(((ends - starts) ** 2).sum(axis=1)).max())
+    longest_m = float(np.sqrt(((ends - starts) * (ends - starts)).sum(axis=1)).max())
     document["goal"] = {"duration_s": min(math.ceil(2.0 * longest_m / cruise_m_s + SPARE_S), MOST_S)}
     return document
 

@@ -77,7 +77,7 @@ class Injection(NamedTuple):
     """A fault as the seed has drawn it."""
 
     number: int
-    """its place in the scenario, from 1; those that are injected in flight go on from there"""
+    """its place in the scenario, from 1; faults injected in flight are counted on from the last"""
     fault: Fault
     begin_s: float
     end_s: float

@@ -181,7 +181,8 @@ class Session:
         parameters, sent in a COMMAND_LONG and again until it is acknowledged. The planner goes on with a vehicle that a
         MAV_CMD has put into another mode, unless it was given away by `release` before.
 
-        What is returned gets its `outcome` as the session is stepped on; `Snapshot.acknowledged` has those that ended.
+        The returned command gets its `outcome` while the session is stepped on; `Snapshot.acknowledged` lists the
+        commands that have ended.
         Raises ValueError for what is no command, SessionError where it is refused or nothing can be commanded.
         """
         self._check_acts()

@@ -33,7 +33,8 @@ class Reception:
         watched: WatchedSchedule | None,
         external: Collection[int],
     ) -> None:
-        """`watched`: a schedule that hears vehicles compete on board. `external`: those that fly on the real clock."""
+        """`watched`: a schedule that hears vehicles compete on board. `external`: system ids of the vehicles that
+        fly on the real clock."""
         self._fleet, self._radio, self._watched = fleet, radio, watched
         self._external = external
         self._peer_radio, self._place_radio = peer_radio, place_radio

@@ -31,8 +31,8 @@ _ROUNDING_S = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Truth:
-    """Motion and energy of n vehicles by their own records, whatever they report; NaN of those that leave none, and
-    before the first one. Common NED frame."""
+    """Motion and energy of n vehicles by their own records, not by what they report. NaN before a vehicle's first
+    record, and for a vehicle without records. Common NED frame."""
 
     sysid: NDArray[np.int64]
     """(n,) in order"""

@@ -24,7 +24,6 @@ FLOWN_S = 14.0
 REACH_M = 2.0
 LEFT_ALONE_S = 0.2
 """So long after a vehicle was taken a set point may still be on its way to it."""
-pytestmark = pytest.mark.timeout(110)
 
 
 class Fleet(NamedTuple):

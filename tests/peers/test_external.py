@@ -26,7 +26,6 @@ PX4_REFUSES_S, COPTERS_REFUSE_S = "12", "8"
 """MAVSDK takes seconds to come up on a busy machine: the others begin when it is there, and all still refuse then."""
 AWAY_S = 2.4
 """The PX4 leaves offboard after a second of it, and tells so in the next."""
-pytestmark = pytest.mark.timeout(90)
 
 
 OWN_ORIGIN_M = {PX4: (-3.0, -2.0, -1.0), COPTER: (1.0, 5.0, -0.5), TARGET: (2.0, 0.0, 0.0)}

@@ -5,12 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import pytest
 from onlookers import mavproxy, mavsdk
 from sessions import Running, small
 from strangers import free_port
-
-pytestmark = pytest.mark.timeout(110)
 
 
 def test_mavsdk_lands_what_gcs_flies_while_mavproxy_looks_on(peers: Path, tmp_path: Path) -> None:

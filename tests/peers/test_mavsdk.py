@@ -8,12 +8,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from patience import PATIENCE_S
 from quick_vehicles import Fly, flying
 from strangers import free_port
 
 SCRIPT = Path(__file__).with_name("with_mavsdk.py")
-WITHIN_S = 100.0
-pytestmark = pytest.mark.timeout(120)
 PX4_SCENES = ("flight", "offboard", "mission", "follow", "failures", "motor")
 IDENTITIES = ("ardupilot", "generic")
 FOUR = ("1", "2", "3", "4")
@@ -40,7 +39,7 @@ def flown(peers: Path, scene: str, port: int, folder: Path) -> None:
     with flying(folder) as fly:
         start(fly, port, folder)
         argv = [str(peers / "python"), str(SCRIPT), str(port), *arguments]
-        done = subprocess.run(argv, capture_output=True, text=True, timeout=WITHIN_S, check=False)
+        done = subprocess.run(argv, capture_output=True, text=True, timeout=2.0 * PATIENCE_S, check=False)
     assert done.returncode == 0, done.stdout[-1500:] + done.stderr[-3000:]
 
 

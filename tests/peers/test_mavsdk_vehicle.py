@@ -6,14 +6,12 @@ import math
 import subprocess
 from pathlib import Path
 
-import pytest
 from pymavlink.dialects.v20 import common as mav
 from station import ACCEPTED, POSITION, VELOCITY, Station
 
 PROGRAM = Path(__file__).with_name("mavsdk_vehicle.py")
 OFFBOARD, RETURN, LAND = 6 << 16, 4 << 16 | 5 << 24, 4 << 16 | 6 << 24
 CUSTOM = 1.0
-pytestmark = pytest.mark.timeout(60)
 
 
 def test_a_px4_of_mavsdk_is_armed_taken_off_flown_and_landed(peers: Path) -> None:

@@ -7,7 +7,6 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-import pytest
 from pymavlink.dialects.v20 import common
 
 import gcs.mavlink.codec as gcs_codec
@@ -19,7 +18,6 @@ OTHERS = "COMMAND_ACK STATUSTEXT PARAM_VALUE AUTOPILOT_VERSION MISSION_ITEM_INT 
 OURS = sorted({common.mavlink_map[stream.msgid].msgname for stream in TELEMETRY} | set(OTHERS.split()))
 THEIRS = "HEARTBEAT COMMAND_LONG COMMAND_INT SET_POSITION_TARGET_LOCAL_NED PARAM_SET PARAM_REQUEST_READ SYSTEM_TIME"
 READER = 200
-pytestmark = pytest.mark.timeout(60)
 
 
 def values(name: str) -> dict[str, Any]:

@@ -31,10 +31,7 @@ BRAKE, GUIDED, LAND = 17, 4, 9
 CUSTOM = 1.0
 RING_M, CAPACITY_J = 3.0, 150_000.0
 READY_WITHIN_S = 90.0
-pytestmark = [
-    pytest.mark.timeout(300),
-    pytest.mark.skipif(not PROGRAM, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator"),
-]
+pytestmark = pytest.mark.skipif(not PROGRAM, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator")
 
 
 class Flown(NamedTuple):

@@ -27,10 +27,7 @@ CAPACITY_J = 250_000.0
 STATION = 255
 NOISE_M = 2.0
 """How far off its simulated GPS has it fly, at most: it wandered by 0.9 m in a hold of 20 s."""
-pytestmark = [
-    pytest.mark.skipif(not BUILD, reason="no PX4: SKYTENDER_PX4 names no build/px4_sitl_default"),
-    pytest.mark.timeout(180),
-]
+pytestmark = pytest.mark.skipif(not BUILD, reason="no PX4: SKYTENDER_PX4 names no build/px4_sitl_default")
 
 
 @dataclass(frozen=True)

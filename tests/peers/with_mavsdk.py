@@ -15,7 +15,7 @@ from mavsdk.asyncio.plugins.offboard import OffboardAsync, PositionNedYaw, Veloc
 from mavsdk.asyncio.plugins.param import ParamAsync, ParamError
 from mavsdk.asyncio.plugins.telemetry import FlightMode, LandedState, TelemetryAsync
 
-WITHIN_S = 45.0
+WITHIN_S = 90.0
 PER_M = math.degrees(1.0 / 6.37e6)
 NAN = float("nan")
 OF_MANY = ("four", "looks_on")

@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from patience import PATIENCE_S
 from pymavlink.dialects.v20 import common as mav
 
-WITHIN_S = 60.0
 PROGRAM = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 
 
@@ -57,7 +57,7 @@ class Server:
     def line(self) -> dict[str, Any]:
         """The next report."""
         assert self.process.stdout is not None
-        deadline_s = time.monotonic() + WITHIN_S
+        deadline_s = time.monotonic() + PATIENCE_S
         while b"\n" not in self._pending:
             left_s = deadline_s - time.monotonic()
             assert select.select([self.process.stdout], [], [], max(left_s, 0.0))[0], "no report"
@@ -114,7 +114,7 @@ def server(tmp_path: Path) -> Iterator[Server]:
 def test_vehicle_is_forked_and_speaks(server: Server) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:
         ground.bind(("127.0.0.1", 0))
-        ground.settimeout(WITHIN_S)
+        ground.settimeout(PATIENCE_S)
         report = server.fork("--sysid", "42", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}")
         assert report == {"sysid": 42, "pid": report["pid"]}
         (heartbeat,) = mav.MAVLink(None).parse_buffer(ground.recv(2000))
@@ -148,7 +148,7 @@ def test_vehicle_killed_by_a_signal_is_reported_negative_and_the_others_live(ser
     victim, other = server.fork_waiting(1), server.fork_waiting(2)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as ground:  # 3 is heard, so its log is written
         ground.bind(("127.0.0.1", 0))
-        ground.settimeout(WITHIN_S)
+        ground.settimeout(PATIENCE_S)
         server.fork("--sysid", "3", "--connect", f"udpout:127.0.0.1:{ground.getsockname()[1]}", log="3.log")
         ground.recv(2000)
     victim.kill(signal.SIGSEGV)
@@ -167,7 +167,7 @@ def test_end_of_stdin_ends_the_server_and_all_vehicles(server: Server) -> None:
         server.fork_waiting(sysid)
     assert server.process.stdin is not None
     server.process.stdin.close()
-    assert server.process.wait(WITHIN_S) == 0
+    assert server.process.wait(PATIENCE_S) == 0
     assert all_gone(server.children)
 
 
@@ -176,7 +176,7 @@ def test_vehicles_die_with_the_server(server: Server, how: signal.Signals) -> No
     for sysid in (1, 2):
         server.fork_waiting(sysid)
     server.process.send_signal(how)
-    assert server.process.wait(WITHIN_S) == -how
+    assert server.process.wait(PATIENCE_S) == -how
     assert all_gone(server.children)
 
 
@@ -197,7 +197,7 @@ def test_log_that_cannot_be_written_is_said_in_one_sentence(server: Server) -> N
 def test_order_that_is_none_ends_the_server_with_a_sentence(server: Server, line: bytes) -> None:
     server.fork_waiting(1)
     server.write(line)
-    assert server.process.wait(WITHIN_S) == 2
+    assert server.process.wait(PATIENCE_S) == 2
     assert all_gone(server.children)
     assert server.process.stderr is not None
     said = server.process.stderr.read().decode()
@@ -208,7 +208,7 @@ def test_order_that_is_none_ends_the_server_with_a_sentence(server: Server, line
 def test_empty_stdin_ends_it_well() -> None:
     with open(os.devnull, "rb") as nothing:
         done = subprocess.run(
-            [*PROGRAM, "fork-server"], stdin=nothing, capture_output=True, timeout=WITHIN_S, check=False
+            [*PROGRAM, "fork-server"], stdin=nothing, capture_output=True, timeout=PATIENCE_S, check=False
         )
     assert (done.returncode, done.stderr) == (0, b"")
     assert json.loads(done.stdout) == {"ready": True}
@@ -218,7 +218,7 @@ def test_a_fork_server_of_one_session_ends_with_its_socket_and_takes_its_vehicle
     """It is forked from one that lasts, which reports the CPU time of it and its vehicles."""
     connection, theirs = socket.socketpair()
     with connection, theirs, subprocess.Popen([*PROGRAM, "fork-server"], stdin=theirs, stdout=theirs) as lasting:
-        connection.settimeout(WITHIN_S)
+        connection.settimeout(PATIENCE_S)
         reports = connection.makefile("rb")
         assert json.loads(reports.readline()) == {"ready": True}
         session, its = socket.socketpair()
@@ -226,7 +226,7 @@ def test_a_fork_server_of_one_session_ends_with_its_socket_and_takes_its_vehicle
         with session:
             with its:
                 socket.send_fds(connection, [order], [its.fileno()])
-            session.settimeout(WITHIN_S)
+            session.settimeout(PATIENCE_S)
             answers = session.makefile("rb")
             server = json.loads(reports.readline())["pid"]
             assert json.loads(answers.readline()) == {"ready": True}
@@ -241,4 +241,4 @@ def test_a_fork_server_of_one_session_ends_with_its_socket_and_takes_its_vehicle
         vehicle.close()
         reports.close()
         connection.shutdown(socket.SHUT_WR)
-        assert lasting.wait(WITHIN_S) == 0
+        assert lasting.wait(PATIENCE_S) == 0

@@ -21,11 +21,11 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
 
+from patience import PATIENCE_S
 from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 MISSING = "Chromium is not installed (Debian: apt-get install chromium)"
-PATIENCE_S = 60.0
 FLAGS = (
     "--headless=new",
     "--no-sandbox",  # tests run as root in CI

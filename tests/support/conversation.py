@@ -7,6 +7,8 @@ import select
 import subprocess
 import time
 
+from patience import PATIENCE_S
+
 
 class Conversation:
     """A program that is typed to and read from, until it says what is waited for."""
@@ -31,7 +33,7 @@ class Conversation:
         self._process.stdin.write(f"{line}\n".encode())
         self._process.stdin.flush()
 
-    def ask(self, line: str, word: str, within_s: float = 10.0) -> None:
+    def ask(self, line: str, word: str, within_s: float = PATIENCE_S) -> None:
         """Type a line once a second until it is answered with a word."""
         deadline_s = time.monotonic() + within_s
         while self.said.find(word, self._read) < 0:
@@ -42,7 +44,7 @@ class Conversation:
                 pass
         self.hear(word)
 
-    def hear(self, *words: str, within_s: float = 20.0) -> None:
+    def hear(self, *words: str, within_s: float = PATIENCE_S) -> None:
         """Wait until all of some words have been said since what was waited for last, in any order: it prints late."""
         deadline_s = time.monotonic() + within_s
         while min(found := [self.said.find(word, self._read) for word in words]) < 0:

@@ -19,8 +19,8 @@ from types import TracebackType
 from typing import Any, Self
 
 import psutil
+from patience import PATIENCE_S
 
-PATIENCE_S = 60.0
 ALTERNATE, MAIN = b"\x1b[?1049h", b"\x1b[?1049l"
 _ESCAPES = re.compile(rb"\x1b(?:\[[0-?]*[ -/]*[@-~]|[@-_])")
 LOCAL_FLAGS = 3

@@ -20,12 +20,12 @@ from typing import Any
 import numpy as np
 import psutil
 import yaml
+from patience import PATIENCE_S
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega
 
 GCS = [sys.executable, "-m", "gcs"]
 ROOT = Path(__file__).resolve().parents[2]
-PATIENCE_S = 90.0
 DIGESTS = {
     "paper/example1": "1c04dd1c",
     "paper/example2": "5e9963ac",

@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 from typing import Any, Self
 
+from patience import PATIENCE_S
 from pymavlink.dialects.v20 import common as mav
 
 ACCEPTED = mav.MAV_RESULT_ACCEPTED
@@ -54,7 +55,7 @@ class Station:
         )
         self._point_s = -math.inf
 
-    def hear(self, kind: str, holds: Callable[[Any], bool] = lambda _: True, within_s: float = 15.0) -> Any:
+    def hear(self, kind: str, holds: Callable[[Any], bool] = lambda _: True, within_s: float = PATIENCE_S) -> Any:
         """The next message of a kind, among those not yet waited for, for which `holds` holds."""
         deadline_s, last = time.monotonic() + within_s, None
         while time.monotonic() < deadline_s:
@@ -68,13 +69,13 @@ class Station:
             self._listen(0.05)
         raise AssertionError(f"no {kind} like that in {within_s} s; last: {last}")
 
-    def command(self, command: int, *params: float, until: int | None = ACCEPTED, within_s: float = 20.0) -> int:
+    def command(self, command: int, *params: float, until: int | None = ACCEPTED, within_s: float = PATIENCE_S) -> int:
         """A COMMAND_LONG's result; sent again each second until it is the one that is waited for (None: any)."""
         filled = (*params, *(0.0 for _ in range(7 - len(params))))
         deadline_s = time.monotonic() + within_s
         while True:
             self.send(mav.MAVLink_command_long_message(self.sysid, 1, command, 0, *filled))
-            result = int(self.hear("COMMAND_ACK", lambda ack: ack.command == command, 3.0).result)
+            result = int(self.hear("COMMAND_ACK", lambda ack: ack.command == command).result)
             if until in (None, result):
                 return result
             assert time.monotonic() < deadline_s, f"command {command}: {result}"

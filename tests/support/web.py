@@ -10,7 +10,8 @@ import threading
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from patience import PATIENCE_S
+from playwright.sync_api import Browser, Page, expect, sync_playwright
 from sessions import small
 
 from gcs.scenario.model import Scenario
@@ -25,7 +26,6 @@ ARGUMENTS = [
     "--enable-unsafe-swiftshader",
     "--disable-dev-shm-usage",
 ]  # tests run as root, without a card
-PATIENCE_MS = 45_000
 
 
 class Script:
@@ -179,6 +179,7 @@ def _pump(a: socket.socket, b: socket.socket) -> None:
 def chromium() -> Iterator[Browser]:
     """Debian's Chromium, without a window."""
     with sync_playwright() as playwright:
+        expect.set_options(timeout=1e3 * PATIENCE_S)
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         try:
             yield browser
@@ -193,7 +194,7 @@ class Watched:
         self.page: Page = browser.new_page(
             viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
         )
-        self.page.set_default_timeout(PATIENCE_MS)
+        self.page.set_default_timeout(1e3 * PATIENCE_S)
         self.wrong: list[str] = []
         self.asked: list[str] = []
         self.page.on("pageerror", lambda error: self.wrong.append(str(error)))
@@ -226,8 +227,8 @@ UNTIL = """new Promise((done) => {{
 
 def until(page: Page, expression: str) -> None:
     """Wait in the page until an expression of JavaScript holds; the page's policy lets nothing else evaluate text."""
-    state = page.evaluate(UNTIL.format(expression, PATIENCE_MS))
-    assert not state, f"{expression} does not hold after {PATIENCE_MS / 1e3:.0f} s: {state}"
+    state = page.evaluate(UNTIL.format(expression, 1e3 * PATIENCE_S))
+    assert not state, f"{expression} does not hold after {PATIENCE_S:.0f} s: {state}"
 
 
 def serious(page: Page) -> list[str]:

@@ -28,10 +28,7 @@ from gcs.campaign.file import from_data
 from gcs.campaign.plan import Plan, make
 from gcs.campaign.runner import Runner, make_folder
 
-pytestmark = [
-    pytest.mark.timeout(300),
-    pytest.mark.filterwarnings("default"),  # Dask's own, of sockets that a lost scheduler leaves open
-]
+pytestmark = pytest.mark.filterwarnings("default")  # Dask's own, of sockets that a lost scheduler leaves open
 
 CAMPAIGN: dict[str, Any] = {
     "schema": 1,

@@ -24,7 +24,6 @@ LAT, LON, ALT = 47.397742, 8.545594, 488.0
 RING_M = 2.0
 FLOWN_S = 19.0
 AWAY_S = 0.7
-pytestmark = pytest.mark.timeout(90)
 
 
 def scenario(vehicles: dict[str, Any], **changed: Any) -> dict[str, Any]:

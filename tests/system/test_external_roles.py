@@ -18,7 +18,6 @@ from strangers import SIMVEHICLE, free_port, strangers
 TANKER, LOST = 201, 2
 END_S = 21.0
 PX4_MODES = {4 << 16 | 3 << 24: "hold", 6 << 16: "offboard"}
-pytestmark = pytest.mark.timeout(90)
 
 
 @dataclass

@@ -16,7 +16,6 @@ from gcs.recording import session_folder
 from gcs.report.findings import Findings
 from gcs.supervisor.redecide import redecide
 
-pytestmark = pytest.mark.timeout(120)
 PAD = {"capacity_j": 60_000}
 FAULTS = [
     {"fault": "battery", "sysid": 1, "share": 0.1, "at_s": 5.0},

@@ -12,7 +12,6 @@ import pytest
 import yaml
 from sessions import ROOT, small
 
-pytestmark = pytest.mark.timeout(240)
 PROGRAM = str(Path(sys.executable).with_name("gcs"))
 CACHES = ("HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "NUMBA_CACHE_DIR")
 """Variables that name folders where programs look for what they, or others, have kept."""

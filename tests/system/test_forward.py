@@ -10,14 +10,11 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-import pytest
 import yaml
 from commands import gcs
 from onlookers import pymavlink_station
 from pymavlink.dialects.v20 import common as mav
 from sessions import GCS, Outcome, fly, small
-
-pytestmark = pytest.mark.timeout(100)
 
 
 def flown(folder: Path, *options: str, duration_s: float = 12.0) -> Outcome:

@@ -26,7 +26,6 @@ from strangers import SIMVEHICLE, free_port, strangers
 
 from gcs.session.fetched_logs import fetch_logs
 
-pytestmark = pytest.mark.timeout(100)
 DATAFLASH = b"\xa3\x95" + random.Random(1).randbytes(50_000)
 
 

@@ -17,6 +17,7 @@ from typing import Any
 import pytest
 import yaml
 from commands import gcs
+from patience import PATIENCE_S
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import common
 from sessions import GCS, small
@@ -26,7 +27,6 @@ from gcs.scenario.endpoint import Endpoint
 from gcs.session.monitor import MonitorSource
 
 mav = mavutil.mavlink
-PATIENCE_S = 40.0
 
 
 class Lines:

@@ -16,7 +16,6 @@ from gcs.session.replay import Replay
 
 STRANGER = 3
 TEXT = "Battery 1 is low and the pilot is told so at such length that it needs a third chunk, which ends here and now"
-pytestmark = pytest.mark.timeout(150)
 
 
 @dataclass

@@ -20,7 +20,6 @@ HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "parameter_holder.py")]
 FORMS = {"UINT8": "B", "INT8": "b", "UINT16": "H", "INT16": "h", "UINT32": "I", "INT32": "i", "REAL32": "f"}
 WIDE = {"UINT64": "Q", "INT64": "q", "REAL64": "d"}
 PX4, ARDUPILOT = 1, 2
-pytestmark = pytest.mark.timeout(100)
 
 
 def single(number: float) -> float:

@@ -14,8 +14,6 @@ from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
 from gcs.scenario.file import load
 
-pytestmark = pytest.mark.timeout(100)
-
 
 class Params:
     """The command at the port of the three."""

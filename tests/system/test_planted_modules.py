@@ -13,7 +13,6 @@ import pytest
 import yaml
 from sessions import GCS, small
 
-pytestmark = pytest.mark.timeout(240)
 PROGRAM = str(Path(sys.executable).with_name("gcs"))
 NAMES = (
     sys.stdlib_module_names | importlib.metadata.packages_distributions().keys() | {"sitecustomize", "usercustomize"}

@@ -20,7 +20,6 @@ from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 from gcs.scenario.model import Scenario
 from gcs.supervisor.preflight import fence_items, rally_items
 
-pytestmark = pytest.mark.timeout(100)
 ORIGIN = {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}
 TARGET = {
     "sysid": 101,

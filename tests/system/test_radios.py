@@ -29,7 +29,6 @@ FLOWN_S = 27.0
 GOAL = {"duration_s": FLOWN_S, "lost_at_most": 6}
 CABLE, TCP, TCPIN, ROUTED = 1, 2, 3, (4, 5, 6)
 POINT_S = 2.0
-pytestmark = pytest.mark.timeout(110)
 
 
 @dataclass

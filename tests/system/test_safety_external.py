@@ -24,7 +24,6 @@ OFF_M = 1.0
 OFFSETS = [(-OFF_M, 0.0), (0.0, -OFF_M), (OFF_M, 0.0), (0.0, OFF_M)]
 COLUMNS = [(9.0, 4.0), (12.0, -4.5), (16.0, 0.5)]
 SET_POINT = "SET_POSITION_TARGET_LOCAL_NED"
-pytestmark = pytest.mark.timeout(120)
 
 
 def scenario(pursuers: list[dict[str, Any]], duration_s: float, **changed: Any) -> dict[str, Any]:

@@ -20,7 +20,6 @@ from pymavlink.dialects.v20 import common as mav
 from sessions import Outcome, Running, fly, small
 from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
 
-pytestmark = pytest.mark.timeout(90)
 SHORT = small(goal={"duration_s": 12.0, "refuelled_at_least": 0})
 IDS = (1, 101, 201)
 AWAY_S = 3.3

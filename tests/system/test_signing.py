@@ -18,7 +18,6 @@ from strangers import SIMVEHICLE, free_port, strangers
 
 from gcs.link.keys import new_key, read_key
 
-pytestmark = pytest.mark.timeout(90)
 ARM = mav.MAV_CMD_COMPONENT_ARM_DISARM
 
 

@@ -20,7 +20,6 @@ BAUD = 57_600
 FLOWN_S = 16.0
 PX4_OFFBOARD = 6 << 16
 POINTS_M = [[4, 0, -3], [-4, 0, -3]]
-pytestmark = pytest.mark.timeout(90)
 
 
 @dataclass

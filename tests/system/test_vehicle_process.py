@@ -18,11 +18,11 @@ from typing import Any
 
 import pytest
 import yaml
+from patience import PATIENCE_S
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import common as mav
 
 PROGRAM = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
-START_WITHIN_S = 30.0
 PX4_HOLD, PX4_LAND, PX4_OFFBOARD = 4 << 16 | 3 << 24, 4 << 16 | 6 << 24, 6 << 16
 ACCEPTED = 0
 QUICK = {"MPC_TKO_SPEED": 3.0, "MPC_LAND_SPEED": 1.5, "RTL_RETURN_ALT": 1.0, "MIS_TAKEOFF_ALT": 1.5}
@@ -44,7 +44,7 @@ def flying(folder: Path, sysid: int, connect: str, *argv: str) -> Iterator[subpr
 def port_of(process: subprocess.Popen[str]) -> int:
     """The port that a vehicle on udpin says it got."""
     assert process.stdout is not None
-    assert select.select([process.stdout], [], [], START_WITHIN_S)[0]
+    assert select.select([process.stdout], [], [], PATIENCE_S)[0]
     return int(process.stdout.readline().rsplit(" ", 1)[1].strip(")\n"))
 
 
@@ -78,7 +78,7 @@ class Ground:
     def send_point(self, p_ned: tuple[float, float, float]) -> None:
         self.link.mav.set_position_target_local_ned_send(0, self.sysid, 1, 1, 3576, *p_ned, 0, 0, 0, 0, 0, 0, 0, 0)
 
-    def wait(self, kind: str, holds: Callable[[Any], bool] = lambda _: True, within_s: float = 10.0) -> Any:
+    def wait(self, kind: str, holds: Callable[[Any], bool] = lambda _: True, within_s: float = PATIENCE_S) -> Any:
         """The next message of this vehicle and kind for which `holds` holds."""
         deadline_s = time.monotonic() + within_s
         last = None
@@ -96,13 +96,13 @@ class Ground:
         self.link.mav.command_long_send(self.sysid, 1, command, 0, *filled)
         return int(self.wait("COMMAND_ACK", lambda m: m.command == command).result)
 
-    def near(self, p_ned: tuple[float, float, float], within_s: float = 10.0) -> None:
+    def near(self, p_ned: tuple[float, float, float], within_s: float = PATIENCE_S) -> None:
         self.wait("LOCAL_POSITION_NED", lambda m: math.dist((m.x, m.y, m.z), p_ned) < 0.3, within_s)
 
 
 def fly_out_and_home(ground: Ground) -> None:
     """Arm, take off, offboard to a place, return, land, disarmed."""
-    ground.wait("HEARTBEAT", within_s=START_WITHIN_S)
+    ground.wait("HEARTBEAT")
     assert ground.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0) == ACCEPTED
     ground.wait("HEARTBEAT", lambda m: bool(m.base_mode & 0x80))
     assert ground.command(mav.MAV_CMD_NAV_TAKEOFF, *[math.nan] * 7) == ACCEPTED
@@ -181,7 +181,7 @@ def test_two_vehicles_on_one_ground_stations_port_obey_only_their_own(tmp_path: 
             )
         one, two = Ground(link, 1), Ground(link, 2)
         for ground in (one, two):
-            ground.wait("HEARTBEAT", within_s=START_WITHIN_S)
+            ground.wait("HEARTBEAT")
         assert len(link.clients) == 2  # mavutil, as MAVSDK does, sends everything to everybody
         one.set_point, two.set_point = (2.0, 0.0, -1.0), (2.0, 5.0, 1.0)
         one.others, two.others = (two,), (one,)
@@ -205,7 +205,7 @@ def test_bad_input_ends_a_process_at_once_with_one_sentence(tmp_path: Path, what
             "output": ("udpin:127.0.0.1:0", ["--truth", str(tmp_path / "no" / "x")], "No such file or directory"),
         }[what]
         with flying(tmp_path, 1, connect, *argv) as process:
-            out, err = process.communicate(timeout=START_WITHIN_S)
+            out, err = process.communicate(timeout=PATIENCE_S)
     assert process.returncode == 2
     assert out == ""
     assert said in err
@@ -215,7 +215,7 @@ def test_bad_input_ends_a_process_at_once_with_one_sentence(tmp_path: Path, what
 def supervisor_socket() -> socket.socket:
     made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     made.bind(("127.0.0.1", 0))
-    made.settimeout(START_WITHIN_S)
+    made.settimeout(PATIENCE_S)
     return made
 
 

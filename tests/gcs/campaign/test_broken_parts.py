@@ -15,8 +15,6 @@ from gcs.campaign import statistics, table
 from gcs.campaign.file import from_data
 from gcs.campaign.plan import Plan, make
 
-pytestmark = pytest.mark.timeout(300)  # sessions are flown, by code that may have to be compiled
-
 CAMPAIGN = {
     "schema": 1,
     "name": "small",

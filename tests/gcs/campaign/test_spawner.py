@@ -8,15 +8,12 @@ import time
 from pathlib import Path
 
 import psutil
-import pytest
+from patience import PATIENCE_S
 
 import gcs
 from gcs.campaign.spawner import Flight, SessionSpawner
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
-
-pytestmark = pytest.mark.timeout(300)
-FOUND_WITHIN_S = 60.0
 
 
 def example(duration_s: float) -> Scenario:
@@ -42,7 +39,7 @@ def processes(sessions: SessionSpawner) -> list[psutil.Process]:
 
 def supervisor(sessions: SessionSpawner) -> psutil.Process:
     """The supervisor that flies, once its vehicles are there."""
-    deadline_s = time.monotonic() + FOUND_WITHIN_S
+    deadline_s = time.monotonic() + PATIENCE_S
     while time.monotonic() < deadline_s:
         named = {title(child): child for child in processes(sessions)}
         if "gcs session" in named and "simvehicle 5" in named:

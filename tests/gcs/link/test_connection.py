@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 import serial
+from patience import PATIENCE_S
 from pymavlink.dialects.v20 import common as mav
 from radios import Cable
 
@@ -22,7 +23,6 @@ from gcs.link.socket import AddressRefused
 from gcs.mavlink import codec
 from gcs.scenario.endpoint import address
 
-WITHIN_S = 10.0
 SENDER = mav.MAVLink(None, srcSystem=4, srcComponent=1)
 FRAME = bytes(mav.MAVLink_heartbeat_message(2, 12, 0x81, 6 << 16, 4, 3).pack(SENDER))
 
@@ -36,7 +36,7 @@ def opened(text: str) -> Any:
 def until(one: Channel, holds: Callable[[], object], count: int = 0) -> list[bytes]:
     """Tend and read until something holds and so many frames have come; the frames."""
     came: list[bytes] = []
-    deadline_s = time.monotonic() + WITHIN_S
+    deadline_s = time.monotonic() + PATIENCE_S
     while not holds() or len(came) < count:
         assert time.monotonic() < deadline_s, one.problem
         one.tend(time.monotonic())
@@ -159,7 +159,7 @@ def test_who_does_not_read_loses_frames_and_costs_nothing_else() -> None:
         while sum(len(stream._unsent) for stream in one._streams.values()) == 0:  # type: ignore[attr-defined]
             for _ in range(1000):
                 one.send(FRAME, sender)
-            assert time.monotonic() - began_s < WITHIN_S
+            assert time.monotonic() - began_s < PATIENCE_S
         for _ in range(1000):
             one.send(FRAME, sender)
         (stream,) = one._streams.values()  # type: ignore[attr-defined]
@@ -186,7 +186,7 @@ def test_a_cable_is_read_at_its_rate_and_opened_again_when_it_is_back(tmp_path: 
             vehicle.sendto(FRAME, ("127.0.0.1", cable.port))
             assert read(one, 1) == [FRAME]
             one.send(FRAME, one.to or ())
-            assert select.select([vehicle], [], [], WITHIN_S)[0]
+            assert select.select([vehicle], [], [], PATIENCE_S)[0]
             assert vehicle.recv(1000) == FRAME
             cable.pull()
             until(one, lambda: "there is no device" in one.problem)
@@ -207,7 +207,7 @@ def test_another_rate_than_the_radios_is_noise_and_advice(tmp_path: Path) -> Non
     diagnosis = Diagnosis(one.at)
     assert diagnosis.text(one.problem) == "nothing comes: is the other end on, and are both radios of one network?"
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as vehicle:
-        deadline_s = time.monotonic() + WITHIN_S
+        deadline_s = time.monotonic() + PATIENCE_S
         while "rate" not in diagnosis.text(one.problem):
             assert time.monotonic() < deadline_s
             vehicle.sendto(FRAME, ("127.0.0.1", cable.port))

@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 import pytest
 from commands import gcs
+from patience import PATIENCE_S
 from pymavlink.dialects.v10 import ardupilotmega as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega as mavlink2
 
@@ -21,7 +22,6 @@ from gcs.scenario.endpoint import address
 
 Speech = Literal["old", "changes", "new"]
 MARKERS = {0xFE: 1, 0xFD: 2}
-WITHIN_S = 20.0
 
 
 class Vehicle:
@@ -114,9 +114,9 @@ def test_all_are_found_and_asked_each_in_its_own_version(together: bool) -> None
     old, changes, new = vehicles = fleet()
     link, groups = asked(), [vehicles] if together else [[one] for one in vehicles]
     with flying(link.listener.connection.port, *groups):
-        assert link.find((), WITHIN_S)
+        assert link.find((), PATIENCE_S)
         assert link.profiles.keys() == {3, 4, 5}
-        told = link.request(("HOME_POSITION",), WITHIN_S)
+        told = link.request(("HOME_POSITION",), PATIENCE_S)
         assert {sysid: home["HOME_POSITION"].latitude for sysid, home in told.items()} == {3: 30, 4: 40, 5: 50}
         while not (old.heard[1, "HEARTBEAT"] and changes.heard[2, "HEARTBEAT"] and new.heard[2, "HEARTBEAT"]):
             link.exchange([])

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from patience import PATIENCE_S
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.external import ExternalLink
@@ -17,7 +18,6 @@ from gcs.mavlink.recent_frames import RecentFrames
 from gcs.scenario.external import External
 
 KEY = (1, 1)
-WITHIN_S = 5.0
 
 
 class Port:
@@ -74,7 +74,7 @@ class Stand:
         self.boot_ms = 0
 
     def until(self, holds: Callable[[], object]) -> None:
-        deadline_s = time.monotonic() + WITHIN_S
+        deadline_s = time.monotonic() + PATIENCE_S
         while not holds():
             assert time.monotonic() < deadline_s
             self.link.listen(0.01)
@@ -91,7 +91,7 @@ class Stand:
     def collected(self, frames: int) -> list[int]:
         """Times of the positions that are delivered, until there are so many."""
         times: list[int] = []
-        deadline_s = time.monotonic() + WITHIN_S
+        deadline_s = time.monotonic() + PATIENCE_S
         while len(times) < frames and time.monotonic() < deadline_s:
             self.link.rest(0.005)
             times += [codec.fields(frame).time_boot_ms for frame in self.link.collect()[KEY]]
@@ -167,7 +167,7 @@ def test_a_link_that_falls_silent_is_left_within_half_a_second_and_said(stand: C
     field.begin()
     field.link.pop_relinked()
     begun_s = last_s = time.monotonic()
-    while field.used() == field.connects[:1] and (now_s := time.monotonic()) - begun_s < WITHIN_S:
+    while field.used() == field.connects[:1] and (now_s := time.monotonic()) - begun_s < PATIENCE_S:
         field.boot_ms += 20
         if now_s - begun_s < 1.5:  # then the first is cut
             last_s = now_s

@@ -50,5 +50,5 @@ def new(file: Path, passphrase: bool) -> int:
         new_key(file, digest)
     except KeyRefused as error:
         raise click.UsageError(f"{error}.") from None
-    click.echo(f"{file}: written. Give it to both ends of the link, over a way that nobody listens to.")
+    click.echo(f"{file}: written. Copy it to both ends of the link over a channel that is not overheard.")
     return 0

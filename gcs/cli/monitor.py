@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 @click.command(short_help="Watch a session that runs already, or any fleet.")
 @click.argument("session", required=False, type=click.Path(path_type=Path, file_okay=False))
 @connect_option(
-    "Watch whoever is heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
+    "Watch the vehicles heard there instead of a session: any autopilot, any number, nothing to configure. udpin, "
     "udpout, tcp, tcpin:HOST:PORT, or serial:DEVICE:BAUD."
 )
 @click.option(

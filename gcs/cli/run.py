@@ -53,7 +53,7 @@ if TYPE_CHECKING:
 @click.option(
     "--forward-control",
     is_flag=True,
-    help="What is said there reaches the vehicles: whoever flies one there has it until it rejoins.",
+    help="Allow control from these stations: a vehicle that one of them commands is theirs until it rejoins.",
 )
 @click.option(
     "--logs",
@@ -191,7 +191,7 @@ def run(
     except ValueError as refusal:
         raise click.UsageError(f"{refusal}.") from None
     if forward_control and not resolved.forward.to:
-        raise click.UsageError("--forward-control is for --forward: nobody is forwarded to.")
+        raise click.UsageError("--forward-control needs --forward: there is no station to forward to.")
     if vehicles_per_process is not None:
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     if resolved.vehicles.external:

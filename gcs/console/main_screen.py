@@ -303,7 +303,7 @@ class MainScreen(Screen[None]):
         self.plan.follow = None if self.plan.follow is not None else self.chosen
         if self.plan.follow is not None:
             self.plan.fit = False
-        said = f"follows {self.seen.name(self.chosen)}" if self.plan.follow is not None else "follows nobody"
+        said = f"follows {self.seen.name(self.chosen)}" if self.plan.follow is not None else "follows no vehicle"
         self.notice(f"the map {said}")
 
     def action_fit(self) -> None:

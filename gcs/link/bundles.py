@@ -20,7 +20,7 @@ from gcs.mavlink import bundle_frames, codec
 from gcs.mavlink.bundle_frames import Bytes, Floats, Ints
 from gcs.mavlink.ids import STATION
 
-__all__ = ["NO_SOCKET", "SHARED_BYTES", "Address", "Bundles", "DatagramGatherer", "Roster"]
+__all__ = ["NO_SOCKET", "SHARED_BYTES", "Address", "Bundles", "DatagramGatherer", "Recipients"]
 
 # Bundles for one address are sent as soon as they are SHARED_BYTES long together: its vehicles fly while bundles of
 # others are made. NO_SOCKET: where nothing is to be sent.
@@ -42,7 +42,7 @@ class Bundles(NamedTuple):
     """(m, 2) where each frame begins and ends; markers are none"""
 
 
-class Roster:
+class Recipients:
     """Some vehicles of a link in order, what marks their bundles (nothing where an address is not shared) and where
     they go, as arrays that serve for as many ticks as it is the same ones."""
 
@@ -56,8 +56,8 @@ class Roster:
             marks[: len(marker)] = np.frombuffer(marker, np.uint8)
         self._steered: tuple[int, ...] = ()
         self._rows[:, bundle_frames.POINT] = NONE
-        self._left_out = self._greets = False
-        """whether anyone was left out, or greeted, the last time"""
+        self._left_out = self._beats = False
+        """whether a vehicle was left out, or sent a HEARTBEAT, the last time"""
         self.rows_of = {key: row for row, key in enumerate(self.keys)}
         self.stretches: list[tuple[int, int, Address, bool]] = []
         """(first, one behind the last, address, whether it is shared) of neighbours in the order with one address"""
@@ -79,15 +79,15 @@ class Roster:
     def bundled(self, left_out: Sequence[int], grants: TickGrants, fd: int = NO_SOCKET) -> Bundles:
         """Bundles of all but those in the places `left_out`, sent through this socket. Raises ValueError for a set
         point that no frame can hold: nothing is sent then."""
-        points, greeted = grants.points, grants.greeted
+        points, heartbeat_due = grants.points, grants.heartbeat_due
         rows = self._rows
         if points.sysids != self._steered or self._left_out:
             point_of = {sysid: row for row, sysid in enumerate(points.sysids)}
             rows[:, bundle_frames.POINT] = [point_of.get(sysid, NONE) for sysid, _ in self.keys]
             self._steered = points.sysids
-        if greeted or self._greets:
-            rows[:, bundle_frames.GREETED] = [sysid in greeted for sysid, _ in self.keys]
-        self._greets, self._left_out = bool(greeted), bool(left_out)
+        if heartbeat_due or self._beats:
+            rows[:, bundle_frames.HEARTBEAT_DUE] = [sysid in heartbeat_due for sysid, _ in self.keys]
+        self._beats, self._left_out = bool(heartbeat_due), bool(left_out)
         if left_out:
             rows[left_out, bundle_frames.POINT] = LEFT_OUT
         count = len(rows)
@@ -120,10 +120,12 @@ class DatagramGatherer:
             self._gathered.pop(address, None)
             self._send(address, gathered)
 
-    def put_all(self, roster: Roster, raw: bytes, cuts: Sequence[tuple[int, int, int]], first: int, last: int) -> None:
-        """As `put`, one after the other, for those in these places of the roster, whose bundles `raw` holds side by
+    def put_all(
+        self, recipients: Recipients, raw: bytes, cuts: Sequence[tuple[int, int, int]], first: int, last: int
+    ) -> None:
+        """As `put`, one after the other, for those in these places of the recipients, whose bundles `raw` holds side by
         side, as `Bundles.cuts` says."""
-        for low, high, address, shared in roster.stretches:
+        for low, high, address, shared in recipients.stretches:
             k, behind = max(low, first), min(high, last)
             while k < behind:
                 begin = cuts[k][0]

@@ -5,7 +5,7 @@
    stream (a router's), for then it is the same frames, or such as the first one lost; else it only shows that this
    link lives: an autopilot's own second port has numbers and times of its own.
 3. A link is left when it is silent for unusually long while another one receives: SILENT_S, or SILENCES of its
-   usual time from frame to frame; at once, when its stream has ended.
+   average time from frame to frame; at once, when its stream has ended.
 4. A link is left for one that loses BETTER_SHARE less, and for one that the scenario names before it once that has been
    received for RETURN_S and loses no more; at most every DWELL_S.
 Times are of the monotonic clock, s.
@@ -29,7 +29,7 @@ SILENT_S = 0.4
 """[choice] A PX4 leaves offboard half a second to a second after the last set point."""
 SILENCES = 4.0
 SMOOTHING = 0.1
-"""Weight of the newest time from frame to frame in the usual one."""
+"""Weight of the newest time from frame to frame in the average."""
 BETTER_SHARE = 0.1
 EQUAL_SHARE = 0.02
 RETURN_S, DWELL_S = 5.0, 5.0

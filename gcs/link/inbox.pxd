@@ -49,7 +49,7 @@ cdef class Inbox:
     cdef int64_t _number(self, Py_ssize_t* known) noexcept nogil
     @cython.locals(known=Py_ssize_t, origin_bytes=socklen_t)
     cdef int _receive(self, int fd, Py_ssize_t most, Py_ssize_t left, Py_ssize_t yields, bint lost) noexcept nogil
-    cdef void _look(self, const int64_t[::1] lanes, int64_t[:, ::1] awaited) noexcept nogil
+    cdef void _look(self, const int64_t[::1] row_by_sysid, int64_t[:, ::1] awaited) noexcept nogil
     cdef bint _is_answer(self, const Run* run, const Awaited* one, int64_t address) noexcept nogil
     @cython.locals(count=Py_ssize_t, frames=Py_ssize_t)
     cdef Found _cut(self, int64_t[:, ::1] awaited, int64_t[:, ::1] rows, int64_t[:, ::1] spans) noexcept nogil

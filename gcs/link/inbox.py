@@ -97,22 +97,22 @@ class Inbox:
         self._origins = origins[origins[:, 1] != number]
 
     def receive(
-        self, fd: int, most: int, left: int, awaited: Ints, lanes: Ints, *, yields: int = 0, lost: bool = False
+        self, fd: int, most: int, left: int, awaited: Ints, row_by_sysid: Ints, *, yields: int = 0, lost: bool = False
     ) -> int:
         """Receive datagrams that have come to this socket until `most` wait to be looked into, and `left` at most; look
         into those that wait, up to the first that holds something else than whole answers.
 
-        `awaited` (vehicles, AWAITED) is filled for those whose answers were found; `lanes` (256,) are its rows by
-        system id, else -1. `yields`: so often, where nothing is there, let another process run, and look again. `lost`:
-        let one datagram go. With `most` 0 nothing is received. What it ends with; then
-        `answered`, `taken`, `stray` and `stopped` have more to say.
+        `awaited` (vehicles, AWAITED) is filled for the vehicles whose answers were found; `row_by_sysid` (256,) are its
+        rows by system id, else -1. `yields`: so often, where nothing is there, let another process run, and look again.
+        `lost`: let one datagram go. With `most` 0 nothing is received. Returns what it ends with; then `answered`,
+        `taken`, `stray` and `stopped` have more to say.
 
         `taken` is the number of datagrams that the last call has received, `answers` that of the answers that were
         found and have not been taken.
         """
         self._before = self.answers
         met: int = self._receive(fd, most, left, yields, lost)
-        self._look(lanes, awaited)
+        self._look(row_by_sysid, awaited)
         return met
 
     @property
@@ -200,7 +200,7 @@ class Inbox:
             self._count += 1
         return ENOUGH
 
-    def _look(self, lanes: Ints, awaited: Ints) -> None:
+    def _look(self, row_by_sysid: Ints, awaited: Ints) -> None:
         """Look into datagrams, from the first that has not been, up to the one that it stops at."""
         while self._looked < self._count:
             datagram = self._datagram(self._looked)
@@ -216,14 +216,14 @@ class Inbox:
                 return
             for k in range(before, found.runs):
                 run = run_at(self._rows, k)
-                lane = lanes[run.sysid]
-                if lane < 0 or not self._is_answer(run, awaited_at(awaited, lane), address):
+                vehicle = row_by_sysid[run.sysid]
+                if vehicle < 0 or not self._is_answer(run, awaited_at(awaited, vehicle), address):
                     self._stopped_at = self._begins[run.first]
                     return
-                one = awaited_at(awaited, lane)
+                one = awaited_at(awaited, vehicle)
                 one.next = (one.next + run.last - run.first) & 0xFF
                 one.granted_ms, one.run = NOT_GRANTED, k
-                self._order_row[self.answers] = lane
+                self._order_row[self.answers] = vehicle
                 self.answers += 1
             self._looked += 1
 
@@ -239,13 +239,13 @@ class Inbox:
         """Fill the first answers of `_order`, rows (n, COLUMNS) and spans (frames, 2) as `pop_answers` gives them; how
         many runs and frames there are."""
         count = frames = 0
-        for lane in range(awaited.shape[0]):
-            one = awaited_at(awaited, lane)
+        for vehicle in range(awaited.shape[0]):
+            one = awaited_at(awaited, vehicle)
             if one.run == NO_RUN:
                 continue
             run, cut = run_at(self._rows, one.run), run_at(rows, count)
             one.run = NO_RUN
-            self._order_row[count] = lane
+            self._order_row[count] = vehicle
             cut[0] = run[0]
             cut.first = frames
             for k in range(run.first, run.last):

@@ -1,5 +1,5 @@
 """Answers to a tick's grants as they come in: most fill a datagram with others of their kind, and are taken in by
-compiled code; of all the rest the link is told."""
+compiled code; all the rest goes to the link."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ class Intake:
         """As `Inbox`."""
         self.inbox = Inbox(BUFFER_BYTES, most_datagrams, room_bytes, unknown_bytes)
         self._table = np.empty((0, AWAITED), np.int64)
-        self._lanes = np.full(NUMBERS, -1)
+        self._row_by_sysid = np.full(NUMBERS, -1)
         self._keys: list[Key] = []
 
     def enrol(self, vehicles: Sequence[tuple[Key, TickCollector, int]]) -> None:
         """Know these vehicles from now on, in their order: key, collector, number of the address, or NOWHERE."""
         self._keys = [key for key, *_ in vehicles]
-        table, lanes = np.empty((len(vehicles), AWAITED), np.int64), np.full(NUMBERS, -1)
+        table, row_by_sysid = np.empty((len(vehicles), AWAITED), np.int64), np.full(NUMBERS, -1)
         for k, (key, collector, number) in enumerate(vehicles):
             collector.live_in(table[k])
             table[k, ADDRESS] = number
-            lanes[key[0]] = k
-        self._table, self._lanes = table, lanes
+            row_by_sysid[key[0]] = k
+        self._table, self._row_by_sysid = table, row_by_sysid
 
     def begin(self, keys: Sequence[Key], t_ms: int) -> bool:
         """Let all who are enrolled wait for the answer to a grant at once; False where these are others, or an earlier
-        answer has not been taken, and nobody does."""
+        answer has not been taken; then none waits."""
         return keys == self._keys and _begin(self._table, t_ms)
 
     def dismiss(self, key: Key) -> None:
@@ -51,20 +51,20 @@ class Intake:
 
     def receive(self, fd: int, most: int, left: int, *, yields: int = 0, lost: bool = False) -> int:
         """As `Inbox.receive`; whose answers were found is in `answered`."""
-        return self.inbox.receive(fd, most, left, self._table, self._lanes, yields=yields, lost=lost)
+        return self.inbox.receive(fd, most, left, self._table, self._row_by_sysid, yields=yields, lost=lost)
 
     def answered(self) -> list[Key]:
         """Vehicles whose answers the last call of `receive` has found."""
-        return [self._keys[lane] for lane in self.inbox.answered.tolist()]
+        return [self._keys[row] for row in self.inbox.answered.tolist()]
 
     def answers(self) -> Iterator[tuple[Sequence[Key], AnswerRuns]]:
         """The answers that were found, in order of the vehicles; they are handed out once."""
         if self.inbox.answers:
-            lanes, runs = self.inbox.pop_answers(self._table)
-            if len(lanes) == len(self._keys):
+            rows, runs = self.inbox.pop_answers(self._table)
+            if len(rows) == len(self._keys):
                 yield self._keys, runs
-            elif len(lanes):
-                yield [self._keys[lane] for lane in lanes.tolist()], runs
+            elif len(rows):
+                yield [self._keys[row] for row in rows.tolist()], runs
 
 
 def numbered(count: int, *, shared: bool) -> int:

@@ -40,7 +40,7 @@ class TickGrants(NamedTuple):
     """the same since 1970, UTC"""
     keys: Sequence[Key]
     """the vehicles that it goes to, in order"""
-    greeted: Collection[int]
+    heartbeat_due: Collection[int]
     """system ids of the vehicles that get our HEARTBEAT"""
     points: PlacedSetPoints
     more: Mapping[Key, tuple[Sequence[Message], Sequence[bytes]]]
@@ -50,7 +50,7 @@ class TickGrants(NamedTuple):
         """Messages for one of `keys`, and frames as they are."""
         if key in self.more:
             return self.more[key]
-        messages = [OUR_HEARTBEAT] if key[0] in self.greeted else []
+        messages = [OUR_HEARTBEAT] if key[0] in self.heartbeat_due else []
         if key[0] in self.points.sysids:
             messages.append(self.points.message(key[0]))
         return messages, ()

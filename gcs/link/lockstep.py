@@ -24,7 +24,7 @@ from operator import itemgetter
 import numpy as np
 
 from gcs.frame_spans import FrameSpans
-from gcs.link.bundles import NO_SOCKET, DatagramGatherer, Roster
+from gcs.link.bundles import NO_SOCKET, DatagramGatherer, Recipients
 from gcs.link.inbox import FULL, NOTHING, UNKNOWN, Address, Ints
 from gcs.link.intake import Intake, numbered
 from gcs.link.link import Answers, Key, TickGrants, TickLink
@@ -64,7 +64,7 @@ class _LockstepPeer:
     """begins each bundle where the address is shared"""
     collector: TickCollector
     number_cell: memoryview = field(default_factory=lambda: np.zeros(1, np.int64).data)
-    """the number of the next frame, where the roster of the tick counts it on"""
+    """the number of the next frame, where the recipients of the tick counts it on"""
     waiting: list[Message | bytes] = field(default_factory=list)
     bundle: bytes = b""
     """the last one that was made for it alone,"""
@@ -117,9 +117,9 @@ class LockstepLink(TickLink):
         self._yields = 0
         self._numbers = count()
         self._datagrams = DatagramGatherer(self._send_datagram)
-        self._roster: Roster | None = None
+        self._recipients: Recipients | None = None
         self._granted: list[_LockstepPeer] = []
-        """the peers of the roster"""
+        """the peers of the recipients"""
         self._bundles: tuple[bytes, Ints, Mapping[Key, int], int] = (b"", np.empty((0, 3), np.int64), {}, -1)
         """bundles that were made at once: the bytes, where each lies, by key, and what they grant"""
         """of the last tick"""
@@ -179,7 +179,7 @@ class LockstepLink(TickLink):
     def leave(self, key: Key) -> None:
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
         peer = self._peers.pop(key, None)
-        self._roster = None
+        self._recipients = None
         self._enrolled = False
         self._intake.dismiss(key)
         if peer is not None:
@@ -212,16 +212,16 @@ class LockstepLink(TickLink):
 
     def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         """As `grant`, one after the other; bundles of nothing but HEARTBEAT and set point are made at once."""
-        roster, peers = self._roster_of(grants.keys), self._granted
+        recipients, peers = self._recipients_of(grants.keys), self._granted
         general: list[int] = []
         if grants.more or self._waiting:
             general = [k for k, peer in enumerate(peers) if peer.waiting or peer.key in grants.more]
-        at_once = not general and roster.in_turn and not self._drop
+        at_once = not general and recipients.in_turn and not self._drop
         if general or not self._enrolled or not self._intake.begin(grants.keys, grants.t_ms):
             for k in set(range(len(peers))).difference(general):
                 peers[k].collector.begin(grants.t_ms)
-        raw, cuts, spans = roster.bundled(general, grants, self._socket.fileno() if at_once else NO_SOCKET)
-        self._bundles = (raw, cuts, roster.rows_of, grants.t_ms)
+        raw, cuts, spans = recipients.bundled(general, grants, self._socket.fileno() if at_once else NO_SOCKET)
+        self._bundles = (raw, cuts, recipients.rows_of, grants.t_ms)
         self._awaited.update(grants.keys)
         self._granted_ms = grants.t_ms
         frames = FrameSpans(raw, spans)
@@ -231,7 +231,7 @@ class LockstepLink(TickLink):
         first = counted = 0
         places: list[tuple[int, int, int]] = cuts.tolist()
         for k in (*general, len(peers)):
-            self._datagrams.put_all(roster, raw, places, first, k)
+            self._datagrams.put_all(recipients, raw, places, first, k)
             behind = places[k][2] if k < len(peers) else len(frames)
             sent.append(frames[counted:behind])
             if k < len(peers):
@@ -240,14 +240,14 @@ class LockstepLink(TickLink):
             first, counted = k + 1, behind
         return FrameSpans.joined(sent)
 
-    def _roster_of(self, keys: Sequence[Key]) -> Roster:
-        if self._roster is None or self._roster.keys != keys:
+    def _recipients_of(self, keys: Sequence[Key]) -> Recipients:
+        if self._recipients is None or self._recipients.keys != keys:
             self._granted = peers = [self._peers[key] for key in keys]
-            self._roster = Roster(keys, [peer.marker for peer in peers], [peer.address for peer in peers])
-            for peer, cell in zip(peers, self._roster.number_cells(), strict=True):
+            self._recipients = Recipients(keys, [peer.marker for peer in peers], [peer.address for peer in peers])
+            for peer, cell in zip(peers, self._recipients.number_cells(), strict=True):
                 cell[0] = peer.number_cell[0]
                 peer.number_cell = cell
-        return self._roster
+        return self._recipients
 
     def _fitting(self, peer: _LockstepPeer, messages: Sequence[Message], relayed: Sequence[bytes]) -> list[bytes]:
         """Frames of as much of what waits for a vehicle as fits into a bundle, our own before relayed ones."""

@@ -74,7 +74,7 @@ def _advice(at: Endpoint, number: int | None, error: Exception) -> str:
     if number in _BUSY:
         return "another program has it open: end that, or let it forward to a UDP port"
     if "baud" in str(error).lower() or isinstance(error, ValueError):
-        return f"it has no rate of {at.port} baud; 57600 (radios) and 115200 (USB) are usual"
+        return f"it has no rate of {at.port} baud; common rates are 57600 (radios) and 115200 (USB)"
     with contextlib.suppress(IndexError):
         return f"it is no serial device ({str(error).splitlines()[0]})"
     return "it is no serial device"

@@ -90,7 +90,7 @@ class TcpClient(StreamConnection):
 
     def _ended(self, why: str) -> None:
         reason = f" ({why})" if why else ""
-        self.problem = f"the other end has closed the connection{reason}: it is made again when somebody listens there"
+        self.problem = f"the other end has closed the connection{reason}: it is made again when a program listens there"
         self._retry_s = time.monotonic() + RETRY_S
 
 

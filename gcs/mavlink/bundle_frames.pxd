@@ -11,7 +11,7 @@ cpdef enum:
     VALUES = 6
 
 cdef enum:
-    _GREETING, _SET_POINT, _GRANT  # rows of the templates
+    _HEARTBEAT, _SET_POINT, _GRANT  # rows of the templates
     _HEADER_BYTES = 10
     _CRC_BYTES = 2
     _SEQ_AT = 4
@@ -23,7 +23,7 @@ cdef struct Vehicle:
     int64_t sysid
     int64_t marker_bytes
     int64_t point  # row of its set point, NONE or LEFT_OUT
-    int64_t greeted  # whether a HEARTBEAT is due
+    int64_t heartbeat_due  # whether a HEARTBEAT is due
 
 cdef inline Vehicle* vehicle_at(int64_t[:, ::1] rows, Py_ssize_t i) noexcept nogil:
     return <Vehicle*>&rows[i, 0]

@@ -14,8 +14,8 @@ import numpy as np
 from cython.cimports.gcs.mavlink.bundle_frames import (
     _CRC_BYTES,
     _GRANT,
-    _GREETING,
     _HEADER_BYTES,
+    _HEARTBEAT,
     _SEQ_AT,
     _SET_POINT,
     _TARGET_AT,
@@ -40,8 +40,8 @@ from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.setpoints import set_point_message
 
 __all__ = [
-    "BUNDLE_BYTES", "COLUMNS", "GREETED", "LEFT_OUT", "MARKER_BYTES", "MARKER_WIDTH", "MOST_FRAMES", "NONE", "NUMBER",
-    "POINT", "SYSID", "Bytes", "Floats", "Ints", "made_templates", "write_bundles",
+    "BUNDLE_BYTES", "COLUMNS", "HEARTBEAT_DUE", "LEFT_OUT", "MARKER_BYTES", "MARKER_WIDTH", "MOST_FRAMES", "NONE",
+    "NUMBER", "POINT", "SYSID", "Bytes", "Floats", "Ints", "made_templates", "write_bundles",
 ]  # fmt: skip
 
 Bytes = NDArray[np.uint8]
@@ -49,7 +49,7 @@ Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
 COLUMNS = 5
-NUMBER, SYSID, MARKER_BYTES, POINT, GREETED = range(COLUMNS)
+NUMBER, SYSID, MARKER_BYTES, POINT, HEARTBEAT_DUE = range(COLUMNS)
 """Columns of a vehicle's row, in the order of the struct Vehicle in bundle_frames.pxd."""
 
 
@@ -120,7 +120,7 @@ def write_bundles(
             memcpy(cython.address(out[at]), cython.address(markers[k, 0]), vehicle.marker_bytes)
             at += vehicle.marker_bytes
             for which in range(MOST_FRAMES):
-                if which == _GREETING and not vehicle.greeted:
+                if which == _HEARTBEAT and not vehicle.heartbeat_due:
                     continue
                 if which == _SET_POINT and vehicle.point == NONE:
                     continue

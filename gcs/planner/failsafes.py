@@ -1,7 +1,7 @@
 """Failsafes of launched vehicles, by which they come home when the ground station is lost: plan B [choice].
 
-If the station falls silent for all at once, nobody leads them. So all return by one timetable: up, each to a height of
-its own where its way home may meet another's; level, when all are up; down over their own homes, when all are there.
+If the station falls silent for all at once, they return without it, by one timetable: up, each to a height of its
+own where its way home may meet another's; level, when all are up; down over their own homes, when all are there.
 What can meet is coloured: two vehicles whose boxes around their places and homes overlap have different heights. All
 heights are above the places to which the scenario sends any of them: one that could not climb in time, because another
 hangs over it, stays below all ways until the others have landed.

@@ -70,7 +70,7 @@ def advance(
     -1 for none. exempt (n, m2): True where a leader is not repelled, as by its target or its partner in a transfer.
     speed_m_s: (n,), or one for all, >= 0. escape: whether the fuzzy escape helps out of local minima.
     attractors (m3, 3) m, attraction_ranges_m (m3,): points beside the goal that draw a leader within their range
-    (paper eq. 10), held where they are for the period. drawn (n, m3): whom they draw, everyone without it.
+    (paper eq. 10), held where they are for the period. drawn (n, m3): the vehicles that they attract, all without it.
     obstacle_ranges_m (n,): how far obstacles repel each leader, instead of field.repulsion_range_m.
 
     Leaders see each other where they were at the start, so that their order does not matter. The arguments are left as
@@ -189,7 +189,7 @@ class Moving(NamedTuple):
     ranges_m: FloatArray
     """(m,) from their surfaces"""
     exempt: BoolArray
-    """(k, m) whom each does not repel"""
+    """(k, m) vehicles that each does not repel"""
 
 
 class Attracting(NamedTuple):
@@ -198,7 +198,7 @@ class Attracting(NamedTuple):
     places: FloatArray
     """(m, 4) where, and their range, m"""
     drawn: BoolArray
-    """(k, m) whom each draws"""
+    """(k, m) vehicles that each attracts"""
 
 
 def lead(

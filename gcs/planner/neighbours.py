@@ -1,4 +1,4 @@
-"""Neighbour lists: what can repel whom within a period.
+"""Neighbour lists: which vehicles and obstacles can repel a vehicle within a period.
 
 Only what cannot come into range is left out, so a sum over a leader's neighbours, in their order, is bit for bit the
 sum over everything. Looked at is what lies in reach from south to north.

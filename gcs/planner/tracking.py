@@ -1,8 +1,8 @@
 """Tracking error and lag of each vehicle, measured against the way of its virtual leader [choice].
 
 A vehicle flies a lag behind its leader. The lag is the age of the nearest place on the leader's way, while the leader
-moves. The error is the distance from where the leader was the fleet's usual lag ago: who is late is as wrong as who is
-aside.
+moves. The error is the distance from where the leader was the fleet's average lag ago: a late vehicle is as wrong as
+one that is aside.
 """
 
 from __future__ import annotations

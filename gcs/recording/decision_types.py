@@ -1,6 +1,6 @@
 """Decision records as a report reads them, typed by kind: a line that does not hold that is foreign.
 
-Other keys of a decision (gcs/schemas/decisions.schema.json) are for whoever wants them. Times s, energies J.
+Other keys of a decision (gcs/schemas/decisions.schema.json) are optional for readers. Times s, energies J.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ class HeldPlan(NamedTuple):
     sysids: tuple[int, ...]
     plan: MissionPlan
     home_alt_m: float | None
-    """altitude above the sea of the vehicles' home, where it has been told"""
+    """altitude above the sea of the vehicles' home, where it is known"""
 
 
 class RecordedPlans:

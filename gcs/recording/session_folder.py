@@ -101,7 +101,7 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
 
 
 def read_recording(source: Path, name: Path, progress: Progress = lambda _: None) -> Recorded:
-    """Content of one recording, told under another name. Raises NoSession where it holds no frame, OSError."""
+    """Content of one recording, reported under another name. Raises NoSession where it holds no frame, OSError."""
     recorded = Recorded(name)
     log = tlog_reader.read(source)
     gathering = Gathering(recorded, (*WANTED, *FOREIGN))

@@ -207,7 +207,7 @@ class Summary(SummaryPart):
     refuelling: list[RefuellingSummary]
     refuel_order: list[int]
     tanker_idle_s: float = 0.0
-    """tankers' time, summed, in which they stood free although somebody waited for energy"""
+    """tankers' time, summed, in which they stood free although a vehicle waited for energy"""
     link: LinkSummary
     faults: list[FaultSummary] = []
     """those of the scenario that happened"""

@@ -80,7 +80,7 @@ class Tlog:
     def chunks(self, begin: int = 0) -> Iterator[Chunk]:
         """The recording, stretch by stretch, from a place in the file on: where a frame's time begins.
 
-        The next one is read and walked beside whoever takes this one in, for both hardly need the interpreter.
+        The next one is read and walked beside the consumer of this one, since both hardly need the interpreter.
         """
         walk: Callable[[], Iterable[Chunk]] = partial(self._read_ahead, begin)
         if self.times is None:

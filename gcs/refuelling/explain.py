@@ -95,9 +95,9 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
         reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"
         reason += f" for {competition.dwell_s:g} s"
     elif service.by == "unopposed":
-        reason = f"nobody else waits for a tanker or base that it would take ({need})"
+        reason = f"no other vehicle waits for a tanker or base that it would take ({need})"
     elif service.by == "timeout":
-        reason = f"nobody held {100.0 * competition.share:.0f} % of the competition within"
+        reason = f"no vehicle held {100.0 * competition.share:.0f} % of the competition within"
         reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"
     elif service.by == "urgency":
         urgent_s = 2.0 * competition.dwell_s if competition.bids == "time" else rules.hold_s + rules.reserve_s

@@ -68,7 +68,7 @@ class Findings:
         self.texts = series.texts(recorded)
         lost = sorted(set(series.senders(recorded)) - self.tracks.keys())
         if lost:
-            where = f"The paths of {few(lost)} are not known: it was never told where their frame's zero lies."
+            where = f"The paths of {few(lost)} are not known: their frame's origin was never reported."
             recorded.problems.append(where)
 
     @cached_property

@@ -301,7 +301,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         "Speed, height and attitude",
         _pair(
             figure("motion", "Speed, and height above the scenario's origin."),
-            figure("attitude", "Roll, pitch and yaw as the vehicles told them (NED)."),
+            figure("attitude", "Roll, pitch and yaw as reported (NED)."),
         ),
     )
     yield section(
@@ -317,7 +317,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         figure(
             "contest",
             "The competition for the tankers: the state v of each competitor, and the leader's share; dotted: a "
-            "decision hands a tanker to the vehicle named. Gaps: nobody competed.",
+            "decision hands a tanker to the vehicle named. Gaps: no vehicle competed.",
         ),
         figure(
             "base-contest",

@@ -20,7 +20,7 @@ _SERIAL = re.compile(r"(serial):(/[^:\s]+):([0-9]{3,7})")
 _BAUD = range(300, 4_000_001)
 
 ONLY_ONCE = (
-    "; a PX4 answers nobody at the port where it listens but who spoke there first since its start: hear it by udpin "
+    "; a PX4 answers, at the port where it listens, only the first station since its start: connect by udpin "
     "where it speaks to, such as udpin:127.0.0.1:14540"
 )
 """Hint where no vehicle answers at a `udpout`."""

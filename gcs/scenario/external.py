@@ -192,4 +192,4 @@ def clock_refusal(vehicles: Iterable[Any], mode: str) -> str | None:
         return None
     who = labels[0] if len(labels) == 1 else f"{labels[0]} and {len(labels) - 1} more"
     lives = "lives on its own clock, which waits" if len(labels) == 1 else "live on their own clocks, which wait"
-    return f"{who} (external) {lives} for nobody: leave out lockstep"
+    return f"{who} (external) {lives} for no supervisor: leave out lockstep"

@@ -241,7 +241,7 @@ PARTS: tuple[GoalPart, ...] = (
     GoalPart("separation", "m", separation_m, _SEPARATION, lambda m: m.separation, _judge_near),
     GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", lambda m: m.clearance, _judge_near),
     GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", lambda m: m.traffic, _judge_near),
-    GoalPart("ground", "m", _has_ground, "nobody in flight touches the ground", lambda m: m.ground, _judge_ground),
+    GoalPart("ground", "m", _has_ground, "no vehicle in flight touches the ground", lambda m: m.ground, _judge_ground),
     GoalPart("waypoints", "1", _waypoints, _WAYPOINTS, lambda m: m.missed, _judge_waypoints),
     GoalPart("pursue", "s", _pursue_s, _PURSUE, lambda m: m.pursuit_held_s, _judge_pursue),
     GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", lambda m: m.refuelled, _judge_refuelled),

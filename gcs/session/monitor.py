@@ -74,7 +74,7 @@ class MonitorSource:
         self._at = at
         self._problem = self._silence = ""
         if at.way == "udpout" and not control:
-            text = f"Nothing is sent to {at.text}: somebody who only answers will not be heard; --control speaks"
+            text = f"Nothing is sent to {at.text}: a vehicle that only answers will not be heard; --control speaks"
             self._observer.add_event(Event(0.0, 0, "warning", text, "link"))
 
     @property
@@ -159,7 +159,7 @@ class MonitorSource:
                 self._transmit(sysid, [everything(*self._autopilot(sysid))])
             if sysid not in self._reported_silent:
                 self._reported_silent.add(sysid)
-                done = "it is asked for them now" if self._control else "nobody asks for them; --control does"
+                done = "they are requested now" if self._control else "they are not requested; --control requests them"
                 text = f"Does not tell its position, attitude and state: {done}"
                 self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
 
@@ -205,7 +205,7 @@ class MonitorSource:
         order = CommandLong(CommandTarget(*self._autopilot(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
         self._observer.add_event(Event(t_s, sysid, "info", f"Operator: {end}", "operator"))
-        return True, f"{view.label} is told to {end}; what it answers is shown."
+        return True, f"{view.label} is ordered to {end}; its answer is shown."
 
     def _speak(self, t_s: float) -> None:
         if t_s - self._beat_s >= HEARTBEAT_EVERY_S:

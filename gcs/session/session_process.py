@@ -286,7 +286,7 @@ class SessionProcess:
             self._said_waiting_s = now_s
             self._wait_for(now_s - self._answered_s)
         if self._terminated:
-            self._event(0, "warning", "The supervisor was told to end (SIGTERM): the session stops")
+            self._event(0, "warning", "The supervisor received SIGTERM: the session stops")
         if self._clients.serve() or has_gone() or self._terminated:
             raise _Stopped
         for sysid, level, text in self._notices.poll(now_s, begun=self._begun):

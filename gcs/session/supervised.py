@@ -328,7 +328,7 @@ def _left_in_the_air(folder: Path, last: Mapping[str, Any]) -> list[str]:
     except (OSError, ScenarioError):
         return []
     return [
-        f"{row['label']} at {external[row['sysid']].where} may still be flying, and nobody steers it: look after it"
+        f"{row['label']} at {external[row['sysid']].where} may still be flying without control: look after it"
         for row in last.get("vehicles", ())
         if row["sysid"] in external and row["armed"] and not row["landed"]
     ]

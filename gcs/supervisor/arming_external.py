@@ -189,9 +189,9 @@ class ExternalArmingSequence(ArmingSequence):
         elif self._now_s - self._begun_s <= waited_s or not view.landed:
             return False
         elif view.origin_offset_ned is None:
-            self.left_out = f"Has not told where its frame lies within {waited_s:g} s: left out"
+            self.left_out = f"Has not reported its frame's origin within {waited_s:g} s: left out"
         elif view.p_ned is None:
-            self.left_out = f"Has not told where it is within {waited_s:g} s: left out"
+            self.left_out = f"Has not reported its position within {waited_s:g} s: left out"
         elif not view.armed:
             self.left_out = f"Has not let itself be armed within {waited_s:g} s: left out"
         else:

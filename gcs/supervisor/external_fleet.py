@@ -200,7 +200,7 @@ class ExternalFleet:
             if stages[sysid] not in STEERED:
                 if not view.landed:
                     self._note(
-                        sysid, "warning", f"Left in the air in {view.mode}: nobody of this session flies it", "session"
+                        sysid, "warning", f"Left in the air in {view.mode}: this session does not control it", "session"
                     )
                 continue
             (command, params), order = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
@@ -209,7 +209,7 @@ class ExternalFleet:
             if silent:
                 self._note(sysid, "critical", f"May still be flying: {_last_seen(view, silent_s)}", "session")
             else:
-                text = f"Told to {order}: the session ends, and nobody steers it any more"
+                text = f"Ordered to {order}: the session ends and no longer controls it"
                 self._note(sysid, "info", text, "session")
             self._handed_back.add(sysid)
             commands.append(CommandRequest(sysid, command, params, ENDING))
@@ -224,7 +224,7 @@ class ExternalFleet:
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
             state = "on the ground and armed" if view.landed else f"in {view.mode}"
-            text = f"Still {state} though nobody steers it any more ({answer}): look after it"
+            text = f"Still {state} though it is no longer controlled ({answer}): look after it"
             self._note(view.sysid, "critical", text, "session")
 
     def _steered_still(self, snapshot: FleetSnapshot) -> list[VehicleView]:
@@ -248,13 +248,13 @@ class ExternalFleet:
 def _last_seen(view: VehicleView, silent_s: float) -> str:
     """Words about a vehicle that is not received, for a person who looks for it."""
     height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
-    return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; what it is told now it may not hear"
+    return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; it may not hear commands now"
 
 
 def _answer(result: CommandResult) -> str:
     """Answer to a command, for a person."""
     if result.outcome == "timeout":
-        return f"it has not answered, though it was told {result.attempts} times"
+        return f"it has not answered {result.attempts} commands"
     if result.outcome == "accepted":
         return "it answered that it would"
     return f"it answered: {result_in_words(result.result or 0)}"

@@ -34,15 +34,15 @@ class Addressees:
             self._keys = [key for key in sorted(joined) if key == TRAFFIC or grant_ms >= self._join_ms[key[0]]]
         return self._keys
 
-    def greeted(self, keys: Iterable[Key], now_ms: int) -> set[int]:
+    def heartbeat_due(self, keys: Iterable[Key], now_ms: int) -> set[int]:
         """System ids of vehicles whose HEARTBEAT from us is due now; they count as sent."""
         if now_ms < self._next_ms:
             return set()
         due_ms = self._due_ms
-        greeted = {key[0] for key in keys if key != TRAFFIC and now_ms >= due_ms[key[0]]}
-        due_ms |= dict.fromkeys(greeted, now_ms + HEARTBEAT_EVERY_MS)
+        heartbeat_due = {key[0] for key in keys if key != TRAFFIC and now_ms >= due_ms[key[0]]}
+        due_ms |= dict.fromkeys(heartbeat_due, now_ms + HEARTBEAT_EVERY_MS)
         self._next_ms = min((due_ms[key[0]] for key in keys if key != TRAFFIC), default=0)
-        return greeted
+        return heartbeat_due
 
 
 class OwnFrames:

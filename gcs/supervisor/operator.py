@@ -128,7 +128,7 @@ class Operator:
         arming = self._arming[view.sysid]
         taken = arming.ordered is not None or arming.released
         if not taken and not arming.down and arming.stage is not Stage.YIELDED:
-            return OperatorReply(False, f"{_name(view)} flies by the plan already: nobody has taken it.")
+            return OperatorReply(False, f"{_name(view)} flies by the plan already.")
         if view.energy_source != "none" and view.remaining_j <= 0.0:
             return OperatorReply(False, f"{_name(view)} has no energy left to fly with.")
         arming.rejoin()
@@ -180,7 +180,7 @@ class Operator:
 
     def _no_receiver(self, view: VehicleView) -> str | None:
         if not self._refuels:
-            return "Nobody is refuelled in this session."
+            return "No vehicle is refuelled in this session."
         if self._on_board:
             return "The vehicles decide among themselves who is refuelled in this session."
         return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."

@@ -166,7 +166,7 @@ class Preflight:
             return []
         if not checks.asks_clock:
             checks.clock_open = False
-            checks.items.setdefault("clock", CheckItem("clock", True, "clock not told"))
+            checks.items.setdefault("clock", CheckItem("clock", True, "clock not reported"))
             return []
         checks.asks_clock -= 1
         checks.due_s = now_s + ASK_EVERY_S

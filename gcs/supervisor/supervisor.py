@@ -442,9 +442,9 @@ class Supervisor:
             kind: Kind = "session" if arming.left_out else "decision"
             self.events.append(Event(now_s, view.sysid, "warning", why, kind))
         elif arming.stage is Stage.YIELDED:
-            who, back = "Its failsafe" if view.failsafe else "Somebody else", view.profile.offboard_name
+            who, back = "Its failsafe" if view.failsafe else "A pilot or another station", view.profile.offboard_name
             if arming.unheard_lately(now_s) and not view.failsafe:
-                who = "Its link was out, and its failsafe or somebody else"
+                who = "Its link was out, and its failsafe, a pilot or another station"
             why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
             self.events.append(Event(now_s, view.sysid, "warning", why))
         elif arming.stage is Stage.FLY and before is Stage.YIELDED:
@@ -497,7 +497,7 @@ class Supervisor:
         grant_ms = self.time_ms + self._periods * self.period_ms
         keys = self._addressees.granted(self.link.joined, grant_ms)
         points = self._own_frames.placed(SetPoints.of(set_points), snapshot.columns, self.time_ms)
-        greeted = self._addressees.greeted(keys, self.time_ms)
+        heartbeat_due = self._addressees.heartbeat_due(keys, self.time_ms)
         more = {}
         if self._place_radio is not None:
             columns = snapshot.columns
@@ -506,8 +506,8 @@ class Supervisor:
             self._place_radio.begin(flying, frozenset(points.sysids), seldom=self._radio.clear)
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.sysids else []
-            more[key] = self._content(key[0], own, relays, greeted=key[0] in greeted)
-        grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, greeted, points, more)
+            more[key] = self._content(key[0], own, relays, heartbeat_due=key[0] in heartbeat_due)
+        grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, heartbeat_due, points, more)
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
             sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
@@ -531,11 +531,11 @@ class Supervisor:
         return [key for key in keys if key[0] in some and key != TRAFFIC]
 
     def _content(
-        self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, greeted: bool
+        self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, heartbeat_due: bool
     ) -> tuple[list[Message], list[bytes]]:
         """All that goes to a vehicle now, after the radio: messages, and frames as they are."""
         copies = self.quality.copies(sysid)
-        messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if greeted else []
+        messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if heartbeat_due else []
         messages += self.command_queue.pop(sysid)
         messages += set_point * copies
         messages += relays.get(sysid, ())

@@ -67,8 +67,8 @@ class Batteries:
     def report(self, now_s: float) -> BatteryReport:
         """Report of those that the vehicle flies on, together.
 
-        One says all that it knows. Of several the share is that of the emptiest, and no energy is told beside it: what
-        is left of the vehicle's capacity follows the emptiest, not the sum of all. Without any share it is the sums.
+        One says all that it knows. Of several the share is that of the emptiest, without an energy beside it: what is
+        left of the vehicle's capacity follows the emptiest, not the sum of all. Without any share it is the sums.
         """
         reports = [one.report for one in self._flown_on(now_s)]
         if len(reports) == 1:

@@ -31,7 +31,7 @@ class ChangeDetector:
         self._number = -1
         """of the last snapshot that was looked at"""
         self._aged: set[int] = set()
-        """those of whom time alone may bring something new: they live, and what they told is old or not believed"""
+        """vehicles that may change by time alone: they live, and their last report is old or not believed"""
 
     def look(self, snapshot: FleetSnapshot, ordered: Mapping[int, End] | None) -> list[Event]:
         """Events since the last snapshot.

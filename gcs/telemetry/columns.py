@@ -24,9 +24,9 @@ AGE_S, GROUND_DOWN_M, REMAINING_J, DRAWN_J, INITIAL_J, CAPACITY_J = range(FIGURE
 
 
 class FleetColumns(NamedTuple):
-    """Of n vehicles; each column as the attribute of `VehicleView` with its name. Nobody writes into them.
+    """Of n vehicles; each column as the attribute of `VehicleView` with its name. They are read only.
 
-    They are kept as three blocks, of which columns are made when somebody asks for them.
+    They are kept as three blocks, of which columns are made on demand.
     """
 
     sysids: Sequence[int]

@@ -127,7 +127,7 @@ def count(
                 became = DRAWN
             break
     if one.initial_known:
-        one.initial_j -= one.before_j - before_j  # it was told of when the vehicle was switched on
+        one.initial_j -= one.before_j - before_j  # it was reported when the vehicle was switched on
     elif share:
         one.initial_j = left_j + one.drawn_j + one.given_j - one.received_j
         one.initial_known = 1

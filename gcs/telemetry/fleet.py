@@ -104,9 +104,9 @@ class Fleet:
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
         self._seen, self._changed = np.full(count, -1), np.full(count, self._number + 1)
-        lanes = np.full(NUMBERS, -1)
-        lanes[list(self._rows)] = list(self._rows.values())
-        self._reader = TelemetryReader(lanes, self._readings, self._accounts, _ELSEWHERE, self._found)
+        row_by_sysid = np.full(NUMBERS, -1)
+        row_by_sysid[list(self._rows)] = list(self._rows.values())
+        self._reader = TelemetryReader(row_by_sysid, self._readings, self._accounts, _ELSEWHERE, self._found)
         for row, track in enumerate(self._tracks.values()):
             track.live_in(self._readings[row], self._facts[row], self._accounts[row : row + 1])
         self._statuses = [track.status() for track in self._tracks.values()]
@@ -120,16 +120,16 @@ class Fleet:
 
     def ingest(self, frame: Frame, time_s: float) -> None:
         """Take one frame that was delivered at a session time."""
-        lane = self._rows.get(frame.sysid)
-        if lane is not None:
-            self._read(frame.sysid, lane, frame.raw, 0, len(frame.raw), time_s)
+        row = self._rows.get(frame.sysid)
+        if row is not None:
+            self._read(frame.sysid, row, frame.raw, 0, len(frame.raw), time_s)
         elif frame.msgid == mav.MAVLINK_MSG_ID_ADSB_VEHICLE:
             self._receive_traffic(fields(frame), time_s)
 
     def ingest_all(self, frames: Iterable[Frame], time_s: float) -> None:
         """Take frames that were delivered at a session time, in their order."""
-        if isinstance(frames, FrameRun) and (lane := self._rows.get(frames.sender[0])) is not None:
-            self._read(frames.sender[0], lane, frames.data, *frames.span, time_s)
+        if isinstance(frames, FrameRun) and (row := self._rows.get(frames.sender[0])) is not None:
+            self._read(frames.sender[0], row, frames.data, *frames.span, time_s)
             return
         for frame in frames:
             self.ingest(frame, time_s)
@@ -137,9 +137,9 @@ class Fleet:
     def ingest_runs(self, runs: AnswerRuns, time_s: float) -> None:
         """As `ingest_all` with each of them."""
         data, spans, rows = runs.frames.data, runs.frames.spans, runs.rows
-        run = at = end = lane = 0
+        run = at = end = row = 0
         while True:
-            run, at, why = self._reader.read_runs(data, at, end, lane, run, spans, rows, time_s)
+            run, at, why = self._reader.read_runs(data, at, end, row, run, spans, rows, time_s)
             if why == END:
                 return
             one = rows[run - 1]
@@ -149,14 +149,14 @@ class Fleet:
                 at = end
             else:
                 at = self._go_on(self._tracks[sysid], data, at, why, time_s)
-                lane = self._rows[sysid]
+                row = self._rows[sysid]
 
-    def _read(self, sysid: int, lane: int, data: bytes, at: int, end: int, time_s: float) -> None:
+    def _read(self, sysid: int, row: int, data: bytes, at: int, end: int, time_s: float) -> None:
         """Read the frames of one vehicle, which lie there whole and one after the other."""
-        at, why = self._reader.read(data, at, end, lane, time_s)
+        at, why = self._reader.read(data, at, end, row, time_s)
         while why != END:
             at = self._go_on(self._tracks[sysid], data, at, why, time_s)
-            at, why = self._reader.read(data, at, end, lane, time_s)
+            at, why = self._reader.read(data, at, end, row, time_s)
 
     def _go_on(self, track: VehicleTrack, data: bytes, at: int, why: int, time_s: float) -> int:
         """Do what compiled code stopped for; where the next frame begins."""
@@ -184,7 +184,7 @@ class Fleet:
         self._lay_out()
 
     def take_place(self, sysid: int, at_ned: Vec3, v_ned: Vec3, uncertain: str, time_s: float) -> None:
-        """Take a vehicle's place and velocity (m, m/s, common frame) as of a session time, which somebody else has
+        """Take a vehicle's place and velocity (m, m/s, common frame) as of a session time, which another reader has
         worked out; and why it is uncertain, if it is."""
         track = self._tracks[sysid]
         row = track.readings

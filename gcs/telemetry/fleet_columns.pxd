@@ -12,7 +12,7 @@ cdef struct Facts:
     double cosine
     double sine
     double ground_down  # m; NaN while unknown
-    double doubted  # s, when it last told what cannot be; -inf without
+    double doubted  # s, when it last reported what cannot be; -inf without
 
 cdef enum:  # columns of gcs/telemetry/columns.py
     _IS_ALIVE, _IS_STEERABLE, _IS_FLYING, _IS_FRESH, _IS_LANDED

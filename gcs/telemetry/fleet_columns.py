@@ -42,7 +42,7 @@ FACTS = 11
     OFFSET_N, OFFSET_E, OFFSET_D,  # m, of its own frame in the common one; NaN while unknown
     TURN, COSINE, SINE,  # rad, of that frame's axes
     GROUND_DOWN,  # m; NaN while unknown
-    DOUBTED,  # s, when it last told what cannot be; -inf without
+    DOUBTED,  # s, when it last reported what cannot be; -inf without
 ) = range(FACTS)  # fmt: skip
 """Of a vehicle, beside its readings: as they change, which is seldom. In the order of the struct Facts."""
 

@@ -17,7 +17,7 @@ from gcs.mavlink.codec import Frame
 Subject = tuple[int, str]
 _NAMED = frozenset(map(codec.msgid, ("NAMED_VALUE_FLOAT", "NAMED_VALUE_INT", "DEBUG_VECT")))
 MOST_SUBJECTS = 256
-"""Messages of one vehicle that are told apart, each named value for itself; further ones are passed over."""
+"""Messages of one vehicle that are distinguished, each named value for itself; further ones are passed over."""
 RATE_OVER = 20
 """A rate is that of so many last messages."""
 

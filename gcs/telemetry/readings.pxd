@@ -4,7 +4,7 @@ from libc.stdint cimport int64_t
 from gcs.telemetry.energy cimport Account
 
 cpdef enum:
-    # Why `read` stops: nothing is left; the next message is kept elsewhere; a HEARTBEAT told another mode; a place cannot
+    # Why `read` stops: nothing is left; the next message is kept elsewhere; a HEARTBEAT has another mode; a place cannot
     # be (found[0]: a fault of plausibility.py, found[1]: how far it jumps, m); there is more to a battery's report than
     # what its account keeps (found: the arguments of `BatteryAccount.taken`); the last run is of none of the vehicles.
     END
@@ -107,16 +107,16 @@ cdef Stop _read_run(
     const unsigned char[::1] kept, double* found) noexcept nogil
 
 cdef class TelemetryReader:
-    cdef const int64_t[::1] _lanes
+    cdef const int64_t[::1] _row_by_sysid
     cdef double[:, ::1] _readings
     cdef Account[::1] _accounts
     cdef const unsigned char[::1] _kept
     cdef double[::1] _found
 
-    cpdef read(self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, double now_s)
+    cpdef read(self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t vehicle, double now_s)
     @cython.locals(stop=Stop)
     cpdef read_runs(
-        self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, Py_ssize_t run, int64_t[:, ::1] spans,
+        self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t vehicle, Py_ssize_t run, int64_t[:, ::1] spans,
         int64_t[:, ::1] runs, double now_s)
     cdef Stop _read(
-        self, const unsigned char* data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t lane, double now_s) noexcept nogil
+        self, const unsigned char* data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t vehicle, double now_s) noexcept nogil

@@ -2,7 +2,7 @@
 time.
 
 A vehicle's readings are one row, laid out by the constants below; its battery is an account of gcs/telemetry/energy.py.
-`read` goes through frames in their order and stops where somebody else must go on: at a message that is kept elsewhere,
+`read` goes through frames in their order and stops where other code must go on: at a message that is kept elsewhere,
 and after one that tells another mode, or what cannot be; with a battery's report, at the next message that may stop it.
 """
 
@@ -300,7 +300,7 @@ class TelemetryReader:
 
     def __init__(
         self,
-        lanes: NDArray[np.int64],
+        row_by_sysid: NDArray[np.int64],
         readings: NDArray[np.float64],
         accounts: NDArray[Any],
         kept: NDArray[np.uint8],
@@ -309,18 +309,18 @@ class TelemetryReader:
         """Keep the tables, which are filled in place.
 
         Args:
-            lanes: (256,) row of a vehicle by its system id; negative: none.
+            row_by_sysid: (256,) row of a vehicle by its system id; negative: none.
             readings, accounts: (vehicles, READINGS) and (vehicles,).
             kept: (SMALL_IDS,)
             found: (FOUND,)
         """
-        self._lanes, self._readings, self._accounts = lanes, readings, accounts
+        self._row_by_sysid, self._readings, self._accounts = row_by_sysid, readings, accounts
         self._kept, self._found = kept, found
 
-    def read(self, data: bytes, at: int, end: int, lane: int, now_s: float) -> tuple[int, int]:
-        """Read the frames of the vehicle `lane` that lie in data[at:end], one after the other, at a session time;
+    def read(self, data: bytes, at: int, end: int, vehicle: int, now_s: float) -> tuple[int, int]:
+        """Read the frames of the vehicle `vehicle` that lie in data[at:end], one after the other, at a session time;
         (where the next frame begins, why it stops)."""
-        stop = self._read(data, at, end, lane, now_s)
+        stop = self._read(data, at, end, vehicle, now_s)
         return stop.at, stop.why
 
     def read_runs(
@@ -328,7 +328,7 @@ class TelemetryReader:
         data: bytes,
         at: int,
         end: int,
-        lane: int,
+        vehicle: int,
         run: int,
         spans: NDArray[np.int64],
         runs: NDArray[np.int64],
@@ -342,18 +342,18 @@ class TelemetryReader:
             runs: (n, COLUMNS of gcs/mavlink/frame_runs.py).
         """
         while True:
-            stop = self._read(data, at, end, lane, now_s)
+            stop = self._read(data, at, end, vehicle, now_s)
             if stop.why != END or run == runs.shape[0]:
                 return run, stop.at, stop.why
             next_run = run_at(runs, run)
             at, end = spans[next_run.first, 0], spans[next_run.last - 1, 1]
-            lane = self._lanes[next_run.sysid]
+            vehicle = self._row_by_sysid[next_run.sysid]
             run += 1
-            if lane < 0:
+            if vehicle < 0:
                 return run, at, UNKNOWN
 
-    def _read(self, data: Any, at: int, end: int, lane: int, now_s: float) -> Any:
+    def _read(self, data: Any, at: int, end: int, vehicle: int, now_s: float) -> Any:
         if at >= end:
             return Stop(at, END)
-        row, one = readings_at(self._readings, lane), cython.address(self._accounts[lane])
+        row, one = readings_at(self._readings, vehicle), cython.address(self._accounts[vehicle])
         return _read_run(data, at, end, now_s, row, one, self._kept, cython.address(self._found[0]))

@@ -69,7 +69,7 @@ class VehicleView(NamedTuple):
     roll_rad: float = 0.0
     pitch_rad: float = 0.0
     received_reported_s: float = -math.inf
-    """as of when it has told the energy received"""
+    """as of when it reported the energy received"""
     effort_age_s: float = 0.0
     """how old `control_effort` is"""
     battery_apart: bool = False
@@ -146,7 +146,7 @@ class TrafficView:
 class FleetSnapshot:
     """The fleet at one instant of the session; vehicles in order of system id.
 
-    Views, and columns, are made when somebody first asks for them.
+    Views, and columns, are made on first use.
     """
 
     time_s: float

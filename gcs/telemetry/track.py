@@ -123,13 +123,13 @@ class VehicleTrack:
         self.readings, self.facts, self.battery.account = readings, facts, account
 
     def doubts(self, why: str, time_s: float) -> bool:
-        """Whether there is a reason not to believe what is told at a time; it is remembered."""
+        """Whether there is a reason not to believe a report of this time; it is remembered."""
         if why:
             self.doubt, self.doubted_s = why, time_s
         return bool(why)
 
     def take_mode(self) -> None:
-        """Take over what the last HEARTBEAT told."""
+        """Take over the last HEARTBEAT."""
         autopilot, *modes = map(int, self.readings[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]])
         self.custom_mode, base_mode, self.system_status = modes
         self.profile = self.member.profile or profile_of(autopilot, self.member.vehicle_type)
@@ -164,7 +164,7 @@ class VehicleTrack:
 
 
 class Instant(NamedTuple):
-    """The fleet at one instant, from which a vehicle's view is made when somebody asks for it."""
+    """The fleet at one instant, from which a vehicle's view is made on demand."""
 
     time_s: float
     statuses: tuple[VehicleStatus, ...]

@@ -23,7 +23,7 @@ UNACKNOWLEDGED_S = 1.0
 PROGRESS_WITHIN_S = 3.0
 """[choice] A giver gives up without another acknowledgement for so long; it has stopped giving long before."""
 KNOWN_FOR_S = 1.5
-"""[choice] A receiver's XferIn heard so long before an order is its value at the order: it is told once a second."""
+"""[choice] A receiver's XferIn heard so long before an order is its value at the order; it comes once a second."""
 
 OrderKey = tuple[int, int, int, int]
 

@@ -58,7 +58,7 @@ def prepare(
     if sysid + count - 1 > LAST_SYSID:
         raise click.UsageError(f"--count {count}: system ids end at {LAST_SYSID}; begin at {LAST_SYSID + 1 - count}.")
     if not connect and supervised is None:
-        raise click.UsageError("nobody would hear it: give --connect udpout:127.0.0.1:14550 or another address.")
+        raise click.UsageError("no station would hear it: give --connect udpout:127.0.0.1:14550 or another address.")
     if separation is not None and supervised is None:
         raise click.UsageError("--separation needs --supervised: peers' places come by that link.")
     if any(down > 0.0 for _, _, down in position) and not airborne:

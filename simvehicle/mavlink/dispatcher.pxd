@@ -18,7 +18,7 @@ cdef class Services:
     cdef bint _fast_counters
     cdef int _long_texts
     cdef bint _leads
-    cdef PeerTable _peers  # None where it keeps apart from nobody
+    cdef PeerTable _peers  # None where it keeps apart from no peer
     cdef bint _at_work
 
     cpdef receive(self, ReceivedFrame frame, Connection connection)

@@ -1,10 +1,10 @@
 """MAVFTP without a socket, a file or a clock, read-only: the only file of a vehicle is its log, `@LOG/NUMBER`.
 
 Rules:
-1. One session, 0. OpenFileRO opens it for who asks, whoever had it before, and says how long the log is; it is read as
-   far as it has been written then. ResetSessions and TerminateSession close it.
+1. One session, 0. OpenFileRO opens it for the station that asks, even if another had it before, and says how long
+   the log is; it is read as far as it has been written then. ResetSessions and TerminateSession close it.
 2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
-3. Another file is NAK, file not found; whatever would write or look elsewhere is NAK, unknown command.
+3. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
 """
 

@@ -66,7 +66,7 @@ def data_stream(context: ServiceContext, call: Call) -> None:
 
 
 def ping(context: ServiceContext, call: Call) -> None:
-    """The echo of a PING to everybody; one that is addressed is itself an echo."""
+    """The echo of a PING to all; one that is addressed is itself an echo."""
     if call.content.target_system == 0:
         system, component = call.sender
         call.connection.put(call.content._replace(target_system=system, target_component=component))

@@ -44,7 +44,7 @@ class Item(NamedTuple):
 
 
 def row_of(item: Item) -> tuple[float, ...]:
-    """An item as ten plain numbers, for whoever keeps it."""
+    """An item as ten plain numbers, for storage."""
     return (item.command, item.frame, *item.params, item.x, item.y, item.z, item.autocontinue)
 
 

@@ -3,7 +3,7 @@
 
 This process starts the autopilot, is its simulation, and stands between it and the supervisor: frames of a bundle go
 to it before the step that they count for, frames that it says are numbered anew and go into the answer. Time passes
-for it only while a step is being answered. Kinds of autopilots differ in how a step is told and what a boot asks for.
+for it only while a step is being answered. Kinds of autopilots differ in how a step is sent and what a boot needs.
 """
 
 from __future__ import annotations
@@ -172,7 +172,7 @@ class AutopilotUnit(Unit, ABC):
         """Let it have a failure that the readings of its sensors do not say."""
 
     def _is_answer(self, frame: ReceivedFrame) -> bool:
-        """Whether a frame answers this process, and nobody else."""
+        """Whether a frame answers this process, and no other."""
         return False
 
     def _booted(self, boot: AutopilotBoot) -> None:

@@ -124,7 +124,7 @@ class Keyring:
 
 
 def read_key(path: Path) -> bytes:
-    """The key in a file that nobody else can read. Raises KeyFileError."""
+    """The key in a file that no other user can read. Raises KeyFileError."""
     try:
         with path.open("rb") as file:
             mode = os.fstat(file.fileno()).st_mode

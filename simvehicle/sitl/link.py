@@ -15,7 +15,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.keys import Keyring
 
 RECEIVE_BYTES = 2048
-"""Longer datagrams are cut: nobody sends MAVLink so."""
+"""Longer datagrams are cut: MAVLink has none."""
 SUPERVISED_BYTES = 16_384
 """Those of a supervisor to several vehicles are longer."""
 MOST_AT_ONCE = 256
@@ -102,7 +102,7 @@ class _Link:
 
 
 class PlainLink(_Link):
-    """Plain MAVLink for whoever is there, one frame per datagram; udpin answers those who spoke MAVLink to it lately.
+    """Plain MAVLink for all peers, one frame per datagram; udpin answers those that sent MAVLink lately.
 
     Who has spoken for longest keeps its place: newcomers are not answered while there is none free.
     """
@@ -150,7 +150,7 @@ class PlainLink(_Link):
         return frames
 
     def _is_old_speaker(self, datagram: bytes) -> bool:
-        """Whether this is MAVLink 1, from somebody who may change when spoken to; it cannot be signed."""
+        """Whether this is MAVLink 1, from a peer that may change to 2 when it hears 2; it cannot be signed."""
         return not self._keyring.has_key and speaks_mavlink_1(datagram)
 
     def _has_room(self, now_s: float) -> bool:
@@ -165,7 +165,7 @@ class PlainLink(_Link):
             del self._peers[peer]
 
     def flush(self) -> None:
-        """Send what waits on the connection; frames with nobody to hear them are dropped."""
+        """Send what waits on the connection; frames without a receiver are dropped."""
         self._forget(self._clock())
         for unsigned in self.connection.frames():
             frame = self._keyring.signed(unsigned, self._link_id)

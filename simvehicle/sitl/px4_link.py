@@ -81,7 +81,7 @@ class Px4Link(AutopilotLink):
         if self._answers:
             self._tcp.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, time_of(LOOK_EVERY_S))
         elif until_s > self._began_s + READY_WITHIN_S:
-            raise self.process.late(f"told its motors nothing within {READY_WITHIN_S:.0f} s")
+            raise self.process.late(f"sent no motor commands within {READY_WITHIN_S:.0f} s")
 
     def _receive(self) -> None:
         """Wait for what it says to its simulation, for a while. A session may stand still: it waits while it lives."""

@@ -50,7 +50,7 @@ disk. Each version passes over names that it does not have."""
 
 def simulation_port() -> tuple[socket.socket, int]:
     """A socket that listens where a PX4 of some instance number looks for its simulation, and that number: the first
-    that nobody has. Raises AutopilotError."""
+    that is not in use. Raises AutopilotError."""
     for instance in range(MOST_INSTANCES):
         tcp = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         try:

@@ -5,7 +5,7 @@ The filter owns the double integrator of every virtual leader. A period T with a
     p⁺ = p + T v + T² u/2,   v⁺ = v + T u,   |u| <= a_max,   |v⁺| <= v_max (or slower than now by braking)        (1)
 
 m(p, v, u) is the braking clearance of a constraint (braking_clearance.py): the least distance over this period and over
-the braking after it of all vehicles concerned. With u_b the braking of everybody and D the distance required,
+the braking after it of all vehicles concerned. With u_b the braking of all and D the distance required,
 
     m(p, v, u) >= min(D, m(p, v, u_b))   for every constraint, in every period                                    (2)
 

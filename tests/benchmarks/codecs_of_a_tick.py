@@ -14,7 +14,7 @@ import numpy as np
 from measure import Figure, Prepared, cpu_times
 from pymavlink.dialects.v20 import common
 
-from gcs.link.bundles import Bundles, Roster
+from gcs.link.bundles import Bundles, Recipients
 from gcs.link.keys import LinkSigning, read_key
 from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
@@ -230,13 +230,13 @@ def sending() -> Figure:
     offsets = [(rng.uniform(-9.0, 9.0), 0.0, 0.0, 0.0) for _ in keys]
     none, rows = np.empty(0), {sysid: row for row, (sysid, _) in enumerate(keys)}
     columns = FleetColumns(points.sysids, rows, 0, none, none, none, none, np.array(offsets))
-    own, roster = OwnFrames(), Roster(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
+    own, recipients = OwnFrames(), Recipients(keys, [b""] * VEHICLES, [("127.0.0.1", PORT + key[0]) for key in keys])
     sender = common.MAVLink(None, srcSystem=STATION[0], srcComponent=STATION[1])
     message = common.MAVLink_set_position_target_local_ned_message
 
     def encode() -> Bundles:
         placed = own.placed(points, columns, 61_200)
-        return roster.bundled((), TickGrants(61_300, 0, keys, (), placed, {}))
+        return recipients.bundled((), TickGrants(61_300, 0, keys, (), placed, {}))
 
     def fields(sysid: int) -> tuple[float, ...]:
         (n, e, d), (north, *_) = points[sysid - 1].p_ned, offsets[sysid - 1]

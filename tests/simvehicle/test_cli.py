@@ -28,7 +28,7 @@ def complaint(argv: list[str], capfd: pytest.CaptureFixture[str]) -> str:
     [
         ([], "--sysid is missing"),
         (["--connect", "udpin:127.0.0.1:0"], "--sysid is missing"),
-        (["--sysid", "1"], "nobody would hear it: give --connect udpout:127.0.0.1:14550"),
+        (["--sysid", "1"], "no station would hear it: give --connect udpout:127.0.0.1:14550"),
         (["--sysid", "0", *FINE[2:]], "0 is not in the range 1<=x<=254"),
         (["--sysid", "255", *FINE[2:]], "255 is not in the range 1<=x<=254"),
         (["--sysid", "one", *FINE[2:]], "'one' is not a valid integer"),

@@ -225,7 +225,7 @@ def test_whom_a_killed_supervisor_leaves_in_the_air_is_named(tmp_path: Path) -> 
         finally:
             running.stop()
     assert outcome.status == 70
-    assert f"gcs: pursuer 7 at udpin:127.0.0.1:{port} may still be flying, and nobody steers it" in outcome.stderr
+    assert f"gcs: pursuer 7 at udpin:127.0.0.1:{port} may still be flying without control" in outcome.stderr
 
 
 def test_a_vehicle_that_never_comes_ends_the_session_with_a_sentence(tmp_path: Path) -> None:

@@ -156,7 +156,7 @@ CONNECT = [
     ),
     commanded(
         "home-position-410",
-        "HOME_POSITION the old way (410, component 0), or its refusal by one that told it today's",
+        "HOME_POSITION the old way (410, component 0), or its refusal by one that sent it today's",
         {MAVPROXY: "asks again every few seconds and has no home"},
         mav.MAV_CMD_GET_HOME_POSITION,
         command_long(mav.MAV_CMD_GET_HOME_POSITION, to_component=0),

@@ -36,7 +36,7 @@ def _judge(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict | N
 
 def _at_end(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
     if vehicle.of("SYS_STATUS") is None:
-        return Verdict("missing", "it sends no SYS_STATUS: nobody can know")
+        return Verdict("missing", "it sends no SYS_STATUS, so its readiness is unknown")
     if _could_be_armed(vehicle):
         return Verdict("missing", f"its pre-arm checks pass, but it does not tell its place ({PLACE})")
     reasons = [text for text in texts(received) if "arm" in text.lower()]

@@ -39,7 +39,7 @@ def clock(now_unix_s: Callable[[], float]) -> Question:
         return f"{abs(off_s):.0f} s {'ahead of' if off_s > 0.0 else 'behind'} ours"
 
     misses = {QGC: "dates its logs wrong", MAVPROXY: "refuses its signatures, or it ours"}
-    what = f"its clock within {CLOCK_OFF_S:g} s of ours, or not told"
+    what = f"its clock within {CLOCK_OFF_S:g} s of ours, or not reported"
     return requested("SYSTEM_TIME", what, misses, fault=fault, may_refuse=always)
 
 
@@ -48,7 +48,7 @@ def signing(*, signed: bool) -> Question:
     return Question(
         "signing",
         "a command that is not signed is refused",
-        dict.fromkeys((MAVSDK, QGC, MAVPROXY), "is not alone: whoever reaches the link commands the vehicle"),
+        dict.fromkeys((MAVSDK, QGC, MAVPROXY), "is not alone: any program that reaches the link commands the vehicle"),
         leaves_alone("without a signature"),
         command_long(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION),
         lambda *_: OK,

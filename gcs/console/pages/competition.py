@@ -19,7 +19,7 @@ def verdict(watch: SessionModel) -> StyledLine:
     """The leader and its share, in one line."""
     competition = watch.competition
     if not competition.get("v"):
-        return [("nobody competes at present", "dim")]
+        return [("no vehicle competes at present", "dim")]
     leader, ahead = competition.get("leader"), margin(competition)
     if leader is None or ahead is None:
         return [("undecided", "info"), (f", {len(competition['v'])} compete", "")]

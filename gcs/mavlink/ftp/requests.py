@@ -24,7 +24,7 @@ ERRORS = {
     1: "it failed",
     2: "it failed",
     4: "it knows no such session",
-    5: "somebody else reads from it",
+    5: "another client reads from it",
     7: "it knows no such request",
     9: "it protects the file",
     10: "it has no such file",

@@ -128,7 +128,7 @@ def _mode(row: Any) -> int:
 
 
 class _Vehicle:
-    """The vehicle as its log has told of it so far."""
+    """The vehicle by its log so far."""
 
     def __init__(self, identity: _Identity, places: LoggedPlaces) -> None:
         self._sysid, self._type = identity.sysid, identity.kind

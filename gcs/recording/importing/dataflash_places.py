@@ -35,7 +35,7 @@ _Ned = tuple[float, float, float]
 
 
 class LoggedPlaces:
-    """The vehicle's place and speed as its log has told of them so far."""
+    """The vehicle's place and speed by its log so far."""
 
     def __init__(self, reader: Any) -> None:
         """Look through a log of pymavlink's DFReader, which is rewound."""
@@ -49,7 +49,7 @@ class LoggedPlaces:
         self._v_ned: dict[int, _Ned] = {}
         self._origin: Any = None
         self._placed = False
-        """whether an EKF's row has told the place since the last POS"""
+        """whether an EKF's row has given the place since the last POS"""
 
     def read(self, boot_ms: int, row: Any) -> _Made:
         """Names and fields of the messages that one row gives."""

@@ -1,4 +1,4 @@
-"""Mission, fence and rally points of a DataFlash log as the transfers in which a vehicle would have told them.
+"""Mission, fence and rally points of a DataFlash log as the transfers in which a vehicle would have sent them.
 
 CMD, FNCE and RALY (libraries/AP_Mission, AC_Fence and AP_Rally) list them when logging begins; MISE is the item that
 the vehicle goes on to. CMD also stands where an item is begun: of a mission that has come since, that is all there is.

@@ -100,7 +100,7 @@ def read(folder: Path, sysids: list[int], period_s: float) -> list[RecordedFligh
     for sysid in sysids:
         flown = truth.read(folder, sysid, _KNOWN)
         if not plans[sysid] or not efforts[sysid] or flown is None:
-            raise ValueError(f"{folder}: vehicle {sysid} was told or reported nothing; fly the session again")
+            raise ValueError(f"{folder}: vehicle {sysid} received or reported nothing; fly the session again")
         plan, effort = np.array(plans[sysid]), np.array(efforts[sysid])
         flights.append(
             RecordedFlight(

@@ -39,7 +39,7 @@ class Battery(Part):
     avionics_w: Annotated[float, Exact(ge=0, le=1e4)] = 10.0
     """power of everything else, W; drawn with motors off too"""
     resistance_ohm: NotNegative | None = None
-    """with `plant: rotors`: inner resistance, Ω; by default that of a usual battery of its capacity"""
+    """with `plant: rotors`: inner resistance, Ω; by default that of a typical battery of its capacity"""
 
 
 class VehicleBase(Part):
@@ -73,7 +73,7 @@ class VehicleBase(Part):
     airframe: Airframe | None = None
     """on rotors: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
     sensors: Sensors | None = None
-    """errors of what it knows of its motion; `{}` has usual ones; without it the vehicle knows exactly"""
+    """errors of what it knows of its motion; `{}` has typical ones; without it the vehicle knows exactly"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None

@@ -195,7 +195,7 @@ def _of_the_fence(scenario: Scenario) -> Iterator[ScenarioWarning]:
     beyond = [name for name, place in places if not scenario.fence.allows(place[0], place[1])]
     if beyond:
         kept = (
-            "whoever is sent there stops at it"
+            "a vehicle sent there stops at it"
             if scenario.planner.safety
             else "without the safety layer the planner does not know it, and vehicles keep it by themselves"
         )
@@ -226,8 +226,8 @@ def _of_the_charge(scenario: Scenario) -> Iterator[ScenarioWarning]:
     if scenario.bases and not scenario.vehicles.tankers and pursuers and all(p.transfer_capable for p in pursuers):
         yield ScenarioWarning(
             "refuelling",
-            "nobody is served at a base: who takes energy in flight is served by tankers, and there is none; give "
-            "those that are to land at bases 'transfer: false'",
+            "no vehicle is served at a base: vehicles that take energy in flight are served by tankers, and there is "
+            "none; give those that are to land at bases 'transfer: false'",
         )
     competes_at = 1.0 - competition.need_from
     if givers and rules.enabled and competition.enabled and rules.until <= competes_at:

@@ -78,7 +78,7 @@ export function look() {
         band: "rgba(0,114,178,.18)", crowd: "rgba(87,96,106,.3)", bad: "#a52a00", warn: "#7a5200", good: "#00664b" };
 }
 
-/** A vehicle's colour. Targets take the ink: they lead, and are told by their shape. @param {number} id */
+/** A vehicle's colour. Targets take the ink: they lead, and are known by their shape. @param {number} id */
 export function colourOf(id) {
   const one = members.get(id);
   if (one?.role === "target") return look().ink;

@@ -1,4 +1,4 @@
-// An operator's commands: the same as in the console, each asked about, answered, and told to everyone as an event.
+// An operator's commands: the same as in the console, each confirmed, answered, and shown to all as an event.
 // @ts-check
 import { h, say } from "./elements.js";
 

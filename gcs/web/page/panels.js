@@ -27,7 +27,7 @@ export function showContest(at, snapshot, label) {
     const made = [];
     if (ids.length) {
       const share = competition.share === null ? "" : `, its share ${number(competition.share, 2)} of the ${number(competition.threshold, 2)} that win`;
-      made.push(h("p", {}, competition.leader === null ? "Nobody leads yet." : h("b", {}, `${label(competition.leader)} leads`), share));
+      made.push(h("p", {}, competition.leader === null ? "No vehicle leads yet." : h("b", {}, `${label(competition.leader)} leads`), share));
       for (const id of ids) {
         const bar = h("span", { class: "bar" });
         bar.style.width = `${Math.min(Math.max(100 * competition.v[id], 0), 100)}%`;
@@ -35,7 +35,7 @@ export function showContest(at, snapshot, label) {
         made.push(h("div", { class: "row" }, h("span", { class: "row-name" }, label(id)), h("div", { class: "track stack" }, bar), h("span", { class: "value" }, number(competition.v[id], 2))));
       }
     } else {
-      made.push(h("p", { class: "soft" }, "Nobody competes at this time."));
+      made.push(h("p", { class: "soft" }, "No vehicle competes at this time."));
     }
     for (const one of services) {
       const giver = one.tanker === null ? `base ${one.base}` : label(one.tanker);
@@ -52,7 +52,7 @@ export function showContest(at, snapshot, label) {
   });
 }
 
-/** Events of one instant and vehicle, told as one. @param {EventRow[]} events */
+/** Events of one instant and vehicle, shown as one. @param {EventRow[]} events */
 export function folded(events) {
   /** @type {{head: EventRow, more: EventRow[]}[]} */
   const groups = [];

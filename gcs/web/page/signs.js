@@ -1,4 +1,4 @@
-// Signs of a vehicle's state, told by their shape: the same in strip, table, map and space.
+// Signs of a vehicle's state, distinguished by shape: the same in strip, table, map and space.
 // @ts-check
 import { alarmColour, look } from "./look.js";
 

@@ -21,7 +21,7 @@ from skytender import mavlink as mav
 
 STATUS_EVERY_S, COUNTER_EVERY_S, FAST_EVERY_S = 0.5, 1.0, 0.1
 STAYS_FAST_S = 2.0
-"""How long after a transfer its counter is told often: its last words must arrive."""
+"""How long after a transfer its counter is sent often: the last report must arrive."""
 UNKNOWN_U16 = 65535
 PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})

@@ -38,7 +38,7 @@ def parse(datagram: bytes) -> ServoPacket | None:
 
 
 def throttles(packet: ServoPacket) -> tuple[float, ...]:
-    """Throttle of each of four motors, 0 to 1; motors that are not told to turn have 0 µs."""
+    """Throttle of each of four motors, 0 to 1; motors that are off have 0 µs."""
     a, b, c, d = packet.pwm_us
     return _throttle(a), _throttle(b), _throttle(c), _throttle(d)
 

@@ -4,7 +4,7 @@
 |---|---|---|
 | motor | OFF, OK | the motor of that instance, 1 to 4, or all with 0, gives no thrust until it is mended |
 | battery | WRONG | so many joules (param4) are gone at once, and count as drawn |
-| GPS | WRONG, OK | the place that it is told is off by so many metres north and east (params 5 and 6) |
+| GPS | WRONG, OK | its reported place is off by so many metres north and east (params 5 and 6) |
 | GPS | OFF, OK | its receiver has no fix |
 
 Whatever else is asked for is not supported: the autopilot's own simulation has no part in this.

@@ -88,8 +88,8 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
             if draw.random() < 0.05:
                 relayed = [codec.frame(LONG, 7, 3, 1)] * draw.choice([0, 0, 2])
                 more[key] = [COMMAND] * draw.choice([0, 1, 3]) + [LONG] * draw.choice([0, 0, 40]), relayed
-        greeted = {key[0] for key in there if key != TRAFFIC and (tick % 10 == 0 or draw.random() < 0.01)}
-        grants = TickGrants(t_ms, 1_767_225_600_000_000 + 1000 * t_ms, there, greeted, points, more)
+        heartbeat_due = {key[0] for key in there if key != TRAFFIC and (tick % 10 == 0 or draw.random() < 0.01)}
+        grants = TickGrants(t_ms, 1_767_225_600_000_000 + 1000 * t_ms, there, heartbeat_due, points, more)
         assert at_once.link.grant_all(grants) == one_by_one(single.link, grants)
         for field in (at_once, single):
             field.link.flush()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common
 
-from gcs.link.bundles import Roster
+from gcs.link.bundles import Recipients
 from gcs.link.link import TickGrants
 from gcs.mavlink import bundle_frames
 from gcs.mavlink.bundle_frames import LEFT_OUT, NONE, write_bundles
@@ -44,10 +44,10 @@ def test_bundles_are_what_pymavlink_packs(seed: int) -> None:
     templates = bundle_frames.made_templates()
     for k in range(VEHICLES):
         number, sysid, marker = int(random.integers(256)), int(random.integers(1, 255)), random.bytes(26 * (seed % 2))
-        point, greeted = int(random.choice([k, NONE, LEFT_OUT], p=[0.7, 0.2, 0.1])), bool(random.random() < 0.3)
-        rows[k] = number, sysid, len(marker), point, greeted
+        point, heartbeat_due = int(random.choice([k, NONE, LEFT_OUT], p=[0.7, 0.2, 0.1])), bool(random.random() < 0.3)
+        rows[k] = number, sysid, len(marker), point, heartbeat_due
         markers[k, : len(marker)] = list(marker)
-        told = [common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)] * greeted
+        told = [common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3)] * heartbeat_due
         told += [set_point(time_ms, sysid, values[k].tolist())] * (point == k)
         told += [common.MAVLink_system_time_message(unix_us, time_ms)]
         own = [packed(message, (number + n) % 256) for n, message in enumerate(told)] if point != LEFT_OUT else []
@@ -72,6 +72,6 @@ def test_a_set_point_that_no_frame_can_hold_is_refused_as_the_codec_does(value: 
     values = np.zeros((2, 6))
     values[1, 4] = value
     keys = [(7, 1), (8, 1)]
-    roster = Roster(keys, [b"", b""], [("127.0.0.1", 1), ("127.0.0.1", 2)])
+    recipients = Recipients(keys, [b"", b""], [("127.0.0.1", 1), ("127.0.0.1", 2)])
     with pytest.raises(ValueError, match=r"^SET_POSITION_TARGET_LOCAL_NED\.vy cannot be "):
-        roster.bundled((), TickGrants(0, 0, keys, (), PlacedSetPoints(0, (7, 8), values), {}))
+        recipients.bundled((), TickGrants(0, 0, keys, (), PlacedSetPoints(0, (7, 8), values), {}))

@@ -110,7 +110,7 @@ def test_a_strangers_place_is_where_it_is(tmp_path: Path) -> None:
 
 
 def test_strangers_live_on_their_own_clock(tmp_path: Path) -> None:
-    sentence = "pursuer 3 (external) lives on its own clock, which waits for nobody: leave out lockstep"
+    sentence = "pursuer 3 (external) lives on its own clock, which waits for no supervisor: leave out lockstep"
     assert refusals(tmp_path, content(clock={"mode": "lockstep"})) == [sentence]
     scenario = loaded(tmp_path, content())
     with pytest.raises(ValueError, match="leave out lockstep"):

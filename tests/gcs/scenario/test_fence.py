@@ -54,6 +54,6 @@ def test_validate_draws_it_and_names_a_place_beyond_it(tmp_path: Path, capsys: p
     assert run_argv(["validate", str(path)]) == 0
     out, err = capsys.readouterr()
     assert "= fence to stay in, x fence to stay out of, R rally point" in out
-    said = "way point 1 of pursuer 1 lies beyond the fence: whoever is sent there stops at it"
+    said = "way point 1 of pursuer 1 lies beyond the fence: a vehicle sent there stops at it"
     assert said in (out + err).replace("\n", " ")
     assert (tmp_path / "plan.png").stat().st_size > 10_000

@@ -117,8 +117,8 @@ def test_arming_is_asked_for_again_until_the_time_is_up_and_then_left() -> None:
 @pytest.mark.parametrize(
     ("missing", "why"),
     [
-        ({"origin_offset_ned": None, "p_ned": None}, "Has not told where its frame lies within 20 s: left out"),
-        ({"p_ned": None}, "Has not told where it is within 20 s: left out"),
+        ({"origin_offset_ned": None, "p_ned": None}, "Has not reported its frame's origin within 20 s: left out"),
+        ({"p_ned": None}, "Has not reported its position within 20 s: left out"),
     ],
 )
 def test_nothing_is_asked_of_a_vehicle_whose_place_is_unknown(missing: dict[str, None], why: str) -> None:

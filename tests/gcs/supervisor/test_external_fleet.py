@@ -151,7 +151,7 @@ def test_at_the_end_it_is_told_what_the_scenario_says_until_its_mode_shows_it(
         ("rejected", mav.MAV_RESULT_DENIED, "it answered: denied"),
         ("rejected", mav.MAV_RESULT_TEMPORARILY_REJECTED, "it answered: temporarily rejected"),
         ("rejected", 77, "it answered: result 77"),
-        ("timeout", None, "it has not answered, though it was told 4 times"),
+        ("timeout", None, "it has not answered 4 commands"),
         ("accepted", mav.MAV_RESULT_ACCEPTED, "it answered that it would"),
         (None, None, "it has not answered yet"),
     ],
@@ -164,7 +164,7 @@ def test_who_does_not_obey_at_the_end_is_named_with_its_answer(outcome: Any, cod
         tower.externals.settles(3, CommandResult(176, CommandTarget(3, 1), outcome, code, 4, ENDING), 1.0)
     tower.said()
     tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
-    text = f"Still in offboard though nobody steers it any more ({said}): look after it"
+    text = f"Still in offboard though it is no longer controlled ({said}): look after it"
     assert tower.said() == [("critical", text)]
     tower.hear(1.0, heartbeat(custom_mode=4 << 16 | 3 << 24))
     tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
@@ -210,7 +210,7 @@ def test_who_is_left_in_the_air_at_the_end_is_named() -> None:
     tower.hear(0.0, heartbeat(), origin(), landed(2))
     tower.said()
     assert tower.end(Stage.YIELDED) == []
-    assert tower.said() == [("warning", "Left in the air in offboard: nobody of this session flies it")]
+    assert tower.said() == [("warning", "Left in the air in offboard: this session does not control it")]
     tower.externals.receive({}, {}, (), tower.fleet, 12.0)
     tower.said()
     wishes = tower.externals.hand_back(tower.fleet.snapshot(12.0), {3: Stage.FLY})

@@ -66,7 +66,7 @@ def test_a_clock_that_is_far_off_fails(off_s: float, text: str) -> None:
 
 
 def test_who_has_no_time_or_does_not_tell_it_passes_and_is_asked_twice() -> None:
-    for messages, text in (((), "clock not told"), ([mav.MAVLink_system_time_message(0, 7)], "clock not set yet")):
+    for messages, text in (((), "clock not reported"), ([mav.MAVLink_system_time_message(0, 7)], "clock not set yet")):
         session = Session()
         session.go_on(1.0)
         session.hear(*messages)

@@ -36,16 +36,16 @@ class Reading(NamedTuple):
     winners: tuple[int, ...]
     """by system id, in the order of their places"""
     ties: frozenset[int]
-    """who ties with the last of them, that one included"""
+    """those that tie with the last of them, that one included"""
     share: float
     """what the last of them holds of its own v^p and of the next one's that does not tie with it, 0.5 to 1"""
 
 
 def bounded(ln_v: ArrayLike, places: int, floor: float) -> FloatArray:
-    """Logarithms of states (n,) drawn together, so that who is behind can come back: among the first `places` + 1 none
+    """Logarithms of states (n,) drawn together, so that those behind can come back: among the first `places` + 1 none
     lies further behind the one before it than `floor` < 1, and the others no further behind the last of these.
 
-    Who is drawn up takes all below with it: their ratios stay, unless they reach that end.
+    A state that is drawn up takes all below with it: their ratios stay, unless they reach that end.
     """
     values = np.asarray(ln_v, dtype=np.float64)
     if values.size < 2:

@@ -32,7 +32,7 @@ FILLED = (*FIRST, "ok")
 
 
 def schema(campaign: CampaignRules) -> pa.Schema:
-    """The columns: who, what was varied and drawn, what was measured, how it went."""
+    """The columns: session, what was varied and drawn, what was measured, how it went."""
     pa = _arrow()
     types: dict[str, Any] = dict.fromkeys(FIRST, pa.int64())
     for key, values in campaign.vary.items():

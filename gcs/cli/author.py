@@ -1,4 +1,4 @@
-"""`gcs init`, `validate`, `schema` and `doctor`: for who writes scenarios, before anything flies."""
+"""`gcs init`, `validate`, `schema` and `doctor`: for authors of scenarios, before anything flies."""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 

@@ -79,7 +79,7 @@ def monitor(
     """
     refuse_two_shows(plain=plain, as_json=as_json, web=web, foxglove=foxglove, tiles=tiles)
     if connect is not None and session is not None:
-        raise click.UsageError("SESSION and --connect exclude each other: a session is watched, or who is on the air.")
+        raise click.UsageError("SESSION and --connect exclude each other: watch either a session or an address.")
     if control and connect is None:
         raise click.UsageError("--control is for --connect: a session takes its watchers' commands as it is.")
     if key_file is not None and connect is None:

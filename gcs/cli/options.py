@@ -116,5 +116,5 @@ def refuse_two_shows(*, plain: bool, as_json: bool, web: bool, foxglove: bool, t
     if plain and as_json:
         raise click.UsageError(ONE_STDOUT)
     if sum((web, foxglove, plain or as_json)) > 1:
-        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose who shows it.")
+        raise click.UsageError("--web, --foxglove, and --plain or --json exclude each other: choose one.")
     page.refuse_tiles(tiles, web=web)

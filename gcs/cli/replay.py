@@ -135,7 +135,9 @@ def replay(
         if not recording.from_s <= from_s <= recording.to_s:
             raise click.UsageError(f"--from: the recording goes from {recording.from_s:g} to {recording.to_s:g} s.")
         looked_at = web or in_console
-        recording.seek(from_s, reported_s=-math.inf if looked_at else math.inf)  # who can scroll back finds the past
+        recording.seek(
+            from_s, reported_s=-math.inf if looked_at else math.inf
+        )  # viewers that scroll back find the past
     if speed is None and not (web or foxglove or in_console):
         steps = Steps()
         source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)

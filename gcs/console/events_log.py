@@ -113,7 +113,7 @@ def entry(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> Styl
 
 
 def _parts(watch: SessionModel, event: Event, width: int, glyphs: Glyphs) -> tuple[StyledLine, Span]:
-    """When, how bad, what sort and who; then what."""
+    """Time, severity, kind and vehicle; then the text."""
     level = str(event.get("level") or "info")
     style = STYLES.get(level, "")
     mark = {"warning": glyphs.look, "critical": glyphs.act}.get(level, " ")

@@ -15,7 +15,7 @@ def open_connection(at: Endpoint, *, alone: bool = False) -> Channel:
     if at.way in ("udpin", "udpout"):
         return UdpConnection(at, alone=alone)
     if at.way == "serial":
-        from gcs.link.serial_device import SerialConnection  # noqa: PLC0415 - only who has a cable needs its library
+        from gcs.link.serial_device import SerialConnection  # noqa: PLC0415 - only cables need its library
 
         return SerialConnection(at)
     return TcpClient(at) if at.way == "tcp" else TcpListener(at)

@@ -1,4 +1,5 @@
-"""Bundles of a tick on their way out: made for many vehicles at once, and gathered for those who share an address."""
+"""Bundles of a tick on their way out: made for many vehicles at once, and gathered for vehicles that share an
+address."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Addresses, opened: bytes with their senders in, frames out. Nothing here waits, and what is lost is had again.
 
 A connection that cannot be had at present says so (`problem`) and tries again every RETRY_S. What is received in one
-call is bounded, and what is to be sent to one who does not take it is dropped frame by frame, as on a radio.
+call is bounded, and what a receiver does not take is dropped frame by frame, as on a radio.
 """
 
 from __future__ import annotations
@@ -188,7 +188,8 @@ class ByteStream:
 
 
 class StreamConnection(Channel):
-    """Part that TCP and serial streams share: streams by sender, one descriptor for all, and who has gone.
+    """Part that TCP and serial streams share: streams by sender, one descriptor for all, and the senders that have
+    gone.
 
     See `Channel` for the methods.
     """

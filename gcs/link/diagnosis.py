@@ -18,7 +18,7 @@ class Diagnosis:
         self._bytes = 0
         self._frames = 0
         self._old: set[int] = set()
-        """system ids of who speaks MAVLink 1"""
+        """system ids of vehicles that speak MAVLink 1"""
 
     def count(self, data: bytes, split: Split) -> bool:
         """Take bytes from an unknown sender, and what was found in them; whether that is MAVLink 1."""

@@ -66,9 +66,9 @@ class ExternalLink:
         self._kept = False
         self._announced_s = self._sent_s = -ANNOUNCE_EVERY_S
         self.refused: dict[Key, tuple[str, int]] = {}
-        """who spoke with an id that another address has already, and from where; the first of each"""
+        """vehicles with an id that another address has already, and from where; the first of each"""
         self.rivals: dict[Key, tuple[Where, Where]] = {}
-        """who was claimed from two addresses before the session began"""
+        """vehicles claimed from two addresses before the session began"""
         self._moved: dict[Key, Where] = {}
         self.malformed = 0
         self._rebooted: set[int] = set()
@@ -282,7 +282,7 @@ class ExternalLink:
         self._receive(opened, split.frames, address)
 
     def _cut_off(self, opened: OpenAddress, address: Where) -> None:
-        """A stream has ended: who spoke there may come back there or elsewhere, at once."""
+        """A stream has ended: its vehicles may come back there or elsewhere, at once."""
         for peer in self._peers.values():
             link = peer.link_of(opened)
             if link is not None:

@@ -28,7 +28,7 @@ READ_AT_ONCE = 256
 
 
 class FromStation(NamedTuple):
-    """A frame that another ground station has sent, and who that is, in words."""
+    """A frame that another ground station has sent, and its name."""
 
     frame: Frame
     by: str

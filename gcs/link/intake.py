@@ -40,7 +40,7 @@ class Intake:
         self._table, self._row_by_sysid = table, row_by_sysid
 
     def begin(self, keys: Sequence[Key], t_ms: int) -> bool:
-        """Let all who are enrolled wait for the answer to a grant at once; False where these are others, or an earlier
+        """Let all that are enrolled wait for the answer to a grant at once; False where these are others, or an earlier
         answer has not been taken; then none waits."""
         return keys == self._keys and _begin(self._table, t_ms)
 

@@ -66,7 +66,7 @@ class Listener:
 
     def send(self, raw: bytes, peer: Where, *, unsigned: bool = False) -> None:
         """Send a MAVLink 2 frame to a known sender, or to the one address that it speaks to; signed, where there is a
-        key. Who speaks MAVLink 1 is sent it in that, if it can be."""
+        key. A peer that speaks MAVLink 1 is answered in it where possible."""
         to = self.connection.to or peer
         here = {sysid for address, sysid in self._speaks_older if address == peer}
         for_all = (target := target_of(raw)) == 0

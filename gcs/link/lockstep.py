@@ -2,9 +2,9 @@
 
 One UDP socket holds every vehicle's link; a vehicle is known by its (system, component), by the secret in its first
 hello, which only the processes of the session have, and from then on by the address that this came from. A datagram
-from anywhere else is not read. A bundle goes out to each, and the tick is in when all have answered; who is missing
-gets the same bytes again. Vehicles of one process share an address: several bundles, each marked with its vehicle, make
-a datagram, and so do several answers.
+from anywhere else is not read. A bundle goes out to each, and the tick is in when all have answered; a vehicle that is
+missing gets the same bytes again. Vehicles of one process share an address: several bundles, each marked with its
+vehicle, make a datagram, and so do several answers.
 """
 
 from __future__ import annotations
@@ -318,7 +318,7 @@ class LockstepLink(TickLink):
                 repeat_s = time.monotonic() + REPEAT_S
 
     def _enrol(self) -> None:
-        """Let the intake know who is there."""
+        """Tell the intake which vehicles are there."""
         if not self._enrolled:
             vehicles = []
             for key, peer in sorted(self._peers.items()):

@@ -1,4 +1,4 @@
-"""One address of external vehicles: its connection, its key, and who has spoken there."""
+"""One address of external vehicles: its connection, its key, and its senders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""TCP as a link: connected to who listens (`tcp`), or listening for who connects (`tcpin`)."""
+"""TCP as a link: connected to a listener (`tcp`), or listening for connections (`tcpin`)."""
 
 from __future__ import annotations
 

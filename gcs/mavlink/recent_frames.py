@@ -1,4 +1,4 @@
-"""Frames that came lately: who hears a vehicle over two links takes none of them twice.
+"""Frames that came lately: of a vehicle received over two links none is taken twice.
 
 Two links may carry one stream, as behind a router: then a frame comes as the same bytes over both. An autopilot that
 has a radio and a network port numbers each on its own: then a number stands for one frame here and another there.

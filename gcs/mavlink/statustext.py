@@ -1,6 +1,6 @@
 """STATUSTEXT's chunks, put together again.
 
-A text longer than a message comes in chunks of one id, counted up; a chunk that is not full is the last. Who sends
+A text longer than a message comes in chunks of one id, counted up; a chunk that is not full is the last. A sender of
 short texts alone leaves the id 0, and so does a PX4 for its first text after boot, in however many chunks; MAVLink 1
 has no ids. A PX4 sends nothing after a last chunk that happens to be full. So a text waits for what it lacks, and not
 for long: chunks may come out of order, and the place of one that is lost is marked. A text is UTF-8, whose characters

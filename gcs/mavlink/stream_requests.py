@@ -9,7 +9,7 @@
 4. A vehicle that sends none of it, though its HEARTBEAT comes, has forgotten the request and is asked again: it may
    have booted.
 5. Where the local frame lies is asked for by MAV_CMD_REQUEST_MESSAGE until it is known, and now and then after: it may
-   move. Who does not know that command may know MAV_CMD_GET_HOME_POSITION.
+   move. A vehicle that does not know that command may know MAV_CMD_GET_HOME_POSITION.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from gcs.telemetry.state import ZERO, Vec3
 
 
 class OwnPlanner(TickPlanner):
-    """The shipped planner, but for the pursuers, who fly what a user's planner says; without a good answer, and once
+    """The shipped planner, but pursuers follow a user's planner; without a good answer, and once
     its process has ended, they are held where they were last to be."""
 
     def __init__(self, scenario: Scenario, plugins: PluginClient) -> None:

@@ -12,8 +12,8 @@ kept as long as it holds:
 
 Searches in a tick are made, longest waiting first, until they have settled so many cells of the grid that a tick has
 time for the rest of its work (`GuideSettings.budget`); the last one goes on in the next tick. Cells, not seconds, so
-that they are the same searches on every machine; who waits keeps his last aim. State is per vehicle and is forgotten
-when a tick leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
+that they are the same searches on every machine; a vehicle that waits keeps its last aim. State is per vehicle and is
+forgotten when a tick leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _CELLS_OF_A_VEHICLE = 80  # [choice] what planning and filtering cost each, in t
 _NEVER = math.inf
 _THERE_M = 0.05  # [choice] a way point is reached, whatever can be seen from here
 _LEAST_SLACK = 0.25  # [choice] share of the slack that is left in the narrowest gap
-_LOST_SHARE = 0.2  # [choice] of moved_m: who sees no way point searches again after this way
+_LOST_SHARE = 0.2  # [choice] of moved_m: a vehicle without a way point in sight searches again after this way
 
 States = NDArray[np.int8]
 

@@ -12,7 +12,7 @@ CATCH_UP_SPEED = 1.3
 """A target's leader may be this much faster than its carrot, so that it comes back after an obstacle."""
 
 SLOWEST_M_S = 1.0
-"""Even who is to stand may give way this fast."""
+"""Even a vehicle that is to stand may give way this fast."""
 ABLE_SHARE, USUAL_M_S2, USUAL_TILT_DEG, GRAVITY_M_S2 = 0.8, 5.0, 35.0, 9.8
 """Of what a launched vehicle can by MPC_ACC_HOR and MPC_TILTMAX_AIR: at all of it corners err by half a metre."""
 EXTERNAL_M_S2 = 2.0

@@ -147,7 +147,7 @@ class Planner(TickPlanner):
         if rules.safety:  # a leader with an inertia passes by within a period's way
             reached_m = max(reached_m, rules.cruise_m_s * scenario.clock.period_s)
         courses = {self._row[p.sysid]: p.waypoints_m for p in vehicles.pursuers if p.waypoints_m}
-        # Who gives way at the last way point comes back to it.
+        # A vehicle that gave way at the last way point comes back to it.
         self._courses = goals.Courses(n, courses, reached_m, keeps_last=rules.safety)
         self._course, self._going = np.zeros(n, np.int64), self._courses.rows
         """how each of those led stands to its way points; and the rows of those that may come to one"""
@@ -180,7 +180,7 @@ class Planner(TickPlanner):
         self._team = _Team((frozenset(), b"", b""), none, (), [], none, np.zeros((0, COLUMNS)))
         self._number = -1
         self._steered: frozenset[int] = frozenset()
-        """with which it was last looked at who is led"""
+        """with which the led vehicles were last determined"""
 
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """`SetPoints` for the steered vehicles; each holds at the snapshot's time.

@@ -163,7 +163,7 @@ class Router:
     def _entries(self, p_ned: FloatArray, other_ned: FloatArray) -> list[int]:
         """Free cells from which the grid is entered from a place, the best of each part first; [] where none is near.
 
-        Who is within a surface, or too near to one, enters where he comes no nearer on the way.
+        A start within a surface, or too near to one, enters where the way comes no nearer.
         """
         grid = self.grid
         inside = self._clipped(p_ned, other_ned)

@@ -8,7 +8,7 @@ so that no corner is cut and what is connected is connected through faces.
 Search: A* from the goal [lineage: Hart, Nilsson, Raphael, IEEE Trans. SSC 4(2), 1968], whose settled costs are kept. A
 later start for the same goal goes on from where the last stopped, with its own heuristic: costs once settled are exact,
 whatever heuristic settled them. A search ends when every cell that can lie on a cheapest path is settled, ties too, so
-that the path found depends on the goal and the start alone and not on who asked before. It can be paused after any
+that the path found depends on the goal and the start alone and not on earlier requests. It can be paused after any
 number of cells: what is open stays open.
 """
 

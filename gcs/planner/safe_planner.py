@@ -147,7 +147,7 @@ class SafePlanner(TickPlanner):
         self.lag_s = max(median_s, LOOKAHEAD_S)
 
     def _keep(self, points: SetPoints, columns: FleetColumns) -> None:
-        """A leader for each set point, and none for who has none."""
+        """A leader for each set point."""
         if points.sysids == self._sysids:
             return
         self._sysids = points.sysids

@@ -82,7 +82,9 @@ class PlansReader:
         wanted = np.isin(heads[:, MSGID], _WANTED)
         beats = heads[heads[:, MSGID] == _HEARTBEAT]
         _, first = np.unique(beats[:, SYSID] << 8 | beats[:, COMPID], return_index=True)
-        for _, at, sysid, compid, seq, msgid in beats[first].tolist():  # also of who uploads before its HEARTBEAT
+        for _, at, sysid, compid, seq, msgid in beats[
+            first
+        ].tolist():  # also of a station that uploads before its HEARTBEAT
             if (sysid, compid) not in self._known:
                 data = data or chunk.octets.tobytes()
                 self._meet((sysid, compid), codec.fields(Frame(sysid, compid, seq, msgid, raw_at(data, at))))

@@ -1,6 +1,6 @@
 """A recording in several files: `session.0001.tlog`, `session.0002.tlog`, … and `session.tlog`, which is being written.
 
-Who reads a recording reads them as one file, the oldest first; of those that were not kept nothing is left.
+Readers of a recording read them as one file, the oldest first; of those that were not kept nothing is left.
 """
 
 from __future__ import annotations

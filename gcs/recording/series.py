@@ -94,7 +94,8 @@ def held(series: Series, t_s: Floats) -> Floats:
 
 
 def vehicles(recorded: Recorded) -> list[VehicleInfo]:
-    """Everyone who flew, in order of system id, as the scenario, else the summary, else the recording names them."""
+    """Every vehicle that flew, in order of system id, as the scenario, else the summary, else the recording names
+    them."""
     if recorded.scenario is not None:
         return [VehicleInfo(v.sysid, v.role, v.label) for v in recorded.scenario.vehicles.all]
     if recorded.summary is not None:

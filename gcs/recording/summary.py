@@ -132,7 +132,7 @@ class GoalPartSummary(SummaryPart):
     limit: float
     unit: str
     sysids: list[int]
-    """who it was; of `separation` the pair"""
+    """system ids; of `separation` the pair"""
     what: str
     """the obstacle or aircraft; empty otherwise"""
     t_s: float | None
@@ -198,7 +198,7 @@ class Summary(SummaryPart):
     min_traffic_m: float | None = None
     """least distance to traffic that is to be kept away from; null without any"""
     closest: dict[str, ClosestSummary] = {}
-    """who that was and when, by `separation`, `clearance` and `traffic`"""
+    """which vehicles and when, by `separation`, `clearance` and `traffic`"""
     believed_min_separation_m: float | None = None
     """the same by what vehicles reported"""
     believed_min_clearance_m: float | None = None

@@ -12,7 +12,7 @@ from gcs.scenario.guard import PluginFault
 from gcs.telemetry.events import Event, Level
 from skytender.mavlink import command_name
 
-if TYPE_CHECKING:  # who only reads records need not load those who make them
+if TYPE_CHECKING:  # readers of records need not load their makers
     from gcs.mavlink.setpoints import SetPoint
     from gcs.recording.digest import Digest
     from gcs.recording.recorder import Recorder

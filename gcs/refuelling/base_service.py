@@ -71,7 +71,7 @@ class BaseSteps(ServiceSteps):
     booked: dict[int, int] = field(default_factory=dict)
     """joules given in this tick by the book, by receiver"""
     stays: set[int] = field(default_factory=set)
-    """who stays on the ground: too empty to fly on, and nothing left to charge it with"""
+    """vehicles that stay on the ground: too empty to fly on, and nothing left to charge it with"""
 
     def grounded(self, services: Iterable[Service]) -> frozenset[int]:
         """Vehicles that are to be on the ground now."""

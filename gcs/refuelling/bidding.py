@@ -28,7 +28,7 @@ _ROUNDING_S = 1e-6
 
 @dataclass(frozen=True)
 class CompetitionState:
-    """The competition as it stands, by system id: state v, bid τ and need; who leads, and with which share."""
+    """The competition as it stands, by system id: state v, bid τ and need; the leader and its share."""
 
     v: dict[int, float] = field(default_factory=dict)
     tau: dict[int, float] = field(default_factory=dict)
@@ -134,7 +134,7 @@ class NeedBidding(BiddingRule):
         return [view.need for view in competitors]
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterator[Award]:
-        """One for each free tanker in turn; of several bases the one that is nearest to who is decided."""
+        """One for each free tanker in turn; of several bases the one that is nearest to the winner."""
         for giver in (one for one in free if one.is_tanker):
             won = self.winner_at([giver.p_ned], snapshot, giver.speed_m_s, self._reserve_s)
             if won is not None:
@@ -153,7 +153,7 @@ class NeedBidding(BiddingRule):
         self, places: Sequence[Vec3], snapshot: FleetSnapshot, speed_m_s: float, reserve_s: float
     ) -> tuple[int, str] | None:
         """Next receiver of free givers at some places, and by what: `urgency`, `competition` or `timeout`; None while
-        undecided. Urgent is who would not last until the nearest."""
+        undecided. A vehicle is urgent if it would not last until the nearest."""
         competition_state, rules, now_s = self.competition_state, self._rules, snapshot.time_s
         urgent = urgent_of(snapshot, self._able, places, speed_m_s, reserve_s)
         if urgent is not None:

@@ -27,7 +27,7 @@ class ReceiverCapability:
     def __init__(self, said: Mapping[int, bool | None]) -> None:
         """`said` by system id: whether it can, None where it is to be asked."""
         self.unable: dict[int, str] = {}
-        """who cannot, and how that is known"""
+        """vehicles that cannot, and how that is known"""
         self.unknown = {sysid for sysid, can in said.items() if can is None}
         self._unrecorded = [sysid for sysid, can in sorted(said.items()) if can is False]
         for sysid in self._unrecorded:

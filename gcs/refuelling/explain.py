@@ -83,11 +83,11 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     need = f"its need {service.need:.2f}"
     if service.by == "competition" and competition.bids == "time":
         reason = (
-            f"it has least time left of those who compete, clear of the next for {competition.dwell_s:g} s ({need})"
+            f"it has least time left of those that compete, clear of the next for {competition.dwell_s:g} s ({need})"
         )
     elif service.by == "competition" and competition.bids == "effort":
         reason = (
-            "of those who compete it had used most control effort since it last received energy, and held "
+            "of those that compete it had used most control effort since it last received energy, and held "
             f"{100.0 * service.share:.4g} % of the competition for {competition.dwell_s:g} s ({need})"
         )
     elif service.by == "competition":

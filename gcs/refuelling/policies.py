@@ -226,8 +226,8 @@ class EarliestDeadline(_Assigning):
 
 
 class Hungarian(_Assigning):
-    """Tankers and candidates paired so that the sum of the ways' times is least; who would not last `reserve_s` beyond
-    the way comes before all who would."""
+    """Tankers and candidates paired so that the sum of the ways' times is least; what would not last `reserve_s` beyond
+    the way comes before all that would."""
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
@@ -240,8 +240,8 @@ class Hungarian(_Assigning):
 
 
 class Auction(_Assigning):
-    """Tankers bid for candidates: worth most is who lands soonest and is near, a second of the one for a second of the
-    other."""
+    """Tankers bid for candidates: worth most is the one that lands soonest and is near, a second of the one for a
+    second of the other."""
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""

@@ -163,7 +163,8 @@ def _softplus(x: FloatArray) -> FloatArray:
 
 
 def _foreseen(lands: FloatArray, free: FloatArray, horizon_s: float) -> FloatArray:
-    """(b,) what the rest is likely to cost: 1 for who lands before a tanker is free, the less the more time is left."""
+    """(b,) what the rest is likely to cost: 1 for one that lands before a tanker is free, the less the more time is
+    left."""
     left_s = lands - free.min(axis=1)[:, None]
     risk = np.where(left_s < 0.0, COST, elementwise.exponentials(-np.maximum(left_s, 0.0) / FORESEEN_S))
     return np.asarray((risk * (lands < horizon_s)).sum(axis=1))

@@ -182,7 +182,7 @@ class Scheduler:
         return not (self.services or self.asked or self._ability.open)
 
     def _compete(self, snapshot: FleetSnapshot) -> None:
-        """Move both competitions on, and give every free tanker and base who is decided for it."""
+        """Move both competitions on, and give every free tanker and base its winner."""
         served = {service.receiver for service in self.open_services} | self.out.keys()
         unable = self._ability.unable.keys()
         tankers, bases = self._tanker_givers(snapshot), self._base_givers(snapshot)

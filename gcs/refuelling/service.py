@@ -71,7 +71,7 @@ class Service:
     need_is_largest: bool = True
     share: float = 0.0
     meets_in_s: float | None = None
-    """as was known at the decision: who needed what, and how long the way to each other was"""
+    """as was known at the decision: needs, and how long the way to each other was"""
     base: str | None = None
     why_base: str = ""
     """why no tanker could serve it"""
@@ -138,7 +138,7 @@ class Decision:
     stations: dict[int, Vec3] = field(default_factory=dict)
     """where a vehicle that a base serves is to be, common NED frame"""
     grounded: frozenset[int] = frozenset()
-    """who is to land where it is, and to stay on the ground"""
+    """vehicles that are to land where they are, and to stay on the ground"""
     giver_reports: tuple[GiverReport, ...] = ()
     booked: dict[int, int] = field(default_factory=dict)
     """joules that a base gave in this tick to vehicles that cannot count them"""

@@ -129,7 +129,7 @@ class ServiceSteps:
     requests: ServiceRequests
     settlement: Settlement
     out: Mapping[int, str]
-    """who neither is served nor serves, and why; a service of theirs is broken off"""
+    """vehicles that are not served and do not serve, and why; a service of theirs is broken off"""
     until_s: float
     """session time at which transfers are stopped, so that they can be settled before the end"""
 

@@ -24,10 +24,10 @@ from skytender.k_winners import Competitor, Reading, bounded, read
 from skytender.winner_take_all import advance_ln
 
 HOPELESS_S = -3.0
-"""[choice] Who would have landed so long before energy could reach it is served after all others: estimates are as
-wrong as that."""
+"""[choice] A vehicle that would have landed so long before energy could reach it is served after all others: estimates
+are as wrong as that."""
 LATEST_S = 15.0
-"""[choice] Who would be so much too late, were another served first, bids `high`."""
+"""[choice] A vehicle that would be so much too late, were another served first, bids `high`."""
 _ROUNDING_S = 1e-6
 
 
@@ -108,8 +108,8 @@ class TimeBidding:
         ]
 
     def _beginnings(self, bids_s: Mapping[int, float], places: int) -> dict[int, float]:
-        """States of the last tick; who is new begins beside the one whose bid is nearest to its own, as though it had
-        competed as long, and where all are new, at the bottom."""
+        """States of the last tick; a new vehicle begins beside the one whose bid is nearest to its own, as though it
+        had competed as long, and where all are new, at the bottom."""
         known = [sysid for sysid in bids_s if sysid in self._ln_v]
         if not known:
             return dict.fromkeys(bids_s, places * elementary.log(self._rules.floor))
@@ -181,7 +181,7 @@ class TimeBidding:
         return read(self._competing, k, p=self._rules.p, tie_s=self._rules.tie_s).winners
 
     def approaches(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> dict[int, int]:
-        """Receiver by tanker, of free tankers that fly towards who would win now while that is undecided."""
+        """Receiver by tanker, of free tankers that fly towards the leader while the competition is undecided."""
         tankers = [giver for giver in free if giver.is_tanker]
         if not tankers or not self._competing:
             return {}

@@ -55,7 +55,7 @@ class WatchedSchedule(Scheduler):
     _watched = CompetitionState()
 
     def watch(self, competition: CompetitionRules, pursuers: frozenset[int]) -> None:
-        """Begin: the rules by which the vehicles compete, and who does."""
+        """Begin: the rules of the competition, and the vehicles that compete."""
         self._competition, self._pursuers = competition, pursuers
         self._bidding = self._base_bidding = None
         self._peers, self._rows, self._known = {}, {}, {}

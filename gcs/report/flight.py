@@ -91,7 +91,7 @@ def _angle(series: Series, t_s: Floats) -> Floats:
 
 
 def _session(found: Findings) -> dict[str, Any]:
-    """The message of type "session"; without a scenario, who flew."""
+    """The message of type "session"; without a scenario, the vehicles that flew."""
     if found.scenario is not None:
         return session_message(found.scenario, None, source="replay", clock="replay", control=False)
     members = [MemberRow(v.sysid, v.role, v.label, None, [], v.sysid - 1) for v in found.vehicles]

@@ -80,7 +80,7 @@ class Topics:
         self._session: Mapping[str, Any] = {}
 
     def session(self, line: Mapping[str, Any], t_s: float) -> None:
-        """Draw what stands, and name who flies."""
+        """Draw what stands, and name the vehicles."""
         self._session = line
         self._json("/session", "SessionLine", line, self._ns(t_s))
         m = self._messages

@@ -1,7 +1,7 @@
 """MAVLink endpoints, as people write them: one grammar for scenarios and every command.
 
-    udpin:HOST:PORT      listens for datagrams          udpout:HOST:PORT   sends to who listens for them
-    tcpin:HOST:PORT      listens for connections        tcp:HOST:PORT      connects to who listens for them
+    udpin:HOST:PORT      listens for datagrams          udpout:HOST:PORT   sends to a listener
+    tcpin:HOST:PORT      listens for connections        tcp:HOST:PORT      connects to a listener
     serial:DEVICE:BAUD   a cable or a telemetry radio, such as serial:/dev/ttyUSB0:57600
 
 A host of IPv6 stands in brackets: udpin:[::1]:14550.

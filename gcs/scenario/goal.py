@@ -62,7 +62,7 @@ class Measured:
     clearance: Nearest | None = None
     traffic: Nearest | None = None
     ground: Nearest | None = None
-    """who touched the ground, its height as the distance"""
+    """the vehicle that touched the ground, its height as the distance"""
     lost: Sequence[Loss] | None = None
     missed: Mapping[int, int] | None = None
     """how many of its way points each pursuer that has some has not passed"""

@@ -2,8 +2,8 @@
 
 A call is cut off after LIMIT_S of wall time by an interval timer, which also ends endless loops and sleeps. A call into
 compiled code that never comes back cannot be cut: a user's code therefore runs in a process of its own
-(gcs/processes/plugin_process.py). Who has been cut off is not asked again: ten of them in a row would end the patience
-that vehicles have with a silent supervisor.
+(gcs/processes/plugin_process.py). A vehicle that has been cut off is not asked again: ten of them in a row would end
+the patience that vehicles have with a silent supervisor.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Nonsense(Exception):
 
 
 class Guard:
-    """Calls one implementation on behalf of vehicles, and remembers who is held for what."""
+    """Calls one implementation on behalf of vehicles, and remembers which are held, and why."""
 
     def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
         self.policy = policy

@@ -116,7 +116,7 @@ class Scenario(Part):
     formation: FormationRules = FormationRules.model_construct()
     """the pursuers' places around their target"""
     competition: CompetitionRules = CompetitionRules.model_construct()
-    """who is refuelled next"""
+    """which vehicle is refuelled next"""
     refuelling: RefuellingRules = RefuellingRules.model_construct()
     """rendezvous and transfer of energy"""
     wind: Wind = CALM

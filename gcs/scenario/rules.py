@@ -140,8 +140,8 @@ class PursuitRules(Part):
 
 
 class CompetitionRules(Part):
-    """Winner-take-all (docs/model.md#competition): exponent p, rate c, values in [floor, high]; who competes, when it
-    is decided."""
+    """Winner-take-all (docs/model.md#competition): exponent p, rate c, values in [floor, high]; which vehicles compete,
+    when it is decided."""
 
     _short = model_validator(mode="before")(lambda value: _named("policy", value))
 
@@ -159,9 +159,9 @@ class CompetitionRules(Part):
     another by the share of the battery that is gone, stretched between the least and the greatest as in the paper;
     `effort`: the same by the control effort since energy last arrived, the paper's control energy"""
     horizon_s: Positive = 60.0
-    """with bids by time: who has so long left beyond the time until it can be served bids `floor`, s"""
+    """with bids by time: a vehicle with so long left beyond the time until it can be served bids `floor`, s"""
     tie_s: Seconds = 2.0
-    """with bids by time: who differ by less tie, s"""
+    """with bids by time: vehicles that differ by less tie, s"""
     rate: Positive = 20.0
     """rate c of the law, 1/s; larger decides faster"""
     floor: Positive = 0.01
@@ -197,8 +197,8 @@ class RefuellingRules(Part):
     until: Annotated[float, Exact(gt=0, le=1)] = 0.9
     """of the receiver's capacity"""
     reserve_s: Seconds = 20.0
-    """who cannot last until the rendezvous and this long after it takes part before `need_from`; served first with
-    bids by need or effort and with policies that do not look at the time left"""
+    """a vehicle that cannot last until the rendezvous and this long after it takes part before `need_from`; served
+    first with bids by need or effort and with policies that do not look at the time left"""
     lands_at: Fraction = 0.05
     """share of its battery at which a vehicle lands by itself, 0 to 1"""
     tops_up: Flag = True

@@ -18,7 +18,7 @@ WATCH_EVERY_S = 0.05
 
 
 class SessionFailed(Exception):
-    """The session cannot go on; the text is for the person who started it."""
+    """The session cannot go on; the text is for its user."""
 
 
 class BadVehicleError(SessionFailed):

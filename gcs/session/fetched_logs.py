@@ -100,7 +100,7 @@ def _find(scenario: Scenario, stack: contextlib.ExitStack) -> tuple[dict[int, Fl
 
 
 def _wait_until_down(scenario: Scenario, found: dict[int, FleetClient], say: Callable[[str], object]) -> list[str]:
-    """Wait for those that come down; who stays armed is taken out of `found`, and named."""
+    """Wait for those that come down; a vehicle that stays armed is taken out of `found`, and named."""
     expected = scenario.vehicles.external
     begun_s, said = time.monotonic(), False
     while coming := [s for s, fleet in found.items() if s in fleet.armed and expected[s].at_end != "hold"]:

@@ -1,4 +1,4 @@
-"""Notices about the links of a session, for a person: who is refused, moved or lost, each once."""
+"""Notices about the links of a session, for people: peers that are refused, moved or lost, each once."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ if TYPE_CHECKING:  # a monitor and a replay have none
     from gcs.supervisor.supervisor import Supervisor
 
 CONTEST_S, CONTEST_EVERY_S = 60.0, 0.5
-"""For how long, and how often, the competition's states are kept for who comes later."""
+"""For how long, and how often, the competition's states are kept for later clients."""
 ROUND_CORNERS = 32
 """of the outline of what is round"""
 

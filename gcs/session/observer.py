@@ -1,6 +1,6 @@
 """Any fleet as the messages of a session's socket: frames and their times in, `session` and `snapshot` out.
 
-Nothing need be configured: a vehicle is who sends a vehicle's HEARTBEAT, and the first one's origin is the common
+Nothing need be configured: a vehicle is what sends a vehicle's HEARTBEAT, and the first one's origin is the common
 frame's. A scenario, where there is one, says more: roles, capacities, obstacles, and the origin. An observer says
 nothing to anyone.
 """
@@ -114,7 +114,7 @@ class Observer:
         return AUTOPILOT if adapter is None else adapter.compid
 
     def receive(self, frame: Frame, t_s: float, *, counted: bool = True) -> None:
-        """Take a frame that came at `t_s`; who is no vehicle is passed over, but for ADS-B.
+        """Take a frame that came at `t_s`; frames of other senders are passed over, but for ADS-B.
 
         Not `counted`: it is one of many, the others of which are not passed in, and says nothing of the link.
         """
@@ -222,7 +222,7 @@ class Observer:
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one.
 
-        `amend`: by which a caller who knows the session's decisions writes them into it.
+        `amend`: by which a caller that knows the session's decisions writes them into it.
         """
         view = self.view(t_s)
         self._gather(view)
@@ -249,7 +249,7 @@ class Observer:
         amend(line, view)
         return plain(line)
 
-    # who is there
+    # vehicles
 
     @property
     def _clock(self) -> Literal["real", "replay"]:

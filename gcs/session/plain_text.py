@@ -41,7 +41,7 @@ def name_of(snapshot: Snapshot, sysid: int | None) -> str:
 
 
 def unnamed(sysid: int | None) -> str:
-    """Words for who says something and has no label."""
+    """Words for a source without a label."""
     return "traffic" if sysid == 255 else f"vehicle {sysid}" if sysid else "session"
 
 

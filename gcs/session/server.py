@@ -113,7 +113,7 @@ class Publisher:
         return commands
 
     def _accept(self) -> None:
-        """Let those in who have come, each with its greeting, while there is room."""
+        """Accept the clients that have come, each with its greeting, while there is room."""
         for _ in range(MOST_CLIENTS):
             try:
                 client, _address = self._server.accept()
@@ -134,7 +134,8 @@ class Publisher:
                 self._send(client, _line({**self._greeting, **earlier}))
 
     def publish(self, content: Mapping[str, Any]) -> None:
-        """Send one line to every client; who cannot take it whole is dropped. Later clients are sent some of it."""
+        """Send one line to every client; a client that cannot take it whole is dropped. Later clients are sent some of
+        it."""
         self.remember(content)
         line = _line(content)
         for client in list(self._clients):
@@ -150,7 +151,7 @@ class Publisher:
             self._contest.append((content["t_s"], v))
 
     def reply(self, request: ClientRequest, ok: bool, text: str) -> None:
-        """Answer who asked, if it is still there: whether its command is taken, and a sentence."""
+        """Answer the client that asked, if it is still there: whether its command is taken, and a sentence."""
         line = _line(reply_message(request.content.get("id"), ok, text))
         for client, number in list(self._numbers.items()):
             if number == request.client:

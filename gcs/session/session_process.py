@@ -177,7 +177,7 @@ class SessionProcess:
         return False
 
     def _hand_back(self) -> None:
-        """External vehicles must not be left in offboard without anyone who steers them."""
+        """External vehicles must not be left in offboard without control."""
         supervisor = self._supervisor
         supervisor.hand_back()
         deadline_s = time.monotonic() + HAND_BACK_S
@@ -239,7 +239,7 @@ class SessionProcess:
         new.replace(path)
 
     def _wait(self) -> None:
-        """Until the next tick is due, or while the session is paused, see who wants something."""
+        """Until the next tick is due, or while the session is paused, serve the clients."""
         repeat_s = time.monotonic() + REPEAT_S
         while self._pace.paused or (left_s := self._pace.wait_s()) > 0.0:
             self._sleep(min(WATCH_EVERY_S, WATCH_EVERY_S if self._pace.paused else left_s))

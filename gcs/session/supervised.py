@@ -322,7 +322,7 @@ def run(
 
 
 def _left_in_the_air(folder: Path, last: Mapping[str, Any]) -> list[str]:
-    """External vehicles that a supervisor has left without anyone who steers them, a sentence each."""
+    """External vehicles that a supervisor has left without control, a sentence each."""
     try:
         external = load(folder / "scenario.yaml").vehicles.external
     except (OSError, ScenarioError):

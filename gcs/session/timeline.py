@@ -1,4 +1,4 @@
-"""A recorded session's decisions, at any time of it: who competes, which services are under way, and why.
+"""A recorded session's decisions, at any time of it: vehicles that compete, which services are under way, and why.
 
 From decisions.jsonl and the scenario alone. The set points, nearly all of the file, are passed over: the recorded
 frames show them too.

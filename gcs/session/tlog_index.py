@@ -163,7 +163,7 @@ class TlogIndex:
     def play(self, from_s: float) -> Iterator[RecordedFrame]:
         """Everything from the block of a time on, in the file's order: what came before that time is among it.
 
-        Times do not fall, also where the clock of who wrote the file was set back.
+        Times do not fall, also where the recorder's clock was set back.
         """
         block = self._blocks[self._block_of(from_s)]
         directions = Directions(session=self._session)

@@ -187,7 +187,7 @@ class ArmingSequence:
         return f"; it is asked again, after a second and then up to {self._seldom_s:.0f} s" if seldom else ""
 
     def repeats(self, text: str) -> bool:
-        """Whether a vehicle of ours has said so before since it is asked to arm: who is asked again refuses again."""
+        """Whether a vehicle of ours has said so before since it is asked to arm: it would refuse again."""
         if not self.asks_again:
             return False
         again = text in self._refusals

@@ -1,6 +1,6 @@
 """External vehicles of a session, tick by tick: what they need beside what all vehicles do.
 
-Streams are asked for and checked, clocks compared, silence judged, and repetitions kept from the person who looks on.
+Streams are asked for and checked, clocks compared, silence judged, and repetitions suppressed.
 """
 
 from __future__ import annotations
@@ -246,7 +246,7 @@ class ExternalFleet:
 
 
 def _last_seen(view: VehicleView, silent_s: float) -> str:
-    """Words about a vehicle that is not received, for a person who looks for it."""
+    """Words about a vehicle that is not received, for people."""
     height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
     return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; it may not hear commands now"
 

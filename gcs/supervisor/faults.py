@@ -79,7 +79,7 @@ class FaultInjector:
         self._orders: dict[int, list[Message]] = {}
         self.records: list[dict[str, Any]] = []
         self.signal_process: Callable[[int, str], object] = lambda _sysid, _fault: None
-        """`kill` or `hang` a vehicle's process; set by who has processes"""
+        """`kill` or `hang` a vehicle's process; set by the owner of processes"""
 
     @property
     def any(self) -> bool:

@@ -72,7 +72,7 @@ class Passed(NamedTuple):
     name: str
     """of the message, or of the command in it"""
     takes: bool
-    """whether the supervisor leaves the vehicle to who sent it"""
+    """whether the supervisor leaves the vehicle to its sender"""
 
 
 def passed(

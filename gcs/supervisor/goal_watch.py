@@ -1,10 +1,11 @@
 """Goal monitor: measures the goal each tick from telemetry, and at the end from the vehicles' truth files.
 
-Who counts (docs/protocol.md#goal):
+Vehicles that count (docs/protocol.md#goal):
 - separation: two vehicles in flight of which we fly at least one. One that another flies (taken over, in an
   operator's hands, on its failsafe) gives no way; near it counts only where ours closes in.
 - obstacles, traffic: vehicles in flight that we fly.
-- ground: vehicles that we fly and that were up, which follow set points; not who takes off, lands or stands at a base.
+- ground: vehicles that we fly and that were up, which follow set points; not while they take off, land or stand at a
+  base.
 """
 
 from __future__ import annotations
@@ -76,7 +77,7 @@ class GoalWatch:
         """None where it has changed"""
         self._uncounted = np.empty(0, np.bool_)
         self._log: list[tuple[float, Airspace, tuple[str, ...], Floats]] = []
-        """of each tick: time, who counts, and the traffic's callsigns and places (n, 3), which may be many"""
+        """of each tick: time, vehicles that count, and the traffic's callsigns and places (n, 3), which may be many"""
         self._external_p_ned: list[Floats] = []
         whole = scenario.truth and scenario.record.truth_hz is None  # a record at every tick
         self._keeps_log = whole and bool(scenario.vehicles.launched)
@@ -86,7 +87,7 @@ class GoalWatch:
         self._leaves_hold: set[int] = set()
         """those that an operator ordered to hold and that their failsafe takes down"""
         self._fell: dict[int, Loss] = {}
-        """who touched the ground in flight, which is no loss by itself"""
+        """vehicles that touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
         self.late: list[tuple[float, str]] = []
         """when a planner or policy of the user's did not answer in time or its process ended, and how"""

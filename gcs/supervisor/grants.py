@@ -1,5 +1,5 @@
-"""Parts of a tick's grants that are the same from tick to tick, until something changes: who gets one, whose HEARTBEAT
-is due, and where vehicles' own frames lie."""
+"""Parts of a tick's grants that are the same from tick to tick, until something changes: their recipients, those whose
+HEARTBEAT is due, and where vehicles' own frames lie."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@
     retarget             follows another target from now on
 
 An order that makes no sense is not taken, and a sentence says why. Taken or not, it is an event and a decision. This
-module only says who is to do what: the arming sequences and the scheduler it is given carry it out, tick by tick.
+module only orders: the arming sequences and the scheduler it is given carry it out, tick by tick.
 """
 
 from __future__ import annotations
@@ -182,12 +182,12 @@ class Operator:
         if not self._refuels:
             return "No vehicle is refuelled in this session."
         if self._on_board:
-            return "The vehicles decide among themselves who is refuelled in this session."
+            return "In this session the vehicles decide the refuelling among themselves."
         return None if view.role == "pursuer" else f"{_name(view)} is no pursuer: only these are refuelled."
 
     def _retarget(self, view: VehicleView, target: int | None, snapshot: FleetSnapshot) -> OperatorReply:
         if self._races:
-            return OperatorReply(False, "Who pursues which target is decided by a competition in this session.")
+            return OperatorReply(False, "In this session a competition decides which vehicle pursues which target.")
         if view.sysid not in self._follows:
             return OperatorReply(False, f"{_name(view)} follows no target.")
         if target not in self._targets:

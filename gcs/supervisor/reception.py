@@ -1,4 +1,4 @@
-"""A tick's answers on their way in: through the radio to the fleet's state, counted, and shown to who inspects them."""
+"""A tick's answers on their way in: through the radio to the fleet's state, counted, and shown to inspectors."""
 
 from __future__ import annotations
 

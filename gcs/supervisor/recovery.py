@@ -34,7 +34,7 @@ class Recovery:
         self._until_s = now_s + WATCHED_S
 
     def look(self, snapshot: FleetSnapshot) -> list[Event]:
-        """Bring back who can be; what to tell of it."""
+        """Bring vehicles back where possible; returns the events of it."""
         if not self._flown:
             return []
         events = []

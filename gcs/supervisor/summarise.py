@@ -28,7 +28,7 @@ from gcs.recording.summary import (
 from gcs.scenario.goal import Nearest
 from skytender.mavlink import PYMAVLINK
 
-if TYPE_CHECKING:  # who only reads a summary need not load the supervisor
+if TYPE_CHECKING:  # readers of a summary need not load the supervisor
     from gcs.link.link import Link
     from gcs.supervisor.supervisor import Supervisor
     from gcs.telemetry.state import VehicleView

@@ -145,7 +145,7 @@ class Supervisor:
         self.events: list[Event] = []
         self.targets_move = False
         self.grounded: frozenset[int] = frozenset()
-        """who lands at a base, or stands at one"""
+        """vehicles that land at a base, or stand at one"""
         self._watch = ChangeDetector()
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
@@ -256,7 +256,7 @@ class Supervisor:
         return broken + lost
 
     def stop(self) -> None:
-        """Record what has been ordered and who has died since the last tick: there is none after it."""
+        """Record orders and deaths since the last tick: there is none after it."""
         self._record(TickRecord(self.time_ms, [], [], self._new_records()))
 
     def obey(self, order: Mapping[str, Any]) -> OperatorReply:
@@ -404,7 +404,7 @@ class Supervisor:
             self.fleet.book(sysid, joules)
 
     def _prepare(self, snapshot: FleetSnapshot) -> None:
-        """Go on with the check lists; who fails his is not armed."""
+        """Go on with the check lists; a vehicle that fails its own is not armed."""
         under_way = self.preflight.under_way
         if not under_way:
             return
@@ -436,7 +436,7 @@ class Supervisor:
                 self.command_queue.ask_once(commands, now_s)
 
     def _report_stage(self, view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> None:
-        """Report a new stage to people, where it changes who flies the vehicle."""
+        """Report a new stage to people, where the control of the vehicle changes."""
         if arming.stage is Stage.DOWN and view.alive:
             why = arming.left_out or "Lands, and takes no more part"
             kind: Kind = "session" if arming.left_out else "decision"

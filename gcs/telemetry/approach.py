@@ -225,8 +225,8 @@ class FleetWatch:
     """Looks at a fleet of n, interval by interval.
 
     Tables are kept, and filled in place. last (2, n, 3): places and velocities at the last look, NaN where unknown.
-    ways (n, WAY): where each way began, and the least clearance of those who are `ours`, inf for others, and its share.
-    found (MOST_FOUND, 4), as `nearest_pair` has it. shapes: table of skytender/geometry.py.
+    ways (n, WAY): where each way began, and the least clearance of those that are `ours`, inf for others, and its
+    share. found (MOST_FOUND, 4), as `nearest_pair` has it. shapes: table of skytender/geometry.py.
     """
 
     def __init__(self, last: Floats, shapes: Floats, ways: Floats, found: Floats) -> None:
@@ -250,7 +250,7 @@ class FleetWatch:
         clear_worth_m: float,
     ) -> tuple[int, float, int, int, float, int, int]:
         """One interval: (vehicles that count, least separation, row, row, share, pairs too near, row of the least
-        clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those who are `flying` and whose place
+        clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those that are `flying` and whose place
         is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
         p, v: (n, 3) now, NaN where unknown, v also (0, 3). exempt (k, 2): rows of pairs that are left out. Only what

@@ -89,7 +89,7 @@ class Fleet:
         self.acks: list[tuple[int, Any]] = []
         self.facts: list[tuple[int, Fact]] = []
         self._talking: set[int] = set()
-        """who may have more to say of a text"""
+        """senders that may have more to say of a text"""
         self._found = np.zeros(FOUND)
         self._number = 0
         """of the last snapshot"""

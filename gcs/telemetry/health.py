@@ -20,7 +20,7 @@ SILENT_S = 3.0
 """Of a vehicle that sends little else three HEARTBEATs in a row are missing."""
 BATTERY_LOOK, BATTERY_ACT = 0.2, 0.1
 HELD_LOOK = 0.5
-"""[choice] Charge below which it matters that who is held by an operator is not refuelled."""
+"""[choice] Charge below which it matters that a vehicle held by an operator is not refuelled."""
 EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
 LOSS_LOOK, LOSS_ACT = 0.2, 0.6
 LONG_S = 1e6
@@ -177,7 +177,7 @@ def state(
     served: Collection[int] = (),
     serving: Collection[int] = (),
 ) -> State:
-    """Its part in the refuelling, by the system ids of those who have one."""
+    """Its part in the refuelling, by the system ids of those that have one."""
     if not view.alive:
         return State.LOST
     for part, ids in ((State.SERVES, serving), (State.SERVED, served), (State.WAITS, waiting)):

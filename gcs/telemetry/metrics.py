@@ -52,8 +52,8 @@ class Metrics:
     ) -> None:
         """Count one tick.
 
-        `pursuing` says who pursues which target where one vehicle is chosen for each: it is then the targets that must
-        have their pursuer near.
+        `pursuing` gives the pursuer of each target where one vehicle is chosen for each: it is then the targets that
+        must have their pursuer near.
         """
         if pursuing is not None and pursuing != self.target_of:
             self.target_of = dict(pursuing)
@@ -83,7 +83,7 @@ class Metrics:
 
     @property
     def path_length_m(self) -> dict[int, float]:
-        """By system id, of those who were in the air for two ticks in a row."""
+        """By system id, of those that were in the air for two ticks in a row."""
         return _known(self._row, self._flown[:, _LENGTH])
 
     @property

@@ -2,7 +2,7 @@
 
 What cannot be is not taken in, and the vehicle is doubted for a while: it is named, shown, and no decision is made by
 it. A place is held against the last one believed, so a jump is believed once time enough has passed for it. The ranges
-are choices, far beyond what a multirotor does; who lies within them is not found out.
+are choices, far beyond what a multirotor does; errors within them are not detected.
 """
 
 from __future__ import annotations

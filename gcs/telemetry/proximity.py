@@ -33,7 +33,7 @@ class Airspace:
     ours: Flags
     """flown by us: only then their clearance counts (docs/protocol.md#goal)"""
     up: Flags
-    """who must not touch the ground"""
+    """vehicles that must not touch the ground"""
     exempt: Ints
     """(k, 2) rows of pairs that may come near each other"""
 

@@ -57,7 +57,7 @@ class VehicleView(NamedTuple):
     ground_down_m: float | None = None
     """the ground under its home, or else under its origin, in the common frame; None while that is unknown"""
     custom_mode: int = 0
-    """HEARTBEAT's, for those who name it to a person"""
+    """HEARTBEAT's, as shown to people"""
     turn_rad: float = 0.0
     """by how much its own frame is turned about the vertical against the common one"""
     failsafe: bool = False

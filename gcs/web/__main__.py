@@ -1,6 +1,6 @@
 """The page's server as a process of its own: `python -m gcs.web FOLDER PARENT [TILES]`, started by `gcs run --web`.
 
-It tells its links on standard output, as one line of JSON, and ends with the session, or with who started it.
+It tells its links on standard output, as one line of JSON, and ends with the session, or with its parent.
 """
 
 from __future__ import annotations

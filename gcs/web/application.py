@@ -116,7 +116,7 @@ def _text(content: str, kind: str) -> Callable[[Request], Awaitable[Response]]:
 
 
 class _Guard:
-    """Refuses who calls this machine by another name, and gives every answer the headers."""
+    """Refuses requests to other host names, and gives every answer the headers."""
 
     def __init__(self, app: Any, headers: Mapping[str, str]) -> None:
         self._app, self._headers = app, headers

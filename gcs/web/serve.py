@@ -21,7 +21,7 @@ GRACE_S = 1
 
 
 def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
-    """The links to print: who has `command` may command, who has `view` may look."""
+    """The links to print: `command` may command, `view` may look."""
     host, port = at.getsockname()
     return {name: f"http://{host}:{port}/#token={token}" for name, token in tokens._asdict().items()}
 

@@ -16,9 +16,9 @@ from simvehicle.fleet.rules import FleetRules
 from skytender import elementary
 
 HOPELESS_S = -3.0
-"""[choice] Who would have landed so long before energy could reach it is served after all others."""
+"""[choice] A vehicle that would have landed so long before energy could reach it is served after all others."""
 LATEST_S = 15.0
-"""[choice] Who would be so much too late, were another served first, bids the most."""
+"""[choice] A vehicle that would be so much too late, were another served first, bids the most."""
 START_S, PER_WAY, END_S = 3.0, 1.14, 0.5
 """From the decision to the first joule, as START_S + PER_WAY · way; and from the last joule to the end [choice]."""
 WORTH_J = 500.0
@@ -101,7 +101,7 @@ def offers(now_s: float, peers: Mapping[int, PeerReport], rules: FleetRules) -> 
 def own_bid(
     now_s: float, own: PeerReport, others: Mapping[int, PeerReport], givers: Sequence[Offer], rules: FleetRules
 ) -> OwnBid:
-    """Bid of a vehicle that reports `own`; `others`: who else competes.
+    """Bid of a vehicle that reports `own`; `others`: the others that compete.
 
     bid = (time until it must land) - (time until energy reaches it if another is served first) + (way to it)
     """

@@ -91,7 +91,7 @@ class FleetCompetition:
         return []
 
     def _beginnings(self, places: int) -> dict[int, float]:
-        """States of the last tick; who is new begins beside the one whose bid is nearest to its own."""
+        """States of the last tick; a new vehicle begins beside the one whose bid is nearest to its own."""
         known = [sysid for sysid in self._reports if sysid in self._ln_v]
         if not known:
             return dict.fromkeys(self._reports, places * elementary.log(self._rules.floor))

@@ -44,9 +44,10 @@ class DecidedBy(IntEnum):
 class PeerReport(NamedTuple):
     """One vehicle at `time_s` of the session; NED in the fleet's frame, SI.
 
-    A tanker's `remaining_j` is what it can spare. `bid_s`, `slack_s`, `way_s` and `ln_v` mean something only for who
-    competes or calls: its bid, the time left beyond that until it can be served, the way to it, and the logarithm of
-    its state over the leader's. `since_s`: when it called, or was called. `meet_ned`: where a receiver waits.
+    A tanker's `remaining_j` is what it can spare. `bid_s`, `slack_s`, `way_s` and `ln_v` mean something only for a
+    vehicle that competes or calls: its bid, the time left beyond that until it can be served, the way to it, and the
+    logarithm of its state over the leader's. `since_s`: when it called, or was called. `meet_ned`: where a receiver
+    waits.
     """
 
     time_s: float

@@ -21,7 +21,7 @@ IN_PROGRESS: int = mav.MAV_RESULT_IN_PROGRESS
 
 
 class VehicleCommand(NamedTuple):
-    """One command: id, params 1..4, then x, y, z as params 5..7 (degrees for global frames), and who asked."""
+    """One command: id, params 1..4, then x, y, z as params 5..7 (degrees for global frames), and its sender."""
 
     command: int
     params: tuple[float, ...]
@@ -89,7 +89,7 @@ def command_long(sysid: int, command: int, *params: float) -> Any:
 
 
 def acknowledgement(request: VehicleCommand, result: int) -> Any:
-    """COMMAND_ACK to the one who asked."""
+    """COMMAND_ACK to the sender."""
     return message("COMMAND_ACK")(
         command=request.command,
         result=result,

@@ -79,7 +79,7 @@ def value_message(row: ParameterRow, value: float, index: int, *, bytewise: bool
 
 
 def error_message(name: str, index: int, code: int, asker: tuple[int, int]) -> Any:
-    """PARAM_ERROR to the one who asked for a parameter by name, or by its place in the table."""
+    """PARAM_ERROR to the sender of a request for a parameter by name, or by its place in the table."""
     return message("PARAM_ERROR")(
         param_id=name, param_index=index, error=code, target_system=asker[0], target_component=asker[1]
     )

@@ -104,7 +104,7 @@ class _Link:
 class PlainLink(_Link):
     """Plain MAVLink for all peers, one frame per datagram; udpin answers those that sent MAVLink lately.
 
-    Who has spoken for longest keeps its place: newcomers are not answered while there is none free.
+    The peer that has spoken for longest keeps its place: newcomers are not answered while there is none free.
     """
 
     def __init__(
@@ -130,7 +130,7 @@ class PlainLink(_Link):
         return int(self.socket.getsockname()[1])
 
     def receive(self) -> list[ReceivedFrame]:
-        """The intact frames that have come, of MOST_AT_ONCE datagrams at most; who sent one is answered from now on.
+        """The intact frames that have come, of MOST_AT_ONCE datagrams at most; their senders are answered from now on.
 
         Ground stations that know both begin with MAVLink 1 and change when they receive MAVLink 2.
         """
@@ -154,7 +154,7 @@ class PlainLink(_Link):
         return not self._keyring.has_key and speaks_mavlink_1(datagram)
 
     def _has_room(self, now_s: float) -> bool:
-        """Whether a newcomer can be answered, once those who have gone are forgotten."""
+        """Whether a newcomer can be answered, once those that have gone are forgotten."""
         if len(self._peers) >= MOST_PEERS:
             self._forget(now_s)
         return len(self._peers) < MOST_PEERS
@@ -183,7 +183,7 @@ class SupervisedLink(_Link):
     """The link of a process to its supervisor: whole datagrams, to and from its address only."""
 
     def fileno(self) -> int:
-        """The socket's, for those who receive from it."""
+        """The socket's, for its receivers."""
         return self.socket.fileno()
 
     @property

@@ -156,7 +156,9 @@ def _check_scenario(context: click.Context, name: str, ready_within_s: float, *,
     for option in ("connect", "key_file", "sysid", "peers", "arm", "within", "station", "everyone"):
         if context.get_parameter_source(option) is given:
             flag = {"peers": "peer", "everyone": "all"}.get(option, option).replace("_", "-")
-            raise click.UsageError(f"--{flag} is for a check without a scenario: the scenario says who and where.")
+            raise click.UsageError(
+                f"--{flag} is for a check without a scenario: the scenario names vehicles and addresses."
+            )
     loaded = load_scenario(name, trust=trust, plans=False)
     if not loaded.vehicles.external:
         raise click.UsageError(f"{name} has no external vehicle to check; `gcs validate` checks the scenario itself.")

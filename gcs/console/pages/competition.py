@@ -1,4 +1,5 @@
-"""The competition for the next refuelling: its course, the bids, who wins by what margin, and why the tanker flies."""
+"""The competition for the next refuelling: its course, the bids, the winner and its margin, and why the tanker
+flies."""
 
 from __future__ import annotations
 
@@ -33,7 +34,8 @@ def verdict(watch: SessionModel) -> StyledLine:
 
 
 def names(watch: SessionModel) -> list[str]:
-    """The vehicles whose curves are drawn: the greatest v now first, then who was greatest while the curves show."""
+    """The vehicles whose curves are drawn: the greatest v now first, then those that were greatest while the curves
+    show."""
     now = {str(name): float(value) for name, value in (watch.competition.get("v") or {}).items()}
     best: dict[str, float] = {}
     for t_s, values in watch.competition_states:

@@ -21,7 +21,7 @@ class EventsPage:
         self._found: tuple[object, list[events_log.Event]] = (None, [])
 
     def _matching(self, watch: SessionModel) -> list[events_log.Event]:
-        """The events that pass, folded; who filters wants each. Kept while nothing has come."""
+        """The events that pass, folded unless filtered. Kept while nothing has come."""
         key = (watch.event_count, len(watch.events), self.folds, replace(self.filter))
         if self._found[0] != key:
             found = events_log.matching(watch, self.filter)
@@ -31,7 +31,7 @@ class EventsPage:
     def page(self, watch: SessionModel, *, width: int, height: int, glyphs: Glyphs) -> StyledLines:
         """The events that there is room for, from where it was scrolled to."""
         found = self._matching(watch)
-        if self._back:  # who reads what is past is not to lose his place
+        if self._back:  # a reader of the past keeps the place
             self._back += max(0, len(found) - self._matched)
         self._matched = len(found)
         shown, self._back = events_log.window(

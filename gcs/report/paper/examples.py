@@ -75,7 +75,7 @@ def example2(scenario: Scenario, folder: Path) -> Study:
 
 
 def example3(scenario: Scenario, folder: Path) -> Study:
-    """Fifteen vehicles: who wins, and how fast for each p under three criteria (Fig. 10)."""
+    """Fifteen vehicles: which wins, and how fast for each p under three criteria (Fig. 10)."""
     flights = session.flights_of(scenario, folder)
     v0, effort = races.initial_states(flights), races.efforts(flights)
     tau = races.least_wins(effort)

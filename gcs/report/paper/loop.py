@@ -38,14 +38,14 @@ def pursuit(scenario: Scenario, folder: Path) -> Study:
     columns = ["from, s", "pursuer", *(f"effort of {f.sysid}, m/s" for f in flights)]
     drawing = Drawing(
         "pursuit",
-        "Control effort beyond the least of all; the bar below says who pursued.",
+        "Control effort beyond the least of all; the bar below shows the pursuer.",
         _figure(flights, changes, scenario.goal.duration_s),
     )
-    return Study(measured, [drawing], [Table("Who pursued, and the efforts when it was decided", columns, rows)])
+    return Study(measured, [drawing], [Table("Pursuers, and the efforts when each was decided", columns, rows)])
 
 
 def example4_energy(scenario: Scenario, folder: Path) -> Study:
-    """A tanker serves who has used most."""
+    """A tanker serves the vehicle that has used most."""
     flights = session.flights_of(scenario, folder)
     record = session.summary(folder)
     left, right = list(flights), []

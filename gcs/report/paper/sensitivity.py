@@ -120,7 +120,8 @@ def combinations(energies: Mapping[str, NDArray[Any]], lengths: Mapping[str, Seq
 
 
 def _served(energy: Floats, end: int, within: bool) -> tuple[int, ...]:
-    """Order of five (5, k): at the end of each fifth who of those left has used most, within it or since the start."""
+    """Order of five (5, k): at the end of each fifth which of those left has used most, within it or since the
+    start."""
     bounds = [round(end * k / FIFTHS) for k in range(FIFTHS + 1)]
     left, order = list(range(len(energy))), []
     for before, now in itertools.pairwise(bounds):
@@ -153,7 +154,7 @@ def study(energies: Mapping[str, NDArray[Any]], lengths: Mapping[str, Sequence[i
     ]
     tables = [
         Table(
-            f"Example 3: who wins, in {len(found)} combinations", ["vehicle", "start, m", "speed, m/s", "wins"], rows
+            f"Example 3: the winner, in {len(found)} combinations", ["vehicle", "start, m", "speed, m/s", "wins"], rows
         ),
         _orders(f"Example 2: order of the energies, in {len(found)} combinations", orders_2, PAPERS_ORDER_2),
         _orders(f"Example 4: order of refuelling by fifths, in {n4} combinations", orders_4, PAPERS_ORDER_4),

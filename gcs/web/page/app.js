@@ -1,4 +1,4 @@
-// The page of a flight: live, replayed or recorded. It holds what has been seen, the time that is shown, and who is chosen.
+// The page of a flight: live, replayed or recorded. It holds what has been seen, the time that is shown, and the chosen vehicles.
 // @ts-check
 import { SharedTime, TimeChart } from "./charts.js";
 import { h, number, say } from "./elements.js";
@@ -208,7 +208,7 @@ export class App {
     return this.flight.session?.vehicles.find((one) => one.sysid === id)?.label ?? `vehicle ${id}`;
   }
 
-  /** Who flies has become known, or has changed. */
+  /** The vehicles have become known, or have changed. */
   members() {
     const members = this.flight.session?.vehicles ?? [];
     setMembers(members);

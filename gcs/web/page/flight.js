@@ -85,7 +85,7 @@ export class Flight {
   words = new Map();
   /** @type {Map<string, Float32Array[]>} */
   traffic = new Map();
-  /** counts each change of the columns, for those who draw them */
+  /** counts each change of the columns, for views that draw them */
   version = 0;
 
   /** Forget everything: another flight begins. */

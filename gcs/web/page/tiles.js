@@ -74,7 +74,7 @@ export class Tiles {
     let image = this.kept.get(url);
     if (image) return image;
     image = new Image();
-    image.referrerPolicy = "origin"; // servers of tiles ask who calls; the link's token is never in it
+    image.referrerPolicy = "origin"; // servers of tiles ask for the origin; the link's token is never in it
     image.onload = this.arrived;
     image.src = url;
     if (this.kept.size >= MOST_KEPT) this.kept.delete(this.kept.keys().next().value ?? "");

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from gcs.planner.request import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
+    from gcs.report.opened import Recording, RecordingError, open
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
     from gcs.scenario.parts.trust import TrustError
@@ -32,6 +33,8 @@ __all__ = [
     "FleetSnapshot",
     "MissingExtra",
     "PursuerPlanner",
+    "Recording",
+    "RecordingError",
     "RefuellingPolicy",
     "RefuellingRequest",
     "Scenario",
@@ -45,6 +48,7 @@ __all__ = [
     "TrustError",
     "VehicleView",
     "load",
+    "open",
 ]
 
 check("skytender")
@@ -55,6 +59,8 @@ _HOME = {
     "FleetSnapshot": "telemetry.state",
     "MissingExtra": "extras",
     "PursuerPlanner": "planner.request",
+    "Recording": "report.opened",
+    "RecordingError": "report.opened",
     "RefuellingPolicy": "refuelling.policies",
     "RefuellingRequest": "refuelling.policies",
     "Scenario": "scenario.model",
@@ -68,6 +74,7 @@ _HOME = {
     "TrustError": "scenario.parts.trust",
     "VehicleView": "telemetry.state",
     "load": "scenario.file",
+    "open": "report.opened",
 }
 
 

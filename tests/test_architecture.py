@@ -26,7 +26,7 @@ PACKAGES = {
         "__main__",
     ],
     "gcs": [
-        "extras missions",
+        "extras html_table missions",
         "mavlink scenario",
         "link telemetry",
         "planner refuelling",

@@ -8,6 +8,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from gcs.html_table import html_table
 from gcs.scenario.described import Described
 
 FILE = "summary.json"
@@ -212,6 +213,23 @@ class Summary(SummaryPart):
     faults: list[FaultSummary] = []
     """those of the scenario that happened"""
     bases: list[BaseSummary] = []
+
+    def _repr_html_(self) -> str:
+        distances = {
+            "separation": self.min_separation_m,
+            "clearance": self.min_clearance_m,
+            "traffic": self.min_traffic_m,
+        }
+        return html_table(
+            [
+                ("outcome", self.outcome_text),
+                ("flown", f"{self.sim_time_s:.1f} s"),
+                *((f"least {name}", f"{least_m:.2f} m") for name, least_m in distances.items() if least_m is not None),
+                ("vehicles", len(self.vehicles)),
+                ("refuelled", " ".join(map(str, self.refuel_order)) or "none"),
+                ("digest", self.digest),
+            ]
+        )
 
     def write(self, folder: Path) -> None:
         """Write summary.json into a session's folder, whole or not at all; raises OSError."""

@@ -42,6 +42,12 @@ class ChartPanel:
     from_zero: bool = False
     span: tuple[float, float] | None = None
 
+    @property
+    def has_lines(self) -> bool:
+        """Whether any line has a value."""
+        lines = (*self.of_vehicles.values(), *(self.of_session or {}).values())
+        return any(np.isfinite(line.values).any() for line in lines)
+
 
 class Charts:
     """Turns findings into the page's model; `pack` holds the numbers."""
@@ -72,33 +78,20 @@ class Charts:
                 for v in found.vehicles
             ],
             "chosen": notable(found) if self.many else [v.sysid for v in found.vehicles],
-            "figures": {name: figure for name, figure in figures.items() if figure},
+            "figures": figures,
         }
 
-    def _of_time(self) -> dict[str, Any]:
+    def panels(self) -> dict[str, list[ChartPanel]]:
+        """The figures over time that have any line, by name: their axes, one below the other."""
         found, scenario = self._found, self._found.scenario
         goal = scenario.goal.pursue if scenario else None
         within = [(goal.within_m, f"goal: within {goal.within_m:g} m")] if goal else []
         wanted = {name: [(limit, f"goal: {limit:g} m")] for name, limit in found.limits.items()}
-        broken = [
-            {"t_s": t_s, "id": sysid, "label": "✗", "text": text, "bad": True}
-            for name in ("separation", "clearance", "traffic")
-            for t_s, sysid, text in found.violations(name)
-        ]
-        faults = [
-            {"t_s": t_s, "label": "fault", "text": text, "bad": False, **({"id": sysid} if sysid else {})}
-            for t_s, sysid, text in found.faults
-        ]
         attitudes = found.attitudes.items()
         roll, pitch, yaw = (
             {sysid: Series(reported[i].t_s, DEGREES * reported[i].values) for sysid, reported in attitudes}
             for i in range(3)
         )
-        spans = [
-            {"from": s.start_s, "to": s.end_s if s.end_s is not None else self.end_s, "id": s.receiver}
-            for s in found.services
-            if s.start_s is not None
-        ]
         near = found.nearness
         distances = (
             ("separation", "separation of two vehicles", near.separation),
@@ -108,66 +101,69 @@ class Charts:
         frames = [ChartPanel("Frames received", "1/s", found.rates, digits=0, from_zero=True)]
         if any(line.values.max(initial=0.0) > 0.0 for line in found.losses.values()):
             frames.append(ChartPanel("Frames missing so far", "1", found.losses, digits=0, from_zero=True))
-        return {
-            "target": self._time(
-                [ChartPanel("Distance to target", "m", near.to_target, limits=within, from_zero=True)], marks=faults
-            ),
-            "error": self._time(
-                [ChartPanel("Tracking error", "m", found.errors, digits=3, from_zero=True)], marks=faults
-            ),
-            "motion": self._time(
-                [
-                    ChartPanel("Speed", "m/s", found.speeds, from_zero=True),
-                    ChartPanel("Height", "m", found.heights),
-                ],
-                marks=faults,
-            ),
-            "attitude": self._time(
-                [
-                    ChartPanel("Roll", "°", roll, digits=1),
-                    ChartPanel("Pitch", "°", pitch, digits=1),
-                    ChartPanel("Yaw", "°", yaw),
-                ]
-            ),
-            "battery": self._time(
-                [ChartPanel("Battery", "%", found.battery_percent, digits=1, from_zero=True)], spans=spans
-            ),
-            "contest": self._competition("tanker", found.competition, [s for s in found.services if s.base is None]),
-            "base-contest": self._competition(
-                "base", found.base_competition, [s for s in found.services if s.base is not None]
-            ),
-            "nearness": self._time(
-                [
-                    ChartPanel(f"Least {words}", "m", {}, {name: line}, wanted.get(name, []))
-                    for name, words, line in distances
-                    if name != "traffic" or np.isfinite(line.values).any()
-                ],
-                marks=broken + faults,
-            ),
-            "link": self._time(frames, marks=faults),
+        figures = {
+            "target": [ChartPanel("Distance to target", "m", near.to_target, limits=within, from_zero=True)],
+            "error": [ChartPanel("Tracking error", "m", found.errors, digits=3, from_zero=True)],
+            "motion": [
+                ChartPanel("Speed", "m/s", found.speeds, from_zero=True),
+                ChartPanel("Height", "m", found.heights),
+            ],
+            "attitude": [
+                ChartPanel("Roll", "°", roll, digits=1),
+                ChartPanel("Pitch", "°", pitch, digits=1),
+                ChartPanel("Yaw", "°", yaw),
+            ],
+            "battery": [ChartPanel("Battery", "%", found.battery_percent, digits=1, from_zero=True)],
+            "contest": self._competition("tanker", found.competition),
+            "base-contest": self._competition("base", found.base_competition),
+            "nearness": [
+                ChartPanel(f"Least {words}", "m", {}, {name: line}, wanted.get(name, []))
+                for name, words, line in distances
+                if name != "traffic" or np.isfinite(line.values).any()
+            ],
+            "link": frames,
         }
+        return {name: panels for name, panels in figures.items() if any(panel.has_lines for panel in panels)}
 
-    def _competition(
-        self, giver: str, states: CompetitionSeries, services: Iterable[ServiceFinding]
-    ) -> dict[str, Any] | None:
-        """One competition's states and its leader's share; marks where it handed a giver over."""
+    def _competition(self, giver: str, states: CompetitionSeries) -> list[ChartPanel]:
+        """One competition's states and its leader's share."""
         scenario = self._found.scenario
         share = [(scenario.competition.share, "share that wins")] if scenario else []
-        return self._time(
-            [
-                ChartPanel(f"State v of each competitor for a {giver}", "1", states.v, digits=3, span=(-0.03, 1.06)),
-                ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": states.share}, share, 3, span=(-0.03, 1.06)),
-            ],
-            marks=[{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services],
-        )
+        return [
+            ChartPanel(f"State v of each competitor for a {giver}", "1", states.v, digits=3, span=(-0.03, 1.06)),
+            ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": states.share}, share, 3, span=(-0.03, 1.06)),
+        ]
 
-    def _time(
-        self, panels: list[ChartPanel], marks: Sequence[Mapping[str, Any]] = (), spans: Sequence[Mapping[str, Any]] = ()
-    ) -> dict[str, Any] | None:
-        made = [self._panel(panel) for panel in panels]
-        if not any(panel["lines"] or panel["own"] for panel in made):
-            return None
-        return {"kind": "time", "panels": made, "marks": list(marks), "spans": list(spans)}
+    def _of_time(self) -> dict[str, Any]:
+        """The figures over time as data, with the marks of what happened."""
+        services = self._found.services
+        faults = [
+            {"t_s": t_s, "label": "fault", "text": text, "bad": False, **({"id": sysid} if sysid else {})}
+            for t_s, sysid, text in self._found.faults
+        ]
+        broken = [
+            {"t_s": t_s, "id": sysid, "label": "✗", "text": text, "bad": True}
+            for name in ("separation", "clearance", "traffic")
+            for t_s, sysid, text in self._found.violations(name)
+        ]
+        marks: dict[str, list[dict[str, Any]]] = dict.fromkeys(("target", "error", "motion", "link"), faults)
+        marks["nearness"] = broken + faults
+        marks["contest"] = _handed_over(service for service in services if service.base is None)
+        marks["base-contest"] = _handed_over(service for service in services if service.base is not None)
+        spans = [
+            {"from": s.start_s, "to": s.end_s if s.end_s is not None else self.end_s, "id": s.receiver}
+            for s in services
+            if s.start_s is not None
+        ]
+        return {
+            name: {
+                "kind": "time",
+                "panels": [self._panel(panel) for panel in panels],
+                "marks": marks.get(name, []),
+                "spans": spans if name == "battery" else [],
+            }
+            for name, panels in self.panels().items()
+        }
 
     def _panel(self, panel: ChartPanel) -> dict[str, Any]:
         known = {s: line for s, line in panel.of_vehicles.items() if np.isfinite(line.values).any()}
@@ -212,6 +208,11 @@ class Charts:
                     bars.append({"row": row, "stage": stage, "from": begin, "to": until, "text": text})
         rows = list(dict.fromkeys(labels.get(s.receiver, str(s.receiver)) for s in found.services))
         return {"kind": "timeline", "rows": rows, "bars": bars}
+
+
+def _handed_over(services: Iterable[ServiceFinding]) -> list[dict[str, Any]]:
+    """Marks where a competition handed a giver over."""
+    return [{"t_s": s.decided_at_s, "id": s.receiver, "label": f"→ {s.receiver}"} for s in services]
 
 
 def notable(found: Findings) -> list[int]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.extras import missing
+from gcs.html_table import html_table
 from gcs.session.program.messages import FleetMessage
 
 _PLAIN: dict[str, type[np.generic]] = {
@@ -154,6 +155,22 @@ class Snapshot:
         except ModuleNotFoundError:
             raise missing("frame()", "pandas", "pandas") from None
         return pd.DataFrame(self.table())
+
+    def _repr_html_(self) -> str:
+        head = ("vehicle", "role", "mode", "armed", "height, m", "speed, m/s", "battery, %", "trouble")
+        shown = zip(
+            self.sysid, self.role, self.mode, self.armed, 0.0 - self.p_ned[:, 2], np.linalg.norm(self.v_ned, axis=1),
+            100.0 * self.battery, self.trouble, strict=True,
+        )  # fmt: skip
+        rows = (
+            (sysid, role, mode, "yes" if armed else "no", *map(_cell, (height_m, speed_m_s, percent)), "; ".join(texts))
+            for sysid, role, mode, armed, height_m, speed_m_s, percent, texts in shown
+        )
+        return f"<p>{self.time_s:.1f} s</p>{html_table(rows, head)}"
+
+
+def _cell(number: float) -> str:
+    return f"{number:.1f}" if np.isfinite(number) else ""
 
 
 def from_message(message: FleetMessage, acknowledged: tuple[SentCommand, ...] = ()) -> Snapshot:

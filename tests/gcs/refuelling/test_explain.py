@@ -39,7 +39,7 @@ def test_once_joined_the_place_is_above_the_receiver() -> None:
     ("by", "words"),
     [
         ("competition", "its need 0.71 is the largest and it held 93 % of the competition for 2 s"),
-        ("timeout", "nobody held 90 % of the competition within 30 s"),
+        ("timeout", "no vehicle held 90 % of the competition within 30 s"),
         ("urgency", "it would be empty within 21 s of the rendezvous"),
         ("operator", "the operator asked for it"),
         ("policy", "the policy winner_take_all chose it"),

@@ -78,7 +78,7 @@ def test_effort_is_linear_between_its_reports_and_from_zero(folder: Path) -> Non
 
 
 def test_a_vehicle_that_left_no_trace_is_named(folder: Path) -> None:
-    with pytest.raises(ValueError, match="vehicle 3 was told or reported nothing"):
+    with pytest.raises(ValueError, match="vehicle 3 received or reported nothing"):
         read(folder, [3], PERIOD_S)
 
 

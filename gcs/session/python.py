@@ -31,6 +31,7 @@ from typing import Any, Self
 import msgspec
 from numpy.typing import ArrayLike
 
+from gcs.html_table import html_table
 from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
 from gcs.scenario.file import find, load
@@ -227,6 +228,16 @@ class Session:
         if self._channel is None:
             self._truth.close()
         return truth
+
+    def _repr_html_(self) -> str:
+        if self._summary is not None:
+            state = self._summary.outcome_text
+        elif self._time_s is None:
+            state = "has not begun"
+        else:
+            state = f"in flight at {self._time_s:.1f} s"
+        rows = [("scenario", self.scenario.name), ("clock", self.scenario.clock.mode), ("state", state)]
+        return html_table(rows if self._folder is None else [*rows, ("folder", self._folder)])
 
     def _check_flies(self) -> None:
         if self._summary is not None:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.extras import missing
 from gcs.recording.export import ExportError, export
@@ -112,7 +113,7 @@ class Recording(Mapping[str, Any]):
 
     @cached_property
     def findings(self) -> Findings:
-        """What the report is made of."""
+        """Findings that the report shows."""
         return Findings(self._recorded())
 
     def _recorded(self) -> Recorded:
@@ -207,5 +208,10 @@ class _Gathered:
 def _joined(parts: list[Any]) -> Column:
     if parts and not isinstance(parts[0], np.ndarray):
         return list(chain.from_iterable(parts))
-    whole = np.ma.concatenate(parts or [[]])
-    return whole.astype(np.float64).filled(np.nan) if np.ma.is_masked(whole) else np.asarray(whole)
+    return np.concatenate([_with_nan(part) for part in parts] or [np.empty(0)])
+
+
+def _with_nan(numbers: NDArray[Any]) -> NDArray[Any]:
+    """NaN for what is masked."""
+    masked = np.ma.getmaskarray(numbers)
+    return np.where(masked, np.nan, np.ma.getdata(numbers)) if masked.any() else np.ma.getdata(numbers)

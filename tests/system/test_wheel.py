@@ -4,15 +4,20 @@ without a compiler."""
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 import sys
 import sysconfig
 import venv
+import xml.etree.ElementTree as ET
 from pathlib import Path
+from typing import Any
 from zipfile import ZipFile
 
 import pytest
+import yaml
+from pages import DOCS, block
 from sessions import DIGESTS, ROOT
 
 from skytender.compiled import PACKAGES, compiled_sources
@@ -85,3 +90,100 @@ def test_the_demo_flies_in_it_as_in_the_checkout(installed: Path, tmp_path: Path
     run(installed / "gcs", "run", "demo", "--lockstep", "--quiet", "--no-report", "--out", "wheel", cwd=tmp_path)
     digest = json.loads((tmp_path / "wheel" / "summary.json").read_text())["digest"]
     assert digest.removeprefix("sha256:").startswith(DIGESTS["demo"])
+
+
+# in other people's repositories
+
+
+@pytest.fixture
+def runner(tmp_path: Path) -> dict[str, str]:
+    """The environment of a CI machine in an empty repository: a Python of its own, whose packages' dependencies are
+    those of this one."""
+    environment = tmp_path / "python"
+    venv.create(environment, with_pip=True)
+    packages = next((environment / "lib").glob("python*/site-packages"))
+    (packages / "dependencies.pth").write_text(sysconfig.get_path("purelib") + "\n")
+    repository = tmp_path / "repository"
+    subprocess.run(["git", "init", "--quiet", repository], check=True)
+    (repository / "README.md").write_text("# Somebody else's\n")
+    path = f"{environment / 'bin'}:/usr/bin:/bin"
+    return {"PATH": path, "HOME": str(tmp_path), "PIP_NO_DEPS": "1", "PIP_NO_INDEX": "1", "PWD": str(repository)}
+
+
+def steps(listed: list[dict[str, Any]], environment: dict[str, str]) -> list[str]:
+    """Run the steps that are commands, as a runner does; what each has printed."""
+    said = []
+    for step in listed:
+        if "run" in step:
+            words = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", step["run"]]
+            done = subprocess.run(
+                words, cwd=environment["PWD"], env=environment, capture_output=True, text=True, timeout=200, check=False
+            )
+            assert done.returncode == 0, (step["run"], done.stdout, done.stderr)
+            said.append(done.stdout)
+    return said
+
+
+def test_the_workflow_of_the_docs_runs_in_another_repository(wheel: Path, runner: dict[str, str]) -> None:
+    workflow = yaml.safe_load(block(DOCS / "how-to" / "ci.md", "workflow.yml"))
+    assert workflow["env"].keys() == {"SKYTENDER"}
+    steps(workflow["jobs"]["fly"]["steps"], runner | {"SKYTENDER": str(wheel)})
+    repository = Path(runner["PWD"])
+    (upload,) = (step["with"] for step in workflow["jobs"]["fly"]["steps"] if "upload" in step.get("uses", ""))
+    for kept in upload["path"].split():
+        assert (repository / kept).exists()
+    cases = ET.parse(repository / "outcome.xml").getroot().iter("testcase")
+    assert {case.find("failure") for case in cases} == {None}
+
+
+def test_the_actions_steps_fly_every_seed(wheel: Path, runner: dict[str, str], tmp_path: Path) -> None:
+    """What a runner puts for the expressions in `env` is put here."""
+    action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
+    given = {
+        "PACKAGE": str(wheel), "SCENARIO": action["inputs"]["scenario"]["default"], "SEEDS": "3 4",
+        "FOLDER": str(tmp_path / "temp" / "sessions"), "GITHUB_OUTPUT": str(tmp_path / "output"),
+    }  # fmt: skip
+    listed = action["runs"]["steps"]
+    assert {name for step in listed for name in step.get("env", ())} == given.keys() - {"GITHUB_OUTPUT"}
+    steps(listed, runner | given)
+    folder = Path(given["FOLDER"])
+    assert Path(given["GITHUB_OUTPUT"]).read_text() == f"folder={folder}\n"
+    digests = {json.loads((folder / seed / "summary.json").read_text())["digest"] for seed in ("3", "4")}
+    assert len(digests) == 2
+    assert {path.name for path in folder.glob("*.xml")} == {"3.xml", "4.xml"}
+
+
+def test_action_workflows_and_container_are_as_their_linters_want(tmp_path: Path) -> None:
+    workflow = tmp_path / "workflow.yml"
+    workflow.write_text(block(DOCS / "how-to" / "ci.md", "workflow.yml"))
+    programs = Path(sys.executable).parent
+    schema = [programs / "check-jsonschema", "--builtin-schema"]
+    for words in (
+        [*schema, "vendor.github-actions", "action.yml"],
+        [*schema, "vendor.github-workflows", workflow, *(ROOT / ".github" / "workflows").glob("*.yml")],
+        [programs / "hadolint", "Dockerfile"],
+    ):
+        done = subprocess.run(words, cwd=ROOT, env=dict(os.environ), capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_container_is_given_all_that_a_wheel_is_made_of() -> None:
+    """What the Dockerfile copies, and what .dockerignore lets through, against what the wheel above is made of."""
+    copied = {
+        word
+        for line in (ROOT / "Dockerfile").read_text().splitlines()
+        if line.startswith("COPY ") and "--from" not in line
+        for word in line.split()[1:-1]
+    }
+    assert copied == {*PACKAGES, "configs", "setup.py", "pyproject.toml", "MANIFEST.in", "README.md", "LICENSE"}
+    let_in = {line[1:] for line in (ROOT / ".dockerignore").read_text().splitlines() if line.startswith("!")}
+    assert copied == let_in
+
+
+def test_the_citation_has_the_packages_version() -> None:
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    program = "from importlib.metadata import version; print(version('skytender'))"
+    assert (
+        subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout.strip()
+        == (cited["version"])
+    )

@@ -162,8 +162,12 @@ def test_top_level_holds_nothing_else() -> None:
         "Makefile",
         "LICENSE",
         "CHANGELOG.md",
+        "CITATION.cff",
         "CONTRIBUTING.md",
+        "Dockerfile",
         "MANIFEST.in",
+        "SECURITY.md",
+        "action.yml",
         "setup.py",
         "skytender",
     }

@@ -1,5 +1,5 @@
-"""report.html: one file that needs no network, with the outcome first; it is the page of a live flight (`gcs.web`) with
-the recording inside, which it plays and draws.
+"""report.html: one file that needs no network and opens on the flight, the verdict above it; it is the page of a live
+flight (`gcs.web`) with the recording inside, which it plays and draws.
 
 Script and series are compressed; browsers unpack them themselves (DecompressionStream, since 2023). The page's policy
 names by hash what may run and fetches nothing.
@@ -29,6 +29,7 @@ from gcs.web import document
 
 FILE = "report.html"
 READ, MEASURED = 0.8, 0.9
+FLIGHT, OUTCOME = "paths", ("outcome", "Outcome", "")
 MOST_NAMED = 40
 BAND = (
     "In figures over time the coloured ground goes from the least to the greatest value of all vehicles, dotted is "
@@ -42,18 +43,20 @@ _PAGE = Template("""<!doctype html>
 </head><body class="report">
 <header>
 <p class="soft small">Session report</p>
-<h1>$title</h1>
+<div class="title"><h1>$title</h1><p class="verdict $verdict_level">$verdict</p></div>
 <p class="soft">$about</p>
-<p class="verdict $verdict_level">$verdict</p>
+<nav aria-label="sections">$links</nav>
+</header>
+<main>
+$flight
+<section id="outcome"><h2>Outcome</h2>
 $missing
 $problems
 $goal
 $cards
-<nav aria-label="sections">$links</nav>
-</header>
+</section>
 <fieldset class="picker"><legend>$picker</legend></fieldset>
 $band
-<main>
 $sections
 </main>
 <footer class="soft small"><p>Made by gcs report on $when. Lines are drawn by the smallest and largest value of each
@@ -131,9 +134,8 @@ def text(findings: Findings) -> str:
     """The page."""
     charts = Charts(findings)
     model = charts.model()
-    sections = [
-        made for made in _sections(findings, {*model["figures"], *(["flight"] if model["flight"] else [])}) if made
-    ]
+    made = [one for one in _sections(findings, {*model["figures"], *(["flight"] if model["flight"] else [])}) if one]
+    flight, sections = [one for one in made if one[0] == FLIGHT], [one for one in made if one[0] != FLIGHT]
     recorded = findings.recorded
     name = findings.scenario.name if findings.scenario else recorded.folder.resolve().name
     picker = "Drawn singly:" if charts.many else "Vehicles:"
@@ -155,12 +157,11 @@ def text(findings: Findings) -> str:
         goal=_goal(findings),
         missing=_missing(recorded.problems),
         cards=_cards(findings),
-        links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in sections),
+        links="".join(f'<a href="#{part}">{escape(title)}</a>' for part, title, _ in (*flight, OUTCOME, *sections)),
         picker=picker,
         band=f'<p class="soft small">{BAND}</p>' if charts.many else "",
-        sections="\n".join(
-            f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>' for part, title, body in sections
-        ),
+        flight="".join(map(_section, flight)),
+        sections="\n".join(map(_section, sections)),
         when=datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         bucket_s=f"{charts.end_s / charts.buckets:.2g} s",
         config=document.as_json(document.config("report")),
@@ -259,6 +260,11 @@ def _cards(found: Findings) -> str:
 # the sections
 
 
+def _section(one: tuple[str, str, str]) -> str:
+    part, title, body = one
+    return f'<section id="{part}"><h2>{escape(title)}</h2>{body}</section>'
+
+
 def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, str] | None]:
     """(id, title, HTML) of each section; None where there is nothing to show."""
 
@@ -281,7 +287,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
     )
     flown = "flight" in figures
     yield section(
-        "paths",
+        FLIGHT,
         "Flight",
         '<div id="app"></div>' if flown else "",
         figure("flight", from_above, kind="only-print") if flown else "",

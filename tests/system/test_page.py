@@ -171,6 +171,33 @@ def test_the_report_plays_from_a_file_and_fetches_nothing(recorded: Outcome, tmp
     page.close()
 
 
+def test_report_and_replay_open_on_the_flight_at_the_moment_of_a_link(
+    recorded: Outcome, tmp_path: Path, browser: Browser
+) -> None:
+    page_file = make(recorded.folder, tmp_path / "report.html")
+    watched = Watched(browser, height=720)
+    page = watched.open(f"{page_file.as_uri()}#t=10")
+    until(page, "document.documentElement.dataset.all")
+    page.evaluate("skytender.then((app) => { window.app = app; })")
+    until(page, "Math.abs(app.current?.t_s - 10) < 1e-6")
+    picture, verdict = page.locator(".picture").bounding_box(), page.locator(".verdict").bounding_box()
+    assert picture is not None
+    assert verdict is not None
+    assert verdict["y"] < picture["y"] < 300
+    assert picture["y"] + 0.5 * picture["height"] < 720
+    page.evaluate("location.hash = 't=20'")
+    until(page, "Math.abs(app.current.t_s - 20) < 1e-6")
+    assert serious(page) == []
+    assert watched.wrong == []
+    page.close()
+    with served(ReplaySource(Replay(recorded.folder), speed=0.1)) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"] + "&t=15")
+        until(page, "skytender.current.t_s >= 15 && skytender.current.t_s < 18")
+        assert watched.wrong == []
+        page.close()
+
+
 def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None:
     rows = [row(sysid, 0.0) for sysid in range(1, 255)]
     rows[199] |= {"trouble": ["battery 4 %"], "severity": 2, "condition": "low", "figure": "4 %", "battery": 0.04}

@@ -7,6 +7,7 @@ import { Live } from "./live.js";
 import { Operator } from "./operator.js";
 import { recorded } from "./recorded.js";
 import { useConditions } from "./strip.js";
+import { linkedTime } from "./timeline.js";
 import { Tiles } from "./tiles.js";
 
 /** @typedef {import("./operator.js").Order} Order */
@@ -68,6 +69,7 @@ function served(config) {
   root.before(top);
 
   let replaying = false;
+  let linked = false;
   /** @type {Record<string, any> | undefined} */
   let replay;
   let control = false;
@@ -123,6 +125,9 @@ function served(config) {
       app.flight.session = line;
       app.flight.tell(line.events ?? []);
       replaying = line.source === "replay";
+      const linked_s = linkedTime();
+      if (replaying && !linked && linked_s !== null) player.seek(linked_s);
+      linked = true;
       control = Boolean(line.control) && !replaying;
       document.title = `${line.name} – Skytender`;
       say(title, line.name);

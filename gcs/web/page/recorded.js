@@ -6,6 +6,7 @@ import { h } from "./elements.js";
 import { CHANNELS, Flight, last, Words } from "./flight.js";
 import { colourOf, nextTheme, onLook, setMembers, setPrinting } from "./look.js";
 import { MapView } from "./map.js";
+import { linkedTime } from "./timeline.js";
 
 /** @typedef {{at: number, n: number, low: number, high: number}} Packed */
 /** @typedef {{id?: number, label?: string} & Packed} PackedLine */
@@ -257,11 +258,13 @@ function play(root, model, told, column) {
     app.dirty = true;
   };
   fillFlight(app.flight, model, told, column);
-  app.at_s = told.end_s;
   app.begin_s = 0;
   app.end_s = told.end_s;
   app.members();
   shown();
+  const follow = () => player.seek(linkedTime() ?? told.end_s);
+  follow();
+  addEventListener("hashchange", () => linkedTime() !== null && follow());
   setInterval(() => {
     const now = performance.now();
     if (state.playing) {

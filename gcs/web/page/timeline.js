@@ -12,6 +12,12 @@ import { look } from "./look.js";
 
 const SHOWN_MS = 100;
 
+/** The moment that the page's address names (`#t=33`), s; null without. */
+export function linkedTime() {
+  const t_s = Number.parseFloat(new URLSearchParams(location.hash.slice(1)).get("t") ?? "");
+  return Number.isFinite(t_s) ? t_s : null;
+}
+
 export class Timeline {
   /** @param {HTMLElement} parent @param {Player} player */
   constructor(parent, player) {

@@ -20,7 +20,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build check test bench fuzz faults docs picture clean
+.PHONY: run build check test release-check bench fuzz faults docs picture clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -51,6 +51,11 @@ test: $(DEV_READY) $(PEERS_READY)
 	  $(VENV)/bin/python -m pytest --collect-only -qq >/dev/null; \
 	  $(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder; tested=$$?; \
 	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
+
+# What a release needs, as far as it needs no network: lint, types and the fast tests; the source archive, and of it a
+# wheel that flies the demo; the recipes for other repositories; one version everywhere.
+release-check: check
+	@$(VENV)/bin/python -m pytest tests/system/test_wheel.py tests/test_compiled.py
 
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import venv
 import xml.etree.ElementTree as ET
 from importlib.metadata import version
@@ -27,13 +28,20 @@ PIP = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check"]
 
 
 @pytest.fixture(scope="module")
-def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The wheel, made of a copy of what is compiled here already."""
-    copy, folder = tmp_path_factory.mktemp("checkout"), tmp_path_factory.mktemp("wheel")
+def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of what the package is made of, and of what is compiled here already."""
+    copy = tmp_path_factory.mktemp("checkout")
     for name in (*PACKAGES, "configs", "build"):
         shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("setup.py", "pyproject.toml", "MANIFEST.in", "README.md", "LICENSE"):
         shutil.copy2(ROOT / name, copy)
+    return copy
+
+
+@pytest.fixture(scope="module")
+def wheel(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of the checkout."""
+    copy, folder = checkout, tmp_path_factory.mktemp("wheel")
     command = [*PIP, "wheel", "--no-deps", "--no-build-isolation", "-w", folder, copy]
     subprocess.run(command, check=True, capture_output=True)
     (made,) = folder.glob("skytender-*.whl")
@@ -60,6 +68,20 @@ def run(program: Path, *words: str, cwd: Path) -> str:
     )
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
+
+
+def test_the_source_archive_has_all_that_is_kept(checkout: Path, tmp_path: Path) -> None:
+    """The release's wheels are made of it alone."""
+    command = [sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", tmp_path]
+    subprocess.run(command, cwd=checkout, check=True, capture_output=True)
+    (archive,) = tmp_path.glob("skytender-*.tar.gz")
+    with tarfile.open(archive) as file:
+        held = {name.partition("/")[2] for name in file.getnames()}
+    listed = subprocess.run(
+        ["git", "ls-files", *PACKAGES, "configs"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert {*listed.stdout.splitlines(), "setup.py", "pyproject.toml", "README.md", "LICENSE"} <= held
+    assert not [name for name in held if name.endswith((".so", ".pyc", ".o"))]
 
 
 def test_what_is_compiled_is_in_it_and_nothing_that_only_a_build_reads(wheel: Path) -> None:

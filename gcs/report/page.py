@@ -45,12 +45,12 @@ _PAGE = Template("""<!doctype html>
 <p class="soft small">Session report</p>
 <div class="title"><h1>$title</h1><p class="verdict $verdict_level">$verdict</p></div>
 <p class="soft">$about</p>
+$missing
 <nav aria-label="sections">$links</nav>
 </header>
 <main>
 $flight
 <section id="outcome"><h2>Outcome</h2>
-$missing
 $problems
 $goal
 $cards

@@ -183,7 +183,7 @@ def test_report_and_replay_open_on_the_flight_at_the_moment_of_a_link(
     picture, verdict = page.locator(".picture").bounding_box(), page.locator(".verdict").bounding_box()
     assert picture is not None
     assert verdict is not None
-    assert verdict["y"] < picture["y"] < 300
+    assert verdict["y"] < picture["y"] < 360
     assert picture["y"] + 0.5 * picture["height"] < 720
     page.evaluate("location.hash = 't=20'")
     until(page, "Math.abs(app.current.t_s - 20) < 1e-6")

@@ -323,6 +323,11 @@ class Vehicle(Body):
         by_plan = self._plan is not None and (self.mode is Mode.RETURN or self.mode is Mode.LAND)
         return self.time_s - self._began_s if by_plan else -1.0
 
+    def return_from(self, p_ned: Vec3) -> None:
+        """Hold at a place, or climb over it on a return."""
+        if self.mode is Mode.HOLD or (self.mode is Mode.RETURN and self._leg in (None, ReturnLeg.UP, ReturnLeg.WAIT)):
+            self._anchor = replace(self._anchor, p_ned=p_ned)
+
     def alone(self, for_s: float) -> bool:
         """Whether a ground station that was there has been silent for so long."""
         return self.time_ms / 1e3 - self.gcs_seen_s > for_s

@@ -18,6 +18,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
 from simvehicle.autopilot.modes import STEERED, Mode
@@ -25,12 +26,12 @@ from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
-from simvehicle.fleet.separation_rules import PeerProfile, SeparationRules
+from simvehicle.fleet.separation_rules import SeparationRules
 from skytender import elementary
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
-from skytender.safety.silence import AHEAD_S, STEP_M, stretch, way_home
+from skytender.safety.silence import AHEAD_S, OVER_HOME_M, stretch, tube, way_home
 
 LAG_S = 0.37
 """A vehicle flies so long behind its leader (docs/model.md#guidance)."""
@@ -48,10 +49,10 @@ STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
 """A peer that comes no nearer than this, or beyond the separation, if both fly straight on for the filter's horizon
 and a lag, is not looked at: of a vehicle with a leader, whose filter foresees peers that others turn, and of one
 without."""
-OVER_HOME_M = 1.0
 LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
-ASIDE_M = 0.3
-"""[choice] Distance from its way home within which a silent peer passes those that it receives."""
+ASIDE_M, PLACES_M = 0.15, 0.3
+"""[choice] Distance from its way home that a vehicle keeps within while a peer is silent; between two presumed places
+of a peer."""
 OFF_LEADER_M = 2.0
 FLOOR_M = 0.3
 ARRIVES_S = 0.5
@@ -102,7 +103,9 @@ class Separation:
         self._p_ned: Vec3 = AT_REST
         self._v_ned: Vec3 = AT_REST
         self._wanted_ned: Vec3 | None = None
-        self._way: deque[tuple[float, Vec3]] = deque(maxlen=16)
+        self._way: deque[tuple[float, Vec3, Vec3]] = deque(maxlen=16)
+        self._silent: set[int] = set()
+        self._from_ned: dict[int, Vec3] = {}
         self._error_m = 0.0
         own = rules.vehicles[sysid]
         self.plan, self.home_ned = own.failsafe, own.home_ned
@@ -159,29 +162,74 @@ class Separation:
             self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
 
-    def _presumed(self, peer: _Peer, member: PeerProfile) -> list[Vec3]:
+    def _presumed(self, peer: _Peer, sysid: int) -> list[Vec3]:
         """Where a silent peer may be that returns by the timetable, as this vehicle does: at the place where it was,
-        and on the leg that is due, from its beginning to where it can have come."""
-        here = peer.p_ned
-        now_s, plan = self._vehicle.returning_s(), member.failsafe
-        if now_s < 0.0:
-            return [here]
+        and on the leg that is due, from its beginning to where it can have come. Of two that would climb through each
+        other's columns the higher one goes first, and the lower one waits."""
+        here, member = peer.p_ned, self._rules.vehicles[sysid]
+        now_s, plan = max(self._vehicle.returning_s(), 0.0), member.failsafe
         begun_s = max(now_s - peer.silent_s, 0.0)
         if begun_s > plan.down_after_s and elementary.distance(here[:2], member.home_ned[:2]) > OVER_HOME_M:
             return [here]
         due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
+        own = self._from_ned.get(self._sysid, self._p_ned)
+        beside_m = self._rules.separation_m + 4.0 * ASIDE_M
+        if (
+            due_s == 0.0
+            and elementary.distance(own[:2], here[:2]) < beside_m
+            and (own[2], -self._sysid) < (here[2], -sysid)
+        ):
+            return [here]
         legs = way_home(here, member.home_ned, plan)
-        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s)
+        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s, PLACES_M)
         if now_s > plan.again_after_s:
             return places or [member.home_ned]
         return [here, *places]
 
     def resting_place(self) -> Vec3:
         """Place where the leader stands if it brakes now."""
-        speed_m_s = elementary.norm(self._v_ned)
+        return self._rest(self._sysid, self._p_ned, self._v_ned)
+
+    def _rest(self, sysid: int, p_ned: Vec3, v_ned: Vec3) -> Vec3:
+        speed_m_s = elementary.norm(v_ned)
         if speed_m_s < STANDS_M_S * 1e-3:
-            return self._p_ned
-        return _along(self._p_ned, self._v_ned, stop_way(speed_m_s, self._brake_m_s2, self._rules.period_s) / speed_m_s)
+            return p_ned
+        brake_m_s2 = BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2
+        return _along(p_ned, v_ned, stop_way(speed_m_s, brake_m_s2, self._rules.period_s) / speed_m_s)
+
+    def _part(self, silent: set[int]) -> None:
+        """Stay, while peers are silent, where they presume this vehicle: on the way home from where it was when they
+        were last received, as it presumes them, and all those that it receives."""
+        if not silent:
+            self._silent, self._from_ned = set(), {}
+            return
+        if silent - self._silent:
+            then_s = self._vehicle.time_s - SILENT_S
+            rest = next((rest for at_s, _, rest in self._way if at_s >= then_s), self.resting_place())
+            north, east, _ = self._from_ned.get(self._sysid, rest)
+            if not self._from_ned:
+                for sysid in self._rules.vehicles:
+                    at_ms, p_ned, v_ned, _ = self.peers.leader(sysid)
+                    if at_ms >= 0:
+                        self._from_ned[sysid] = self._rest(sysid, p_ned, v_ned)
+            self._from_ned[self._sysid] = (north, east, rest[2])
+        self._silent |= silent
+        self._vehicle.return_from(self._from_ned[self._sysid])
+
+    def _tubes(self, near: _Near, margin_m: NDArray[np.float64]) -> tuple[Any, Any]:
+        """Walls of all, north, east and down, within which each stays on its way home (skytender/safety/silence.py)."""
+        vehicle = self._vehicle
+        low, high = np.full((len(near.ids), 3), -math.inf), np.full((len(near.ids), 3), math.inf)
+        if vehicle.ground and vehicle.mode not in _GOING_DOWN and vehicle.home_ned[2] - self._p_ned[2] > FLOOR_M:
+            high[0, 2] = vehicle.home_ned[2] - FLOOR_M
+        for row, sysid in enumerate(near.ids):
+            if sysid in self._from_ned and not (row == 0 and vehicle.mode is Mode.LAND):
+                member = self._rules.vehicles[sysid]
+                from_ned, now_s = self._from_ned[sysid], vehicle.returning_s()
+                box = np.array(tube(near.p_ned[row], from_ned, member.home_ned, now_s, member.failsafe))
+                wide_m = ASIDE_M + margin_m[row]
+                low[row], high[row] = box[0] - wide_m, np.minimum(high[row], box[1] + wide_m)
+        return low, high
 
     def _begin(self, p_ned: Vec3, v_ned: Vec3) -> None:
         self._p_ned, self._v_ned, self._wanted_ned = _as_sent(p_ned), _as_sent(v_ned), None
@@ -192,7 +240,7 @@ class Separation:
         then_s = now_s - LAG_S
         self._error_m *= elementary.exp(-self._rules.period_s / DECAY_S)
         if self._way and self._way[0][0] <= then_s:
-            for (a_s, a), (b_s, b) in zip(self._way, list(self._way)[1:], strict=False):
+            for (a_s, a, _), (b_s, b, _) in zip(self._way, list(self._way)[1:], strict=False):
                 if a_s <= then_s <= b_s:
                     error_m = elementary.distance(here, _along(a, _minus(b, a), (then_s - a_s) / (b_s - a_s)))
                     self._error_m = max(self._error_m, error_m)
@@ -206,7 +254,7 @@ class Separation:
         mean_ned = _along(self._v_ned, u_ned, 0.5 * dt)
         fastest = max(elementary.norm(mean_ned), vehicle.parameters["MPC_XY_VEL_MAX"])
         self.target = ManeuverTarget(self._p_ned, mean_ned, _EVERYWHERE, vehicle.time_s, fastest)
-        self._way.append((vehicle.time_s, self._p_ned))
+        self._way.append((vehicle.time_s, self._p_ned, self.resting_place()))
         self._p_ned, self._v_ned = _as_sent(_along(self._p_ned, mean_ned, dt)), _as_sent(_along(self._v_ned, u_ned, dt))
         vehicle.leads = True
 
@@ -229,13 +277,11 @@ class Separation:
         near = self._near(leads)
         if not leads and len(near.ids) == 1 and not near.intruders:
             return None
-        n, vehicle = len(near.ids), self._vehicle
-        floor = np.full((n, 3), math.inf)
-        if vehicle.ground and vehicle.mode not in _GOING_DOWN and vehicle.home_ned[2] - self._p_ned[2] > FLOOR_M:
-            floor[0, 2] = vehicle.home_ned[2] - FLOOR_M
+        n = len(near.ids)
         limits = [self._rules.vehicles[sysid] for sysid in near.ids]
         margin_m = np.full(n, LEAST_MARGIN_M)
         margin_m[0] = min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
+        low, high = self._tubes(near, margin_m)
         filtered = filter_step(
             Leaders(
                 ids=near.ids,
@@ -244,7 +290,8 @@ class Separation:
                 v_max_m_s=[one.speed_m_s for one in limits],
                 a_max_m_s2=[one.acceleration_m_s2 for one in limits],
                 margin_m=margin_m,
-                high_ned=floor,
+                low_ned=low,
+                high_ned=high,
             ),
             near.wanted_ned,
             rules=self._settings,
@@ -264,6 +311,7 @@ class Separation:
         near = _Near([self._sysid], [self._p_ned], [self._v_ned], [wanted])
         now_ms, table = self._vehicle.time_ms, self.peers
         near_m = STILL_NEAR_M if leads else self._rules.separation_m + SPARE_NEAR_M
+        unheard: list[tuple[int, _Peer]] = []
         for sysid in table.worth_looking(now_ms, self._p_ned, self._v_ned, near_m, AHEAD_NEAR_S, SILENT_S):
             if sysid == self._sysid:
                 continue
@@ -277,25 +325,35 @@ class Separation:
             place_ms, p_ned, v_ned = table.place(sysid)
             newest = (p_ned, v_ned, place_ms) if place_ms >= leader_ms else (leader_p, leader_v, leader_ms)
             peer = _Peer(newest[0], newest[1], (now_ms - newest[2]) / 1e3)
-            near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
+            if peer.stands or peer.silent_s < SILENT_S or not self._vehicle.alone(ALONE_S):
+                near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
+            else:
+                unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, peer.p_ned, peer.v_ned))))
+        self._part({sysid for sysid, _ in unheard})
+        for sysid, peer in unheard:
+            near.intruders += self._out_of_reach(sysid, peer)
         return near
 
     def _intruders(self, sysid: int, peer: _Peer, lag_s: float) -> list[Intruder]:
         """Where a peer may be of which no leader is known: one on the ground where it is, one that is received where it
-        flies, and one that is silent on its way home, if the station is silent too."""
-        name, distance_m, silent_s = f"vehicle {sysid}", self._rules.separation_m, peer.silent_s
+        flies."""
+        distance_m, silent_s = self._rules.separation_m, peer.silent_s
         if peer.stands:
-            places = [peer.p_ned]
-        elif silent_s < SILENT_S or not self._vehicle.alone(ALONE_S):
-            if silent_s > FORGOTTEN_S:
-                return []
-            lead_s = lag_s + min(silent_s, SILENT_S)
-            return [Intruder.of(name, None, peer.p_ned, peer.v_ned, lead_s, distance_m + LEAST_MARGIN_M, silent_s)]
-        else:
-            distance_m = elementary.hypot(distance_m + ASIDE_M, 0.5 * STEP_M)
-            places = self._presumed(peer, self._rules.vehicles[sysid])
+            return self._at([peer.p_ned], sysid, distance_m)
+        if silent_s > FORGOTTEN_S:
+            return []
+        lead_s = lag_s + min(silent_s, SILENT_S)
+        reach_m = distance_m + LEAST_MARGIN_M
+        return [Intruder.of(f"vehicle {sysid}", None, peer.p_ned, peer.v_ned, lead_s, reach_m, silent_s)]
+
+    def _out_of_reach(self, sysid: int, peer: _Peer) -> list[Intruder]:
+        """Where one may be that is silent on its way home, if the station is silent too."""
+        distance_m = elementary.hypot(self._rules.separation_m + ASIDE_M, 0.5 * PLACES_M)
+        return self._at(self._presumed(peer, sysid), sysid, distance_m)
+
+    def _at(self, places: list[Vec3], sysid: int, distance_m: float) -> list[Intruder]:
         return [
-            Intruder.of(name, None, place, AT_REST, 0.0, distance_m, 0.0)
+            Intruder.of(f"vehicle {sysid}", None, place, AT_REST, 0.0, distance_m, 0.0)
             for place in places
             if elementary.distance(place, self._p_ned) < STILL_NEAR_M
         ]

@@ -27,6 +27,9 @@ BRAKES_M_S2 = 4.0
 """Deceleration of a vehicle that holds."""
 MOST_LOST_S = 1.0
 """COM_OF_LOSS_T of PX4."""
+OVER_HOME_M = 1.0
+REACHED_M = 0.3
+"""Within which a vehicle is over its home, and as high as it returns."""
 AHEAD_S = 1.5
 """Time ahead for which it is looked for: a vehicle in its way needs time."""
 
@@ -110,9 +113,27 @@ def way_home(p_ned: Vec3, home_ned: Vec3, failsafe: Failsafe) -> list[Leg]:
     return [leg for leg in legs if leg[0] != leg[1]]
 
 
-def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0) -> list[Vec3]:
-    """Places on a way that are reached from one time to another, if it was begun at a third; none where it is flown by
-    then."""
+def tube(p_ned: Vec3, from_ned: Vec3, home_ned: Vec3, returning_s: float, failsafe: Failsafe) -> tuple[Vec3, Vec3]:
+    """Box of the leg that is due of a return: least and greatest n, e, d, in m, of its line.
+
+    A vehicle at p that stays in it is where peers presume it that last received it at `from_ned`; returning_s: since it
+    began to return, negative before. Two of whom neither receives the other are apart as far as their boxes are [choice].
+    """
+    top = min(from_ned[2], home_ned[2] - failsafe.altitude_m)
+    if returning_s < 0.0:
+        return from_ned, from_ned
+    up = p_ned[2] <= top + REACHED_M
+    if returning_s >= failsafe.down_after_s and elementary.distance(p_ned[:2], home_ned[:2]) <= OVER_HOME_M:
+        return (home_ned[0], home_ned[1], top), (home_ned[0], home_ned[1], math.inf)
+    if returning_s >= failsafe.level_after_s and up:
+        n, e = (sorted((from_ned[i], home_ned[i])) for i in range(2))
+        return (n[0], e[0], top), (n[1], e[1], top)
+    return (from_ned[0], from_ned[1], top), from_ned
+
+
+def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0, step_m: float = STEP_M) -> list[Vec3]:
+    """Places on a way that are reached from one time to another, if it was begun at a third, step_m apart; none where it
+    is flown by then."""
     places: list[Vec3] = []
     start_s = begun_s
     for a, b, speed_m_s, not_before_s in legs:
@@ -124,7 +145,7 @@ def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0
         low_s, high_s = max(least_s, start_s), min(most_s, end_s)
         if low_s < high_s:
             low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
-            count = math.ceil((high_m - low_m) / STEP_M) + 1
+            count = math.ceil((high_m - low_m) / step_m) + 1
             for k in range(count):
                 places.append(_between(a, b, (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m))
         start_s = end_s

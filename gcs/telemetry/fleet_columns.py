@@ -98,7 +98,7 @@ def fill(
         reported = row.received_s >= 0.0
         moded = not reported or now_s - row.received_s <= _MODE_STALE_S
         fresh = alive and age_s <= _STALE_S and moded and not doubted and not overfull
-        flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0
+        flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0 and moded
         flags[_IS_LANDED, k], flags[_IS_FLYING, k], flags[_IS_FRESH, k] = landed, flying, fresh
         figures[_AGE_S, k], figures[_GROUND_DOWN_M, k] = age_s, ground
         figures[_REMAINING_J, k], figures[_DRAWN_J, k] = left_j, one.drawn_j

@@ -198,7 +198,7 @@ _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
     """The same vehicles as columns, whose changes are not known."""
     sysids = [view.sysid for view in views]
-    flags = [(v.alive, v.mode in STEERABLE, v.flying, v.fresh, v.landed) for v in views]
+    flags = [(v.alive, v.mode_known and v.mode in STEERABLE, v.flying, v.fresh, v.landed) for v in views]
     places = [
         (_UNKNOWN, v.v_ned, _UNKNOWN) if v.p_ned is None else (v.p_ned, v.v_ned, v.p_now_ned()) for v in views
     ]  # fmt: skip

@@ -311,6 +311,7 @@ class Separation:
         near = _Near([self._sysid], [self._p_ned], [self._v_ned], [wanted])
         now_ms, table = self._vehicle.time_ms, self.peers
         near_m = STILL_NEAR_M if leads else self._rules.separation_m + SPARE_NEAR_M
+        by_plan = self._vehicle.alone(ALONE_S) or self._vehicle.returning_s() >= 0.0
         unheard: list[tuple[int, _Peer]] = []
         for sysid in table.worth_looking(now_ms, self._p_ned, self._v_ned, near_m, AHEAD_NEAR_S, SILENT_S):
             if sysid == self._sysid:
@@ -325,7 +326,7 @@ class Separation:
             place_ms, p_ned, v_ned = table.place(sysid)
             newest = (p_ned, v_ned, place_ms) if place_ms >= leader_ms else (leader_p, leader_v, leader_ms)
             peer = _Peer(newest[0], newest[1], (now_ms - newest[2]) / 1e3)
-            if peer.stands or peer.silent_s < SILENT_S or not self._vehicle.alone(ALONE_S):
+            if peer.stands or peer.silent_s < SILENT_S or not by_plan:
                 near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
             else:
                 unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, peer.p_ned, peer.v_ned))))

@@ -117,7 +117,7 @@ def tube(p_ned: Vec3, from_ned: Vec3, home_ned: Vec3, returning_s: float, failsa
     """Box of the leg that is due of a return: least and greatest n, e, d, in m, of its line.
 
     A vehicle at p that stays in it is where peers presume it that last received it at `from_ned`; returning_s: since it
-    began to return, negative before. Two of whom neither receives the other are apart as far as their boxes are [choice].
+    began to return, negative before. Two that do not receive each other are as far apart as their boxes are [choice].
     """
     top = min(from_ned[2], home_ned[2] - failsafe.altitude_m)
     if returning_s < 0.0:
@@ -132,8 +132,8 @@ def tube(p_ned: Vec3, from_ned: Vec3, home_ned: Vec3, returning_s: float, failsa
 
 
 def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0, step_m: float = STEP_M) -> list[Vec3]:
-    """Places on a way that are reached from one time to another, if it was begun at a third, step_m apart; none where it
-    is flown by then."""
+    """Places on a way that are reached from one time to another, if it was begun at a third, step_m apart; none where
+    it is flown by then."""
     places: list[Vec3] = []
     start_s = begun_s
     for a, b, speed_m_s, not_before_s in legs:

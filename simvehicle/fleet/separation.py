@@ -28,9 +28,11 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.separation_rules import SeparationRules
 from skytender import elementary
+from skytender.geometry import COLUMNS
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
-from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
+from skytender.safety.safety_constraints import PAIR, clearances
+from skytender.safety.safety_filter import BRAKE_SHARE, Filtered, FilterSettings, Leaders, filter_step
 from skytender.safety.silence import AHEAD_S, OVER_HOME_M, stretch, tube, way_home
 
 LAG_S = 0.37
@@ -60,7 +62,8 @@ GENTLE_SHARE = 0.5
 """Of its acceleration with which a leader comes to rest at a goal."""
 STANDS_M_S, STANDS_M = 0.1, 0.15
 """A peer that is slower, and lower, stands on the ground."""
-UNCHANGED_M_S2 = 1e-9
+UNCHANGED_M_S2, UNCHANGED_M = 1e-9, 1e-6
+_NOTHING_ELSE = (np.zeros((1, 8)), np.zeros((1, COLUMNS)), np.zeros((1, 6)))
 _HOLDS = frozenset({Mode.HOLD, Mode.GUIDED})
 _GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
 _EVERYWHERE = (True, True, True)
@@ -207,11 +210,6 @@ class Separation:
             then_s = self._vehicle.time_s - SILENT_S
             rest = next((rest for at_s, _, rest in self._way if at_s >= then_s), self.resting_place())
             north, east, _ = self._from_ned.get(self._sysid, rest)
-            if not self._from_ned:
-                for sysid in self._rules.vehicles:
-                    at_ms, p_ned, v_ned, _ = self.peers.leader(sysid)
-                    if at_ms >= 0:
-                        self._from_ned[sysid] = self._rest(sysid, p_ned, v_ned)
             self._from_ned[self._sysid] = (north, east, rest[2])
         self._silent |= silent
         self._vehicle.return_from(self._from_ned[self._sysid])
@@ -223,9 +221,11 @@ class Separation:
         if vehicle.ground and vehicle.mode not in _GOING_DOWN and vehicle.home_ned[2] - self._p_ned[2] > FLOOR_M:
             high[0, 2] = vehicle.home_ned[2] - FLOOR_M
         for row, sysid in enumerate(near.ids):
-            if sysid in self._from_ned and not (row == 0 and vehicle.mode is Mode.LAND):
-                member = self._rules.vehicles[sysid]
-                from_ned, now_s = self._from_ned[sysid], vehicle.returning_s()
+            if self._silent and not (row == 0 and vehicle.mode is Mode.LAND):
+                member, now_s = self._rules.vehicles[sysid], vehicle.returning_s()
+                if sysid not in self._from_ned:
+                    self._from_ned[sysid] = self._rest(sysid, near.p_ned[row], near.v_ned[row])
+                from_ned = self._from_ned[sysid]
                 box = np.array(tube(near.p_ned[row], from_ned, member.home_ned, now_s, member.failsafe))
                 wide_m = ASIDE_M + margin_m[row]
                 low[row], high[row] = box[0] - wide_m, np.minimum(high[row], box[1] + wide_m)
@@ -304,7 +304,27 @@ class Separation:
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
             self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
-        return _vec(filtered.u_ned[0].tolist())
+        return _vec((filtered.u_ned[0] if not self._silent else self._sure(near, filtered, margin_m)).tolist())
+
+    def _sure(self, near: _Near, filtered: Filtered, margin_m: NDArray[np.float64]) -> NDArray[np.float64]:
+        """As much of its acceleration as takes no more than half of the spare distance to each peer if that brakes. Peers
+        that receive others than this vehicle does may fly otherwise than it finds, and brake at any time [choice]."""
+        n, dt = len(near.ids), self._rules.period_s
+        p, v = np.array(near.p_ned), np.array(near.v_ned)
+        brake = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in near.ids])
+        u = np.array([braking(*one, b, dt) for one, b in zip(near.v_ned, brake, strict=True)])
+        pairs = np.array([(PAIR, 0, row) for row in range(1, n)], np.int64).reshape(-1, 3)
+        stops, wanted = u[0].copy(), filtered.u_ned[0]
+        required = self._rules.separation_m + margin_m[0] + margin_m[1:]
+        least = np.array([])
+        for share in (0.0, 1.0, 0.75, 0.5, 0.25):
+            u[0] = stops + share * (wanted - stops)
+            found = clearances(pairs, math.inf, p, v, u, brake, *_NOTHING_ELSE, dt, dt)[:, :2].min(axis=1)
+            if share == 0.0:
+                least = np.minimum(found, 0.5 * (found + required))
+            elif (found >= least - UNCHANGED_M).all():
+                return u[0]
+        return stops
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()

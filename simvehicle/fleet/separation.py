@@ -307,7 +307,7 @@ class Separation:
         return _vec((filtered.u_ned[0] if not self._silent else self._sure(near, filtered, margin_m)).tolist())
 
     def _sure(self, near: _Near, filtered: Filtered, margin_m: NDArray[np.float64]) -> NDArray[np.float64]:
-        """As much of its acceleration as takes no more than half of the spare distance to each peer if that brakes. Peers
+        """As much of its acceleration as takes at most half of the spare distance to each peer if that brakes. Peers
         that receive others than this vehicle does may fly otherwise than it finds, and brake at any time [choice]."""
         n, dt = len(near.ids), self._rules.period_s
         p, v = np.array(near.p_ned), np.array(near.v_ned)

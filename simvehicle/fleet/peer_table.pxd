@@ -11,6 +11,8 @@ cdef struct PeerRow:
     double[3] v
     double[3] lp  # of its leader
     double[3] lv
+    double[3] rp  # of its leader, as reported
+    double[3] rv
     double[3] wanted
 
 cdef class PeerTable:
@@ -31,3 +33,5 @@ cdef class PeerTable:
     cpdef tuple place(self, unsigned int sysid)
     @cython.locals(m='PeerRow *')
     cpdef tuple leader(self, unsigned int sysid)
+    @cython.locals(m='PeerRow *', led=cython.bint)
+    cpdef tuple newest(self, unsigned int sysid)

@@ -71,6 +71,8 @@ class PeerTable:
         peer.leader_ms = leader.time_boot_ms
         peer.lp[0], peer.lp[1], peer.lp[2] = leader.x, leader.y, leader.z
         peer.lv[0], peer.lv[1], peer.lv[2] = leader.vx, leader.vy, leader.vz
+        peer.rp[0], peer.rp[1], peer.rp[2] = leader.x, leader.y, leader.z
+        peer.rv[0], peer.rv[1], peer.rv[2] = leader.vx, leader.vy, leader.vz
         peer.wanted[0] = leader.vx + self._period_s * leader.afx
         peer.wanted[1] = leader.vy + self._period_s * leader.afy
         peer.wanted[2] = leader.vz + self._period_s * leader.afz
@@ -119,3 +121,11 @@ class PeerTable:
         m = cython.address(self._peers[sysid])
         p, v = (m.lp[0], m.lp[1], m.lp[2]), (m.lv[0], m.lv[1], m.lv[2])
         return m.leader_ms, p, v, (m.wanted[0], m.wanted[1], m.wanted[2])
+
+    def newest(self, sysid: int) -> tuple[Vec3, Vec3]:
+        """Place and velocity as last reported: of a peer's leader if it has had one within the last second."""
+        m = cython.address(self._peers[sysid])
+        led = m.leader_ms >= 0 and m.leader_ms > m.place_ms - 1000
+        if led:
+            return (m.rp[0], m.rp[1], m.rp[2]), (m.rv[0], m.rv[1], m.rv[2])
+        return (m.p[0], m.p[1], m.p[2]), (m.v[0], m.v[1], m.v[2])

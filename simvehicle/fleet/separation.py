@@ -27,12 +27,11 @@ from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.separation_rules import SeparationRules
+from simvehicle.fleet.spare_distance import sure_acceleration
 from skytender import elementary
-from skytender.geometry import COLUMNS
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
-from skytender.safety.safety_constraints import PAIR, clearances
-from skytender.safety.safety_filter import BRAKE_SHARE, Filtered, FilterSettings, Leaders, filter_step
+from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
 from skytender.safety.silence import AHEAD_S, OVER_HOME_M, stretch, tube, way_home
 
 LAG_S = 0.37
@@ -45,6 +44,8 @@ PREDICTED_S = 0.35
 SILENT_S, FORGOTTEN_S = 1.0, 10.0
 """[choice] A peer of which nothing has come for so long is silent; while the station leads it, it is no longer where it
 was after the second time."""
+PARTED_S = 0.5
+"""[choice] The same while the station is silent too."""
 LATE_S = 2.0
 """[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
 STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
@@ -62,8 +63,7 @@ GENTLE_SHARE = 0.5
 """Of its acceleration with which a leader comes to rest at a goal."""
 STANDS_M_S, STANDS_M = 0.1, 0.15
 """A peer that is slower, and lower, stands on the ground."""
-UNCHANGED_M_S2, UNCHANGED_M = 1e-9, 1e-6
-_NOTHING_ELSE = (np.zeros((1, 8)), np.zeros((1, COLUMNS)), np.zeros((1, 6)))
+UNCHANGED_M_S2 = 1e-9
 _HOLDS = frozenset({Mode.HOLD, Mode.GUIDED})
 _GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
 _EVERYWHERE = (True, True, True)
@@ -106,9 +106,11 @@ class Separation:
         self._p_ned: Vec3 = AT_REST
         self._v_ned: Vec3 = AT_REST
         self._wanted_ned: Vec3 | None = None
-        self._way: deque[tuple[float, Vec3, Vec3]] = deque(maxlen=16)
+        self._way: deque[tuple[float, Vec3]] = deque(maxlen=16)
         self._silent: set[int] = set()
+        self._waits = False
         self._from_ned: dict[int, Vec3] = {}
+        self._higher: dict[int, bool] = {}
         self._error_m = 0.0
         own = rules.vehicles[sysid]
         self.plan, self.home_ned = own.failsafe, own.home_ned
@@ -166,28 +168,28 @@ class Separation:
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
 
     def _presumed(self, peer: _Peer, sysid: int) -> list[Vec3]:
-        """Where a silent peer may be that returns by the timetable, as this vehicle does: at the place where it was,
-        and on the leg that is due, from its beginning to where it can have come. Of two that would climb through each
-        other's columns the higher one goes first, and the lower one waits."""
+        """Where a silent peer may be that returns by the timetable, as this vehicle does: where it came to rest, if it
+        braked within PARTED_S of its last report, and on the leg that is due, from its beginning to where it can have
+        come. Of two that would climb through each other's columns the higher goes first, and the lower waits."""
         here, member = peer.p_ned, self._rules.vehicles[sysid]
+        count = math.ceil(PARTED_S * elementary.norm(peer.v_ned) / PLACES_M)
+        rests = [_along(here, peer.v_ned, PARTED_S * k / max(count, 1)) for k in range(count + 1)]
         now_s, plan = max(self._vehicle.returning_s(), 0.0), member.failsafe
         begun_s = max(now_s - peer.silent_s, 0.0)
         if begun_s > plan.down_after_s and elementary.distance(here[:2], member.home_ned[:2]) > OVER_HOME_M:
-            return [here]
+            return rests
         due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
-        own = self._from_ned.get(self._sysid, self._p_ned)
+        own = self._from_ned[self._sysid]
         beside_m = self._rules.separation_m + 4.0 * ASIDE_M
-        if (
-            due_s == 0.0
-            and elementary.distance(own[:2], here[:2]) < beside_m
-            and (own[2], -self._sysid) < (here[2], -sysid)
-        ):
-            return [here]
+        if due_s == 0.0 and elementary.distance(own[:2], here[:2]) < beside_m:
+            if self._higher.setdefault(sysid, (own[2], -self._sysid) < (here[2], -sysid)):
+                return rests
+            self._waits = True
         legs = way_home(here, member.home_ned, plan)
         places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s, PLACES_M)
         if now_s > plan.again_after_s:
             return places or [member.home_ned]
-        return [here, *places]
+        return [*rests, *places]
 
     def resting_place(self) -> Vec3:
         """Place where the leader stands if it brakes now."""
@@ -200,17 +202,19 @@ class Separation:
         brake_m_s2 = BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2
         return _along(p_ned, v_ned, stop_way(speed_m_s, brake_m_s2, self._rules.period_s) / speed_m_s)
 
+    def _by_plan(self) -> bool:
+        """Whether no station keeps others away from it."""
+        return self._vehicle.alone(ALONE_S) or self._vehicle.returning_s() >= 0.0
+
     def _part(self, silent: set[int]) -> None:
-        """Stay, while peers are silent, where they presume this vehicle: on the way home from where it was when they
-        were last received, as it presumes them, and all those that it receives."""
+        """Stay, while peers are silent, where they presume this vehicle, as it presumes them, and all those that it
+        receives: on the way home from where it came to rest."""
+        self._waits = False
         if not silent:
-            self._silent, self._from_ned = set(), {}
+            self._silent, self._from_ned, self._higher = set(), {}, {}
             return
-        if silent - self._silent:
-            then_s = self._vehicle.time_s - SILENT_S
-            rest = next((rest for at_s, _, rest in self._way if at_s >= then_s), self.resting_place())
-            north, east, _ = self._from_ned.get(self._sysid, rest)
-            self._from_ned[self._sysid] = (north, east, rest[2])
+        if self._sysid not in self._from_ned:
+            self._from_ned[self._sysid] = self.resting_place()
         self._silent |= silent
         self._vehicle.return_from(self._from_ned[self._sysid])
 
@@ -222,7 +226,8 @@ class Separation:
             high[0, 2] = vehicle.home_ned[2] - FLOOR_M
         for row, sysid in enumerate(near.ids):
             if self._silent and not (row == 0 and vehicle.mode is Mode.LAND):
-                member, now_s = self._rules.vehicles[sysid], vehicle.returning_s()
+                member = self._rules.vehicles[sysid]
+                now_s = -1.0 if row == 0 and self._waits else vehicle.returning_s()
                 if sysid not in self._from_ned:
                     self._from_ned[sysid] = self._rest(sysid, near.p_ned[row], near.v_ned[row])
                 from_ned = self._from_ned[sysid]
@@ -240,7 +245,7 @@ class Separation:
         then_s = now_s - LAG_S
         self._error_m *= elementary.exp(-self._rules.period_s / DECAY_S)
         if self._way and self._way[0][0] <= then_s:
-            for (a_s, a, _), (b_s, b, _) in zip(self._way, list(self._way)[1:], strict=False):
+            for (a_s, a), (b_s, b) in zip(self._way, list(self._way)[1:], strict=False):
                 if a_s <= then_s <= b_s:
                     error_m = elementary.distance(here, _along(a, _minus(b, a), (then_s - a_s) / (b_s - a_s)))
                     self._error_m = max(self._error_m, error_m)
@@ -254,13 +259,15 @@ class Separation:
         mean_ned = _along(self._v_ned, u_ned, 0.5 * dt)
         fastest = max(elementary.norm(mean_ned), vehicle.parameters["MPC_XY_VEL_MAX"])
         self.target = ManeuverTarget(self._p_ned, mean_ned, _EVERYWHERE, vehicle.time_s, fastest)
-        self._way.append((vehicle.time_s, self._p_ned, self.resting_place()))
+        self._way.append((vehicle.time_s, self._p_ned))
         self._p_ned, self._v_ned = _as_sent(_along(self._p_ned, mean_ned, dt)), _as_sent(_along(self._v_ned, u_ned, dt))
         vehicle.leads = True
 
     def _wanted(self) -> Vec3:
         """Velocity towards what the mode wants, slow enough to come to rest there."""
         target, now_s = self._vehicle.mode_target(), self._vehicle.time_s
+        if self._waits:
+            target = target._replace(p_ned=self._from_ned[self._sysid])
         ahead_s = now_s - target.time_s
         away = [
             target.p_ned[i] + ahead_s * target.v_ned[i] - self._p_ned[i] if target.use_position[i] else 0.0
@@ -304,36 +311,22 @@ class Separation:
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
             self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
-        return _vec((filtered.u_ned[0] if not self._silent else self._sure(near, filtered, margin_m)).tolist())
-
-    def _sure(self, near: _Near, filtered: Filtered, margin_m: NDArray[np.float64]) -> NDArray[np.float64]:
-        """As much of its acceleration as takes at most half of the spare distance to each peer if that brakes. Peers
-        that receive others than this vehicle does may fly otherwise than it finds, and brake at any time [choice]."""
-        n, dt = len(near.ids), self._rules.period_s
-        p, v = np.array(near.p_ned), np.array(near.v_ned)
-        brake = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in near.ids])
-        u = np.array([braking(*one, b, dt) for one, b in zip(near.v_ned, brake, strict=True)])
-        pairs = np.array([(PAIR, 0, row) for row in range(1, n)], np.int64).reshape(-1, 3)
-        stops, wanted = u[0].copy(), filtered.u_ned[0]
-        required = self._rules.separation_m + margin_m[0] + margin_m[1:]
-        least = np.array([])
-        for share in (0.0, 1.0, 0.75, 0.5, 0.25):
-            u[0] = stops + share * (wanted - stops)
-            found = clearances(pairs, math.inf, p, v, u, brake, *_NOTHING_ELSE, dt, dt)[:, :2].min(axis=1)
-            if share == 0.0:
-                least = np.minimum(found, 0.5 * (found + required))
-            elif (found >= least - UNCHANGED_M).all():
-                return u[0]
-        return stops
+        if not self._by_plan() or n == 1:
+            return _vec(filtered.u_ned[0].tolist())
+        brake_m_s2 = np.array([BRAKE_SHARE * one.acceleration_m_s2 for one in limits])
+        required_m = self._rules.separation_m + margin_m[0] + margin_m[1:]
+        return sure_acceleration(
+            filtered.u_ned[0], np.array(near.p_ned), np.array(near.v_ned), brake_m_s2, required_m, self._rules.period_s
+        )
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
         near = _Near([self._sysid], [self._p_ned], [self._v_ned], [wanted])
         now_ms, table = self._vehicle.time_ms, self.peers
         near_m = STILL_NEAR_M if leads else self._rules.separation_m + SPARE_NEAR_M
-        by_plan = self._vehicle.alone(ALONE_S) or self._vehicle.returning_s() >= 0.0
-        unheard: list[tuple[int, _Peer]] = []
-        for sysid in table.worth_looking(now_ms, self._p_ned, self._v_ned, near_m, AHEAD_NEAR_S, SILENT_S):
+        by_plan = self._by_plan()
+        parted_s, unheard = PARTED_S if by_plan else SILENT_S, list[tuple[int, _Peer]]()
+        for sysid in table.worth_looking(now_ms, self._p_ned, self._v_ned, near_m, AHEAD_NEAR_S, parted_s):
             if sysid == self._sysid:
                 continue
             leader_ms, leader_p, leader_v, wanted_ned = table.leader(sysid)
@@ -346,10 +339,11 @@ class Separation:
             place_ms, p_ned, v_ned = table.place(sysid)
             newest = (p_ned, v_ned, place_ms) if place_ms >= leader_ms else (leader_p, leader_v, leader_ms)
             peer = _Peer(newest[0], newest[1], (now_ms - newest[2]) / 1e3)
-            if peer.stands or peer.silent_s < SILENT_S or not by_plan:
+            if peer.stands or peer.silent_s < parted_s or not by_plan:
                 near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
             else:
-                unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, peer.p_ned, peer.v_ned))))
+                p_ned, v_ned = table.newest(sysid)
+                unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, p_ned, v_ned), v_ned=v_ned)))
         self._part({sysid for sysid, _ in unheard})
         for sysid, peer in unheard:
             near.intruders += self._out_of_reach(sysid, peer)

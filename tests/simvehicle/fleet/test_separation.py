@@ -61,19 +61,24 @@ def rules_of(homes: dict[int, Vec3], heights_m: dict[int, float], **changed: Any
 class Swarm:
     """Vehicles, each with its services, and a radio between them that `passes` decides about: (sender, reader, s)."""
 
-    def __init__(self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio) -> None:
+    def __init__(self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio, *, up: bool = False) -> None:
+        """`up`: they hover at their starts, over homes that are elsewhere."""
         self.passes = passes
         self.vehicles, self._services, self._connections = {}, {}, {}
         self._sent: dict[int, list[ReceivedFrame]] = {}
         self.least_m = math.inf
         for sysid, start in starts.items():
             parameters = Parameters({"RTL_RETURN_ALT": rules.vehicles[sysid].failsafe.altitude_m})
-            vehicle = self.vehicles[sysid] = Vehicle(IDENTITIES["px4"], parameters, FRAME, Start(start))
+            vehicle = self.vehicles[sysid] = Vehicle(IDENTITIES["px4"], parameters, FRAME, Start(start, airborne=up))
             vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, sysid, rules)
             connection = self._connections[sysid] = Connection(sysid)
             self._services[sysid] = Services(vehicle, sysid, [connection])
             vehicle.set_clock(0, 0)
             vehicle.receive_gcs_heartbeat()
+            if up:
+                vehicle.home_ned = rules.vehicles[sysid].home_ned
+                vehicle.trigger(Trigger.HOLD)
+                continue
             vehicle.trigger(Trigger.ARM)
             vehicle.take_off(3.0)
 
@@ -144,6 +149,28 @@ def test_a_third_of_all_reports_may_be_lost() -> None:
 def test_at_heights_of_their_own_they_keep_apart_though_nothing_is_received_any_more() -> None:
     swarm = returned(8, {sysid: 5.0 + 1.2 * sysid for sysid in range(1, 9)}, lambda _s, _r, now_s: now_s < 6.0)
     assert swarm.least_m >= SEPARATION_M
+
+
+@pytest.mark.parametrize("loss", [0.0, 0.3])
+@pytest.mark.parametrize("from_s", [1.0, 6.5])
+def test_two_groups_that_do_not_receive_each_other_keep_apart(from_s: float, loss: float) -> None:
+    """Two stacks in which the lowest returns highest, so that each has to pass others, of its own group and of the
+    other, when the radio parts them: before they set out, or while they pass."""
+    places = {3 * k + i + 1: (9.0, 1.5 * k, -2.5 - 1.4 * i) for k in range(2) for i in range(3)}
+    homes = {sysid: (2.0 * (sysid // 3), 2.0 * (sysid % 3), 0.0) for sysid in places}
+    heights_m = {sysid: 9.0 + 1.2 * (2 * (2 - (sysid - 1) % 3) + (sysid - 1) // 3) for sysid in places}
+    rng = np.random.default_rng(5)
+    group = {1: 0, 2: 1, 3: 0, 4: 1, 5: 1, 6: 0}
+
+    def passes(sender: int, reader: int, now_s: float) -> bool:
+        parted = from_s <= now_s < 40.0 and group[sender] != group[reader]
+        return not parted and rng.random() >= loss
+
+    swarm = Swarm(places, rules_of(homes, heights_m), passes, up=True)
+    swarm.fly(80.0)
+    assert swarm.least_m >= SEPARATION_M
+    for sysid, vehicle in swarm.vehicles.items():
+        assert math.dist(vehicle.p_ned[:2], homes[sysid][:2]) < 0.6
 
 
 def test_they_do_not_without_either() -> None:

@@ -32,7 +32,7 @@ from skytender import elementary
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
-from skytender.safety.silence import AHEAD_S, OVER_HOME_M, stretch, tube, way_home
+from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, stretch, tube, way_home
 
 LAG_S = 0.37
 """A vehicle flies so long behind its leader (docs/model.md#guidance)."""
@@ -53,9 +53,8 @@ STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
 and a lag, is not looked at: of a vehicle with a leader, whose filter foresees peers that others turn, and of one
 without."""
 LEAST_MARGIN_M, MOST_MARGIN_M, SPARE_M, DECAY_S = 0.1, 1.5, 0.05, 5.0
-ASIDE_M, PLACES_M = 0.15, 0.3
-"""[choice] Distance from its way home that a vehicle keeps within while a peer is silent; between two presumed places
-of a peer."""
+ASIDE_M = 0.15
+"""[choice] Distance from its way home that a vehicle keeps within while a peer is silent."""
 OFF_LEADER_M = 2.0
 FLOOR_M = 0.3
 ARRIVES_S = 0.5
@@ -172,7 +171,7 @@ class Separation:
         braked within PARTED_S of its last report, and on the leg that is due, from its beginning to where it can have
         come. Of two that would climb through each other's columns the higher goes first, and the lower waits."""
         here, member = peer.p_ned, self._rules.vehicles[sysid]
-        count = math.ceil(PARTED_S * elementary.norm(peer.v_ned) / PLACES_M)
+        count = math.ceil(PARTED_S * elementary.norm(peer.v_ned) / STEP_M)
         rests = [_along(here, peer.v_ned, PARTED_S * k / max(count, 1)) for k in range(count + 1)]
         now_s, plan = max(self._vehicle.returning_s(), 0.0), member.failsafe
         begun_s = max(now_s - peer.silent_s, 0.0)
@@ -186,7 +185,7 @@ class Separation:
                 return rests
             self._waits = True
         legs = way_home(here, member.home_ned, plan)
-        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s, PLACES_M)
+        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s)
         if now_s > plan.again_after_s:
             return places or [member.home_ned]
         return [*rests, *places]
@@ -315,9 +314,8 @@ class Separation:
             return _vec(filtered.u_ned[0].tolist())
         brake_m_s2 = np.array([BRAKE_SHARE * one.acceleration_m_s2 for one in limits])
         required_m = self._rules.separation_m + margin_m[0] + margin_m[1:]
-        return sure_acceleration(
-            filtered.u_ned[0], np.array(near.p_ned), np.array(near.v_ned), brake_m_s2, required_m, self._rules.period_s
-        )
+        p_ned, v_ned = np.array(near.p_ned), np.array(near.v_ned)
+        return sure_acceleration(filtered.u_ned[0], p_ned, v_ned, brake_m_s2, required_m, self._rules.period_s)
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
@@ -363,7 +361,7 @@ class Separation:
 
     def _out_of_reach(self, sysid: int, peer: _Peer) -> list[Intruder]:
         """Where one may be that is silent on its way home, if the station is silent too."""
-        distance_m = elementary.hypot(self._rules.separation_m + ASIDE_M, 0.5 * PLACES_M)
+        distance_m = elementary.hypot(self._rules.separation_m + ASIDE_M, 0.5 * STEP_M)
         return self._at(self._presumed(peer, sysid), sysid, distance_m)
 
     def _at(self, places: list[Vec3], sysid: int, distance_m: float) -> list[Intruder]:

@@ -11,8 +11,6 @@ Both halves together leave D. u_b always satisfies it, so that there is always a
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from simvehicle.autopilot.vectors import Vec3
@@ -22,7 +20,8 @@ from skytender.safety.safety_constraints import PAIR, clearances
 
 SHARES = (1.0, 0.75, 0.5, 0.25)
 """Looked at, of the way from braking to the acceleration that is wanted."""
-UNCHANGED_M = 1e-6
+UNCHANGED_M, ENOUGH_M = 1e-6, 3.0
+"""Beyond D from which a distance is not looked at: no period takes as much as half of it."""
 _NOTHING_ELSE = (np.zeros((1, 8)), np.zeros((1, COLUMNS)), np.zeros((1, 6)))
 
 
@@ -33,23 +32,29 @@ def sure_acceleration(
 
     required_m (n - 1,): D to each of the others; dt: the coming period.
     """
-    n = len(p_ned)
+    n, enough_m = len(p_ned), float(required_m.max()) + ENOUGH_M
     pairs = np.array([(PAIR, 0, row) for row in range(1, n)], np.int64).reshape(-1, 3)
     rows = zip(v_ned.tolist(), brake_m_s2.tolist(), strict=True)
     u = np.array([braking(v[0], v[1], v[2], brake, dt) for v, brake in rows])
     stops = u[0].copy()
-    braked_m = _least(pairs, p_ned, v_ned, u, brake_m_s2, dt)
+    braked_m = _least(pairs, enough_m, p_ned, v_ned, u, brake_m_s2, dt)
     least_m = np.minimum(braked_m, 0.5 * (braked_m + required_m)) - UNCHANGED_M
     for share in SHARES:
         u[0] = stops + share * (u_ned - stops)
-        if (_least(pairs, p_ned, v_ned, u, brake_m_s2, dt) >= least_m).all():
+        if (_least(pairs, enough_m, p_ned, v_ned, u, brake_m_s2, dt) >= least_m).all():
             return float(u[0, 0]), float(u[0, 1]), float(u[0, 2])
     return float(stops[0]), float(stops[1]), float(stops[2])
 
 
 def _least(
-    pairs: IntArray, p_ned: FloatArray, v_ned: FloatArray, u_ned: FloatArray, brake_m_s2: FloatArray, dt: float
+    pairs: IntArray,
+    enough_m: float,
+    p_ned: FloatArray,
+    v_ned: FloatArray,
+    u_ned: FloatArray,
+    brake_m_s2: FloatArray,
+    dt: float,
 ) -> FloatArray:
     """Clearance of each pair, m."""
-    found: FloatArray = clearances(pairs, math.inf, p_ned, v_ned, u_ned, brake_m_s2, *_NOTHING_ELSE, dt, dt)
+    found: FloatArray = clearances(pairs, enough_m, p_ned, v_ned, u_ned, brake_m_s2, *_NOTHING_ELSE, dt, dt)
     return found[:, :2].min(axis=1)

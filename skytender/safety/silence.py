@@ -131,9 +131,9 @@ def tube(p_ned: Vec3, from_ned: Vec3, home_ned: Vec3, returning_s: float, failsa
     return (from_ned[0], from_ned[1], top), from_ned
 
 
-def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0, step_m: float = STEP_M) -> list[Vec3]:
-    """Places on a way that are reached from one time to another, if it was begun at a third, step_m apart; none where
-    it is flown by then."""
+def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0) -> list[Vec3]:
+    """Places on a way that are reached from one time to another, if it was begun at a third; none where it is flown by
+    then."""
     places: list[Vec3] = []
     start_s = begun_s
     for a, b, speed_m_s, not_before_s in legs:
@@ -145,7 +145,7 @@ def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0
         low_s, high_s = max(least_s, start_s), min(most_s, end_s)
         if low_s < high_s:
             low_m, high_m = (low_s - start_s) * speed_m_s, (high_s - start_s) * speed_m_s
-            count = math.ceil((high_m - low_m) / step_m) + 1
+            count = math.ceil((high_m - low_m) / STEP_M) + 1
             for k in range(count):
                 places.append(_between(a, b, (low_m + (high_m - low_m) * k / max(count - 1, 1)) / length_m))
         start_s = end_s

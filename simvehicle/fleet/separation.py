@@ -90,6 +90,8 @@ class _Near:
     v_ned: list[Vec3]
     wanted_ned: list[Vec3]
     intruders: list[Intruder] = field(default_factory=list)
+    unled: list[int] = field(default_factory=list)
+    """ids of peers in flight that are received, without a leader of their own"""
 
 
 class Separation:
@@ -310,12 +312,22 @@ class Separation:
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
             self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
-        if not self._by_plan() or n == 1:
+        ids, p_ned, v_ned = list(near.ids), list(near.p_ned), list(near.v_ned)
+        if self._by_plan() and not self._vehicle.alone(
+            ALONE_S
+        ):  # then each may be steered at any time, from where it is, not its leader
+            for sysid in (*near.ids[1:], *near.unled):
+                place_ms, p_now_ned, v_now_ned = self.peers.place(sysid)
+                age_s = (self._vehicle.time_ms - place_ms) / 1e3
+                ids.append(sysid)
+                p_ned.append(_along(p_now_ned, v_now_ned, age_s))
+                v_ned.append(v_now_ned)
+        if not self._by_plan() or len(ids) == 1:
             return _vec(filtered.u_ned[0].tolist())
-        brake_m_s2 = np.array([BRAKE_SHARE * one.acceleration_m_s2 for one in limits])
-        required_m = self._rules.separation_m + margin_m[0] + margin_m[1:]
-        p_ned, v_ned = np.array(near.p_ned), np.array(near.v_ned)
-        return sure_acceleration(filtered.u_ned[0], p_ned, v_ned, brake_m_s2, required_m, self._rules.period_s)
+        brake_m_s2 = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
+        required_m = np.full(len(ids) - 1, self._rules.separation_m + margin_m[0] + LEAST_MARGIN_M)
+        asked, dt = filtered.u_ned[0], self._rules.period_s
+        return sure_acceleration(asked, np.array(p_ned), np.array(v_ned), brake_m_s2, required_m, dt)
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
@@ -339,6 +351,7 @@ class Separation:
             peer = _Peer(newest[0], newest[1], (now_ms - newest[2]) / 1e3)
             if peer.stands or peer.silent_s < parted_s or not by_plan:
                 near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
+                near.unled += [sysid] if by_plan and not peer.stands else []
             else:
                 p_ned, v_ned = table.newest(sysid)
                 unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, p_ned, v_ned), v_ned=v_ned)))

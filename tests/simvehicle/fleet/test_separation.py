@@ -17,7 +17,7 @@ from pymavlink.dialects.v20 import common
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
-from simvehicle.autopilot.maneuvers import OffboardSetPoint
+from simvehicle.autopilot.maneuvers import AT_REST, OffboardSetPoint
 from simvehicle.autopilot.modes import Mode, Trigger
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vectors import Vec3
@@ -195,6 +195,35 @@ def test_a_vehicle_whose_set_points_stay_away_brakes_as_the_filter_presumes() ->
     assert vehicle.mode is Mode.HOLD
     assert vehicle.p_ned[0] == pytest.approx(0.3 * 30 + 3.0**2 / (2 * 0.8 * 4.0), abs=0.1)
     assert math.hypot(*vehicle.v_ned) < 0.01
+
+
+def test_one_that_returns_counts_on_no_leader_of_one_that_the_station_steers_again() -> None:
+    """Two climb on their return, one below the other, when the station comes back. It brakes the upper one by 0.8 of
+    4 m/s² from its speed: a metre before the stop of the leader that it has reported."""
+    places = {1: (6.0, 0.0, -3.8), 2: (6.0, 0.0, -2.45)}
+    homes = {sysid: (0.0, 2.0 * sysid, 0.0) for sysid in places}
+    swarm = Swarm(places, rules_of(homes, {1: 14.0, 2: 12.6}), lambda *_: True, up=True)
+    upper, lower = swarm.vehicles[1], swarm.vehicles[2]
+    begun: list[tuple[float, float]] = []
+
+    def station(now_s: float) -> None:
+        if upper.v_ned[2] > -0.6 and not begun:
+            return
+        for vehicle in (upper, lower):
+            vehicle.receive_gcs_heartbeat()
+        if upper.v_ned[2] > -1.6 and not begun:
+            return
+        begun.append((now_s, upper.v_ned[2]))
+        since_s, v_m_s = begun[0]
+        v_ned = (0.0, 0.0, min(v_m_s + 3.2 * (now_s - since_s), 0.0))
+        upper.set_point(OffboardSetPoint(AT_REST, v_ned, (False,) * 3, None, now_s))
+        upper.station_leads = True
+        upper.trigger(Trigger.OFFBOARD)
+
+    swarm.fly(50.0, station)
+    assert begun
+    assert upper.mode is Mode.OFFBOARD
+    assert swarm.least_m >= SEPARATION_M
 
 
 def test_set_points_of_a_pilot_leave_it_to_the_pilot() -> None:

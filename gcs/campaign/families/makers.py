@@ -37,6 +37,7 @@ from gcs.campaign.families.parts import (
 from gcs.campaign.families.silence import silence
 from gcs.campaign.families.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.families.tight import tight
+from gcs.campaign.families.turning import turning
 from skytender import elementary, elementwise
 from skytender import geometry as shapes
 
@@ -375,6 +376,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "tight": tight,
     "silence": silence,
     "accuracy": accuracy,
+    "turning": turning,
 }
 FAMILIES = tuple(_MAKERS)
 """Names that `family` knows."""

@@ -12,7 +12,7 @@ ctypedef (double, double, double, double, double, double) Clearance
 cpdef (double, double, double) braking(double vn, double ve, double vd, double brake, double dt) noexcept nogil
 cpdef double stop_distance(double speed, double brake, double dt) noexcept nogil
 cpdef double stop_way(double speed, double brake, double dt) noexcept nogil
-cdef Clearance _period(
+cdef Clearance period_bound(
     double an, double ae, double ad, double bn, double be, double bd, double cn, double ce, double cd, double span,
     double growth) noexcept nogil
 cdef double _least(double a, double b, double c, double span) noexcept nogil

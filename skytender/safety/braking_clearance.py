@@ -57,7 +57,7 @@ def stop_way(speed: float, brake: float, dt: float) -> float:
     return (speed * speed - rest * rest) / (2.0 * brake) + 0.5 * rest * dt
 
 
-def _period(
+def period_bound(
     an: float, ae: float, ad: float, bn: float, be: float, bd: float, cn: float, ce: float, cd: float,
     span: float, growth: float,
 ) -> Any:  # fmt: skip
@@ -105,7 +105,7 @@ def pair_clearance(m: Any, i: int, j: int, dt: float, enough: float) -> Any:
     while True:
         an, ae, ad = uin - ujn, uie - uje, uid - ujd
         bn, be, bd = vin - vjn, vie - vje, vid - vjd
-        bound, _, at, dn, de, dd = _period(xn, xe, xd, bn, be, bd, an, ae, ad, dt, 0.0)
+        bound, _, at, dn, de, dd = period_bound(xn, xe, xd, bn, be, bd, an, ae, ad, dt, 0.0)
         if t < 0.0:
             first = min(bound, enough)
         elif bound < after:
@@ -143,7 +143,7 @@ def other_clearance(m: Any, i: int, other: Any, dt: float, horizon: float, enoug
     while True:
         stands = t >= 0.0 and un == 0.0 and ue == 0.0 and ud == 0.0
         span = max(horizon - t, dt) if stands else dt
-        bound, _, at, dn, de, dd = _period(xn, xe, xd, vn - wn, ve - we, vd - wd, un, ue, ud, span, growth)
+        bound, _, at, dn, de, dd = period_bound(xn, xe, xd, vn - wn, ve - we, vd - wd, un, ue, ud, span, growth)
         bound -= growth * (t + dt)
         if t < 0.0:
             first = min(bound, enough)

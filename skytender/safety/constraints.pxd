@@ -2,17 +2,19 @@
 
 from skytender.geometry cimport Shape
 
-cdef struct Moves:  # of n vehicles: places, velocities and accelerations of the coming period (n, 3), brakes (n,)
+cdef struct Moves:  # of n vehicles: places, velocities and accelerations of the coming period (n, 3), brakes and limits of speed (n,)
     const double* p
     const double* v
     const double* u
     const double* brake
+    const double* v_max
 
-cdef struct Other:  # that gives no way; a row of 8
+cdef struct Other:  # that gives no way; a row of 9
     double[3] p
     double[3] v
     double radius
     double growth
+    double agile
 
 cdef struct Surroundings:  # what vehicles keep away from
     const Other* others
@@ -30,6 +32,7 @@ cdef struct Constraint:
     double target  # aimed at, m
     double least  # kept whatever is wanted, m
     double required  # m
+    double[3] leave  # direction in which a vehicle leaves what turns; zero: straight away from it
     long long kind
     long long i  # the vehicle
     long long j  # with what
@@ -90,6 +93,8 @@ cdef struct Leader:  # what is found out of one
     double[6] corrected  # by both balls of the projection
     double v_top
     double share  # of its wanted velocity that cannot be had
+    double leaves  # share of its wish that is leaving what turns
+    double[3] leave
     double pull  # of the constraint that binds it most
     long long group  # of those that near constraints join
     long long cause  # constraint that turned or braked it; -1: none

@@ -27,6 +27,7 @@ class Intruder:
     v_ned: NDArray[np.float64]
     radius_m: float
     growth_m_s: float
+    agile_m_s: float = 0.0
 
     @classmethod
     def of(
@@ -45,6 +46,12 @@ class Intruder:
         growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
         return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
 
+    @classmethod
+    def turning(cls, name: str, p_ned: ArrayLike, speed_m_s: float, lead_s: float, radius_m: float) -> Intruder:
+        """One that may have turned any way since it was at a place `lead_s` ago, and may turn again at any time."""
+        place = np.array(p_ned)
+        return cls(name, None, place, np.zeros(3), radius_m + speed_m_s * lead_s, 0.0, speed_m_s)
+
 
 def table_of(intruders: Sequence[Intruder]) -> Others:
     """As the filter takes them."""
@@ -55,4 +62,5 @@ def table_of(intruders: Sequence[Intruder]) -> Others:
         np.array([one.v_ned for one in intruders]),
         np.array([one.radius_m for one in intruders]),
         np.array([one.growth_m_s for one in intruders]),
+        np.array([one.agile_m_s for one in intruders]),
     )

@@ -11,7 +11,7 @@ cdef int find_constraints(const Near* near, double* reach, Box* boxes, Constrain
     i=Py_ssize_t, j=Py_ssize_t, k=Py_ssize_t, at=Py_ssize_t, begin=Py_ssize_t, end=Py_ssize_t, first=Py_ssize_t,
     farthest=double, most_reach=double, most_margin=double)
 cdef int _find_pairs(const Near* near, const double* reach, Box* boxes, Constraints* found) except -1 nogil
-@cython.locals(i=Py_ssize_t, j=Py_ssize_t)
+@cython.locals(i=Py_ssize_t, j=Py_ssize_t, far=double, closing=double)
 cdef int _find_others(const Near* near, const double* reach, Constraints* found) except -1 nogil
 @cython.locals(
     i=Py_ssize_t, at=Py_ssize_t, begin=Py_ssize_t, end=Py_ssize_t, first=Py_ssize_t, widest=double, d=double)

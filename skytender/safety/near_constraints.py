@@ -14,7 +14,7 @@ from cython.cimports.libc.stdlib import qsort, realloc
 from cython.cimports.libc.string import memset
 from cython.cimports.skytender.geometry import WALL, write_bounds
 from cython.cimports.skytender.safety.constraints import Box, Constraint
-from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE
+from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, REACH
 
 _ROOM = 256
 _ROUNDING_M = 1e-6
@@ -77,9 +77,13 @@ def _find_others(near: Any, reach: Any, found: Any) -> int:
             d = _of_pair(near.singles, near.singles_count, i, j, usual)
             speed = sqrt(other.v[0] ** 2 + other.v[1] ** 2 + other.v[2] ** 2)
             far = speed * ahead + max(usual, d) + other.growth * ahead
+            if other.agile > 0.0:
+                v = near.v + 3 * i
+                closing = other.agile + sqrt(v[0] ** 2 + v[1] ** 2 + v[2] ** 2) + near.a_max[i] * near.dt
+                far = max(usual, d) + other.agile * near.dt + closing**2 / (2.0 * near.brake[i])
             # None of 0: a distance of 0 is one that a braking leader would have to keep too.
             if d > 0.0 and _distance(near.p + 3 * i, other.p) <= reach[i] + far:
-                _put(found, OTHER, i, j, d)
+                _put(found, REACH if other.agile > 0.0 else OTHER, i, j, d)
     return 0
 
 

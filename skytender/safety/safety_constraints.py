@@ -22,7 +22,8 @@ from cython.cimports.skytender.safety.braking_clearance import (
     shape_clearance,
 )
 from cython.cimports.skytender.safety.constraints import Constraint, Moves, Other, Surroundings
-from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR
+from cython.cimports.skytender.safety.leaving import reach_clearance
+from cython.cimports.skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, REACH
 
 from skytender.safety.braking_clearance import FloatArray, IntArray
 
@@ -38,6 +39,9 @@ def clearance_of(c: Any, enough: float, m: Any, around: Any) -> Any:
         return pair_clearance(m, c.i, c.j, around.dt, enough)
     if c.kind == OTHER:
         return other_clearance(m, c.i, cython.address(around.others[c.j]), around.dt, around.horizon, enough)
+    if c.kind == REACH:
+        other = cython.address(around.others[c.j])
+        return reach_clearance(m, c.i, other, c.leave, around.dt, around.horizon, enough)
     if c.kind == OBSTACLE:
         return shape_clearance(m, c.i, cython.address(around.shapes[c.j]), around.dt, enough)
     return plane_clearance(m, c.i, c.j, around.walls[6 * c.i + c.j], around.dt)
@@ -45,15 +49,16 @@ def clearance_of(c: Any, enough: float, m: Any, around: Any) -> Any:
 
 def clearances(
     rows: IntArray, enough: float, p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, others: FloatArray,
-    table: FloatArray, walls: FloatArray, dt: float, horizon: float,
+    table: FloatArray, walls: FloatArray, dt: float, horizon: float, v_max: FloatArray, leave: FloatArray,
 ) -> FloatArray:  # fmt: skip
     """Clearances (k, 6) of constraints (kind, i, j), rows (k, 3), with vehicles at p (n, 3).
 
-    v, u: (n, 3); brake: (n,); others: (m, 8) place, velocity, radius and its growth; walls: (n, 6).
+    v, u: (n, 3); brake, v_max: (n,); leave: (3,) direction of leaving; others: (m, 9) place, velocity, radius, its growth, agility; walls: (n, 6).
     """
     moves = Moves(
-        p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), u=cython.address(u[0, 0]), brake=cython.address(brake[0])
-    )
+        p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), u=cython.address(u[0, 0]),
+        brake=cython.address(brake[0]), v_max=cython.address(v_max[0]),
+    )  # fmt: skip
     around = Surroundings(
         others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])),
         shapes=shape_at(table, 0),
@@ -66,6 +71,7 @@ def clearances(
     found = array
     for k in range(rows.shape[0]):
         c.kind, c.i, c.j = rows[k, 0], rows[k, 1], rows[k, 2]
+        c.leave[0], c.leave[1], c.leave[2] = leave[0], leave[1], leave[2]
         first, after, when, nn, ne, nd = clearance_of(
             cython.address(c), enough, cython.address(moves), cython.address(around)
         )
@@ -118,7 +124,11 @@ def write_line(c: Any, after: float, when: float, nn: float, ne: float, nd: floa
     t, way = -1.0, when
     if c.kind <= OTHER:
         t, way = when, -1.0
-    an, ae, ad = sensitivity(vn, ve, vd, m.brake[c.i], t, way, nn, ne, nd, dt)
+    if c.kind == REACH:
+        scale = 0.5 * dt * dt + dt * max(when, 0.5 * dt)
+        an, ae, ad = scale * nn, scale * ne, scale * nd
+    else:
+        an, ae, ad = sensitivity(vn, ve, vd, m.brake[c.i], t, way, nn, ne, nd, dt)
     c.a[0], c.a[1], c.a[2] = an, ae, ad
     c.b[0] = c.b[1] = c.b[2] = 0.0
     c.r = c.target - after + an * u[0] + ae * u[1] + ad * u[2]

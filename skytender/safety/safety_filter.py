@@ -39,7 +39,7 @@ from skytender.safety.braking_clearance import FloatArray, IntArray
 from skytender.safety.safety_constraints import PAIR
 from skytender.safety.safety_solver import solve
 
-KINDS = ("", "vehicle", "other", "obstacle", "wall")
+KINDS = ("", "vehicle", "other", "obstacle", "wall", "reach")
 """Names of `Filtered.binding_kind`; a wall is a side of the fence or the floor: low n, e, d, then high n, e, d."""
 
 
@@ -116,13 +116,16 @@ class Others:
     now.
 
     p_ned, v_ned (m, 3); radius_m (m,): distance to be kept now, separation and uncertainty by age included, margins of
-    our vehicles not; growth_m_s (m,): how fast that grows on within the horizon.
+    our vehicles not; growth_m_s (m,): how fast that grows on within the horizon. agile_m_s (m,): above 0 for what may turn
+    any way at up to so much; it is kept off by what it reaches while one leaves, whatever its v_ned (eq. 3 of
+    braking_clearance.py), as far as pairs, obstacles and walls allow.
     """
 
     p_ned: ArrayLike = field(default_factory=_none)
     v_ned: ArrayLike = field(default_factory=_none)
     radius_m: ArrayLike = 0.0
     growth_m_s: ArrayLike = 0.0
+    agile_m_s: ArrayLike = 0.0
 
 
 @dataclass(frozen=True)
@@ -173,12 +176,13 @@ def filter_step(
     margin, spread = _array("margin_m", vehicles.margin_m, (n,)), _array("spread_m", vehicles.spread_m, (n,))
     walls = np.empty((n, 6))
     walls[:, :3], walls[:, 3:] = vehicles.low_ned, vehicles.high_ned
-    moving = np.empty((m, 8))
+    moving = np.empty((m, 9))
     if m:
         moving[:, 0:3] = _array("others: p_ned", around.p_ned, (m, 3))
         moving[:, 3:6] = _array("others: v_ned", around.v_ned, (m, 3))
         moving[:, 6] = _array("others: radius_m", around.radius_m, (m,))
         moving[:, 7] = _array("others: growth_m_s", around.growth_m_s, (m,))
+        moving[:, 8] = _array("others: agile_m_s", around.agile_m_s, (m,))
     table = _NO_SHAPES if obstacles is None else _array("obstacles", obstacles, (len(obstacles), COLUMNS))
     if not _sound(p, v, wanted, v_max, a_max, margin, spread, moving, table, walls):
         for name, array, least in (
@@ -193,7 +197,7 @@ def filter_step(
             ("obstacles", table, None),
         ):
             _check(name, array, least)
-        _check("others: radius_m and growth_m_s", moving[:, 6:], 0.0)
+        _check("others: radius_m, growth_m_s and agile_m_s", moving[:, 6:], 0.0)
         raise ValueError("low_ned and high_ned must be numbers; infinite ones stand for no wall")
     pairs = _special(pair_required_m, ids, ids, order, pairs=True)
     singles = _special(other_required_m, ids, np.arange(m), order, pairs=False)
@@ -261,7 +265,7 @@ def _sound(
         if not (v_max[i] >= _LEAST and a_max[i] >= _LEAST and margin[i] >= 0.0 and spread[i] >= 0.0):
             return False
     for i in range(m):
-        if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0):
+        if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0 and moving[i, 8] >= 0.0):
             return False
     for i in range(6 * n):
         if math.isnan(walls[i // 6, i % 6]):
@@ -274,7 +278,7 @@ def _sound(
         and _finite(cython.address(a_max[0]), n)
         and _finite(cython.address(margin[0]), n)
         and _finite(cython.address(spread[0]), n)
-        and _finite(cython.address(moving[0, 0]), 8 * m)
+        and _finite(cython.address(moving[0, 0]), 9 * m)
         and _finite(cython.address(table[0, 0]), _SIZE * table.shape[0])
     )
 

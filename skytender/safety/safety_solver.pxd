@@ -3,7 +3,7 @@ cimport cython
 from skytender.safety.braking_clearance cimport Clearance
 from skytender.safety.constraints cimport Constraint, Constraints, Leader, Moves, Near, Problem, Rules
 
-cdef double TOLERANCE_M, _ACTED_M_S2, _ACTIVE_M, _SOFT_M
+cdef double TOLERANCE_M, _ACTED_M_S2, _ACTIVE_M, LEAVES_M, _SOFT_M
 cdef double[4] _BLENDS
 cdef int _LAST_BLEND, _REPAIRS, _FEWEST_ROUNDS
 

@@ -27,10 +27,12 @@ from cython.cimports.skytender.safety.constraints import (
     Surroundings,
 )
 from cython.cimports.skytender.safety.near_constraints import find_constraints
+from cython.cimports.skytender.safety.leaving import choose_directions
 from cython.cimports.skytender.safety.safety_constraints import (
     GOLDEN,
     PAIR,
     PLANE,
+    REACH,
     clearance_of,
     into_ball,
     into_limits,
@@ -47,6 +49,7 @@ _LAST_BLEND = 3
 _ACTIVE_M = 0.25
 _REPAIRS = 4
 _FEWEST_ROUNDS = 2
+LEAVES_M = 0.3  # so far below its distance from what may turn a vehicle leaves with all that it has
 _SOFT_M = 0.1  # above the distance aimed at: there the turn of a wanted velocity begins
 
 
@@ -55,7 +58,7 @@ def _copy(row: Any, to: Any) -> None:
 
 
 def _moves(s: Any, u: Any) -> Any:
-    return Moves(p=s.p, v=s.v, u=u, brake=s.brake)
+    return Moves(p=s.p, v=s.v, u=u, brake=s.brake, v_max=s.v_max)
 
 
 def _blend(s: Any, i: int, level: int, wanted: Any, u: Any) -> None:
@@ -242,16 +245,21 @@ def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
     """
     rules, around = s.rules, cython.address(s.around)
     braked, chosen = _moves(s, s.u_b), _moves(s, u)
-    flown = Moves(p=s.p, v=full, u=still, brake=s.brake)
+    flown = Moves(p=s.p, v=full, u=still, brake=s.brake, v_max=s.v_max)
     for i in range(s.n):  # the wanted velocity, no faster than allowed
         _copy(s.wanted + 3 * i, full + 3 * i)
         into_ball(full + 3 * i, 0.0, 0.0, 0.0, s.v_max[i])
+    choose_directions(s)
     for k in range(s.count):
         c = cython.address(s.constraints[k])
         d = c.required
         first, after, _, _, _, _ = clearance_of(c, d + rules.buffer, cython.address(braked), around)
         c.least = min(d, first, after)
-        c.target = min(max(after, d), d + rules.buffer) if after >= d else min(d, after + rules.recover * rules.dt)
+        recover = rules.recover + (around.others[c.j].agile if c.kind == REACH else 0.0)
+        c.target = min(max(after, d), d + rules.buffer) if after >= d else min(d, after + recover * rules.dt)
+        if c.kind == REACH and d - after > LEAVES_M * s.leaders[c.i].leaves:
+            s.leaders[c.i].leaves, s.leaders[c.i].cause = min((d - after) / LEAVES_M, 1.0), k
+            _copy(c.leave, s.leaders[c.i].leave)
         if c.kind == PLANE:
             continue
         enough = c.target + _SOFT_M
@@ -271,6 +279,10 @@ def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
         for x in range(3 * i, 3 * i + 3):
             aim[x] = (aim[x] - s.v[x]) / rules.dt
         into_ball(aim + 3 * i, 0.0, 0.0, 0.0, s.a_max[i])
+        leader = cython.address(s.leaders[i])
+        if leader.leaves > 0.0:
+            for x in range(3):
+                aim[3 * i + x] += leader.leaves * (s.a_max[i] * leader.leave[x] - aim[3 * i + x])
 
 
 def _project_in_rounds(s: Any, aim: Any, active: Any, u: Any) -> None:
@@ -358,12 +370,12 @@ def _solve(s: Any, rows: Any, active: Any, u: Any, changed: Any, kind: Any, bind
         _copy(plain + 3 * i, u + 3 * i)
     _set_aims(s, u, full, still, aim)
     for i in range(n):
-        if s.leaders[i].share > 0.0:
+        if s.leaders[i].share > 0.0 or s.leaders[i].leaves > 0.0:
             _copy(aim + 3 * i, u + 3 * i)
         _into_limits(s, i, u)
     _project_in_rounds(s, aim, active, u)
     for i in range(n):
-        s.leaders[i].worse = s.leaders[i].share > 0.0  # a change that something asked for
+        s.leaders[i].worse = s.leaders[i].share > 0.0 or s.leaders[i].leaves > 0.0  # a change that something asked for
     for k in range(s.count):
         c = cython.address(s.constraints[k])
         if c.weight > 0.0:
@@ -387,7 +399,7 @@ def solve(
     """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
     each.
 
-    Vehicles are in order of id; arguments as in `filter_step`. others: (m, 8) place, velocity, radius, growth. beyond:
+    Vehicles are in order of id; arguments as in `filter_step`. others: (m, 9) place, velocity, radius, growth, agility. beyond:
     (n,) uint8. walls: (n, 6). pair_required, other_required: rows (i, j, m), i < j of a pair.
     """
     n = len(p)

@@ -22,13 +22,13 @@ from gcs.campaign.families.parts import (
 )
 from skytender import elementary
 
-LEAST_M_S, MOST_M_S, OUTRUN = 1.0, 3.0, 0.8
-FEWEST, MOST, DURATION_S = 4, 12, 45.0
+LEAST_M_S, MOST_M_S, OUTRUN = 1.0, 3.0, 0.9
+FEWEST, MOST, DURATION_S = 4, 16, 45.0
 HEIGHT_M, FAR_M, CORNERS = 7.0, 8.0, 16
 
 
 def turning(rng: np.random.Generator) -> Document:
-    """4 to 12 vehicles in a ring, a circle or a street, and one or two aircraft that turn among them."""
+    """4 to 16 vehicles in a ring, a circle or a street, and one to three aircraft that turn among them."""
     separation_m, cruise_m_s = separation_of(rng), speed_of(rng)
     n, kind = int(rng.integers(FEWEST, MOST + 1)), ("ring", "circle", "street")[int(rng.integers(3))]
     apart_m = separation_m + MARGIN_M + float(rng.uniform(0.2, 2.0))
@@ -46,8 +46,8 @@ def turning(rng: np.random.Generator) -> Document:
         )
     fast = min(MOST_M_S, OUTRUN * cruise_m_s)
     movers = []
-    for i in range(int(rng.integers(1, 3))):
-        speed_m_s = round(float(rng.uniform(LEAST_M_S, fast)), 2)
+    for i in range(int(rng.integers(1, 4))):
+        speed_m_s = round(max(fast * float(rng.uniform(0.5, 1.0)), LEAST_M_S), 2)
         path = _path(rng, ways[:, -1], middle, speed_m_s * DURATION_S)
         movers.append({"callsign": f"TURN{i + 1}", "path_m": [*map(rounded_m, path)], "speed_m_s": speed_m_s})
     return {

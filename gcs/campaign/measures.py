@@ -167,6 +167,16 @@ def _aloft(flown: Flown) -> Value:
     return float(flies[:, -1].sum()) if left and flies.size else 0.0
 
 
+def _density(flown: Flown) -> Value:
+    """By the scenario alone: the volume is the box around starts and way points, widened by half a separation."""
+    vehicles, separation_m = flown.scenario.vehicles.all, flown.scenario.planner.separation_m
+    places = [v.start_m for v in vehicles] + [p for v in flown.scenario.vehicles.pursuers for p in v.waypoints_m]
+    if not separation_m:
+        return None
+    sides = (np.ptp(np.array(places), axis=0) + separation_m) / separation_m
+    return len(vehicles) / float(sides[0] * sides[1] * sides[2])
+
+
 def _of_vehicles(key: str, of: Callable[[list[float]], float]) -> Callable[[Flown], Value]:
     def measure(flown: Flown) -> Value:
         values = [v[key] for v in flown.summary["vehicles"] if v[key] is not None]
@@ -186,6 +196,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "spare_m": (_spare, "least distance of two launched vehicles less the separation, in any mode, m"),
     "solid_m": (_solid, "least distance to an obstacle of a launched vehicle in flight, in any mode, m"),
     "aloft": (_aloft, "launched vehicles that a station that stays silent leaves in the air"),
+    "density": (_density, "separation cubed times vehicles by the volume in which they start and go to way points"),
     "lost": (_lost, "vehicles lost: dead, run dry, landed by a failsafe, never in the air"),
     "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),

@@ -8,7 +8,7 @@ cdef double FREE_M, PEER_M, NEARBY_M, _HALF
 cdef double[8] _NORTH
 
 @cython.locals(
-    un=double, ue=double, ud=double, wn=double, we=double, wd=double, t=double, span=double, least=double, when=double,
+    un=double, ue=double, ud=double, left=double, t=double, span=double, least=double, when=double,
     nn=double, ne=double, nd=double)
 cdef Clearance way_clearance(
     double xn, double xe, double xd, double vn, double ve, double vd, double brake, double v_max, double w,

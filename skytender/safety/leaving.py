@@ -5,12 +5,13 @@ brake b along a direction e, up to its greatest speed, and keeps D while
 
     m(e) = min over 0 <= t <= H of  |Δ(t)| - w t  >=  D,   Δ the way of leaving less the place                (1)
 
-where the coming period is flown with u. A period of leaving does not lower m(e), whatever the other does meanwhile:
-its next place is within w T, and the rest of the way is the same. e is the one of `DIRECTIONS`, and of those straight away from each aircraft, with the greatest least m(e) - D
-over all aircraft, less what other vehicles stand in the way: between two aircraft a vehicle leaves aside before they
-close in. From one alone it is n, straight away, and with D as the distance m is
+where the coming period is flown with u and H is the filter's horizon. A period of leaving does not lower m(e),
+whatever the other does meanwhile: its next place is within w T, and the rest of the way is the same. e is the one of
+`DIRECTIONS`, and of those straight away from each aircraft, with the greatest least m(e) - D over all aircraft, less
+what other vehicles stand in the way: between two aircraft a vehicle leaves aside before they close in. From one alone
+it is n, straight away, and if v is along n
 
-    |Δ⁺| - w T - max(w - n·v⁺, 0)²/(2 b)     unless the greatest speed is below w                            (2)
+    m(n) = |Δ⁺| - w T - max(w - n·v⁺, 0)²/(2 b)                                                              (2)
 
 [lineage] of the closing speed that brakes take off: Wang, Ames, Egerstedt, IEEE
 T-RO 33(3), 2017; of reachable sets of what others may do: Fraichard, Asama, Advanced Robotics 18(10), 2004. Form
@@ -40,10 +41,15 @@ def way_clearance(
     """m(e) of (1) from a relative place and a velocity on, as braking_clearance.py gives clearances; the first is 0."""
     un, ue, ud = brake * e[0], brake * e[1], brake * e[2]
     least, when, nn, ne, nd, t = math.INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0
+    along = vn * e[0] + ve * e[1] + vd * e[2]
+    left = along * along + v_max * v_max - vn * vn - ve * ve - vd * vd
+    left = (math.sqrt(left) - along) / brake if left > 0.0 else 0.0  # until the greatest speed is reached
     while t < horizon:
-        wn, we, wd, span = vn + dt * un, ve + dt * ue, vd + dt * ud, dt
-        if wn * wn + we * we + wd * wd > v_max * v_max:
+        span = dt
+        if left <= TINY:
             un, ue, ud, span = 0.0, 0.0, 0.0, horizon - t
+        elif left < dt:
+            span = left
         bound, _, at, dn, de, dd = period_bound(xn, xe, xd, vn, ve, vd, un, ue, ud, span, w)
         bound -= w * t
         if bound < least:
@@ -52,6 +58,7 @@ def way_clearance(
         xe += span * (ve + 0.5 * span * ue)
         xd += span * (vd + 0.5 * span * ud)
         vn, ve, vd, t = vn + span * un, ve + span * ue, vd + span * ud, t + span
+        left -= span
     return 0.0, least, when, nn, ne, nd
 
 
@@ -82,7 +89,7 @@ def choose_directions(s: Any) -> None:
             for number in range(DIRECTIONS + end - k):
                 if number < DIRECTIONS:
                     write_direction(number, e)
-                elif s.constraints[k + number - DIRECTIONS].kind == OTHER or not _write_away(s, k + number - DIRECTIONS, e):
+                elif not _write_away(s, k + number - DIRECTIONS, e):
                     continue
                 least = _least_of(s, k, end, e, most) - _hindrance(s, i, e)
                 if least > most:
@@ -95,12 +102,12 @@ def choose_directions(s: Any) -> None:
 
 
 def _write_away(s: Any, k: int, e: Any) -> bool:
-    """Write the direction straight away from what a constraint is with; False in its place."""
+    """Write the direction straight away from an aircraft that may turn; False in its place, and of what may not."""
     c = cython.address(s.constraints[k])
     other, p = cython.address(s.around.others[c.j]), s.p + 3 * c.i
     xn, xe, xd = p[0] - other.p[0], p[1] - other.p[1], p[2] - other.p[2]
     distance = math.sqrt(xn * xn + xe * xe + xd * xd)
-    if distance < TINY:
+    if c.kind != REACH or distance < TINY:
         return False
     e[0], e[1], e[2] = xn / distance, xe / distance, xd / distance
     return True

@@ -53,7 +53,8 @@ def clearances(
 ) -> FloatArray:  # fmt: skip
     """Clearances (k, 6) of constraints (kind, i, j), rows (k, 3), with vehicles at p (n, 3).
 
-    v, u: (n, 3); brake, v_max: (n,); leave: (3,) direction of leaving; others: (m, 9) place, velocity, radius, its growth, agility; walls: (n, 6).
+    v, u: (n, 3); brake, v_max: (n,); leave: (3,) direction of leaving; others: (m, 9) place, velocity, radius, its
+    growth, agility; walls: (n, 6).
     """
     moves = Moves(
         p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), u=cython.address(u[0, 0]),

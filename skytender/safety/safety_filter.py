@@ -116,9 +116,9 @@ class Others:
     now.
 
     p_ned, v_ned (m, 3); radius_m (m,): distance to be kept now, separation and uncertainty by age included, margins of
-    our vehicles not; growth_m_s (m,): how fast that grows on within the horizon. agile_m_s (m,): above 0 for what may turn
-    any way at up to so much; it is kept off by what it reaches while one leaves, whatever its v_ned (eq. 3 of
-    braking_clearance.py), as far as pairs, obstacles and walls allow.
+    our vehicles not; growth_m_s (m,): how fast that grows on within the horizon. agile_m_s (m,): above 0 for what may
+    turn any way at up to so much, whatever its v_ned; vehicles leave it (leaving.py) as far as pairs, obstacles and
+    walls allow.
     """
 
     p_ned: ArrayLike = field(default_factory=_none)

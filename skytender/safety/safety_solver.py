@@ -26,8 +26,8 @@ from cython.cimports.skytender.safety.constraints import (
     Problem,
     Surroundings,
 )
-from cython.cimports.skytender.safety.near_constraints import find_constraints
 from cython.cimports.skytender.safety.leaving import choose_directions
+from cython.cimports.skytender.safety.near_constraints import find_constraints
 from cython.cimports.skytender.safety.safety_constraints import (
     GOLDEN,
     PAIR,
@@ -254,7 +254,8 @@ def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
         c = cython.address(s.constraints[k])
         d = c.required
         first, after, _, _, _, _ = clearance_of(c, d + rules.buffer, cython.address(braked), around)
-        c.least = min(d, first, after)
+        # Braking keeps no distance to what turns: it gives way to all that braking keeps.
+        c.least = min(d, first, after) if c.kind != REACH else -math.INFINITY
         recover = rules.recover + (around.others[c.j].agile if c.kind == REACH else 0.0)
         c.target = min(max(after, d), d + rules.buffer) if after >= d else min(d, after + recover * rules.dt)
         if c.kind == REACH and d - after > LEAVES_M * s.leaders[c.i].leaves:
@@ -399,8 +400,8 @@ def solve(
     """Accelerations (n, 3), their change from the wanted ones, what bound them, and how far the check had to go, (n,)
     each.
 
-    Vehicles are in order of id; arguments as in `filter_step`. others: (m, 9) place, velocity, radius, growth, agility. beyond:
-    (n,) uint8. walls: (n, 6). pair_required, other_required: rows (i, j, m), i < j of a pair.
+    Vehicles are in order of id; arguments as in `filter_step`. others: (m, 9) place, velocity, radius, growth, agility.
+    beyond: (n,) uint8. walls: (n, 6). pair_required, other_required: rows (i, j, m), i < j of a pair.
     """
     n = len(p)
     u, changed = np.empty((n, 3)), np.empty(n)

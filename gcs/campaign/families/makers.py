@@ -13,9 +13,9 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from gcs.campaign.families.accuracy import accuracy
+from gcs.campaign.families.dense import big_circle, cube, forest, streets
 from gcs.campaign.families.parts import (
     BATTERY,
     LONGEST_S,
@@ -33,6 +33,7 @@ from gcs.campaign.families.parts import (
     separation_of,
     speed_of,
     table_of,
+    to_way_points,
 )
 from gcs.campaign.families.silence import silence
 from gcs.campaign.families.silent_ways import SILENT_FROM_S, clearance_over, floats_over
@@ -59,41 +60,6 @@ def family(name: str, seed: int) -> Document:
     return named | {"clock": {"mode": "lockstep", "period_s": 0.1}, "truth": True} | document
 
 
-def _pursuers(starts: FloatArray, ends: FloatArray, *, airborne: bool) -> list[Document]:
-    """Pursuers 1, 2, … each with one way point."""
-    rows = []
-    for i, (start, end) in enumerate(zip(starts, ends, strict=True)):
-        rows.append(
-            {"sysid": i + 1, "start_m": rounded_m(start), "airborne": airborne, "waypoints_m": [rounded_m(end)]}
-        )
-    return rows
-
-
-def _to_way_points(
-    rng: np.random.Generator,
-    starts: ArrayLike,
-    ends: ArrayLike,
-    *,
-    way_m: float,
-    separation_m: float,
-    airborne: bool,
-    obstacles: list[Document] | None = None,
-) -> Document:
-    """A scenario in which each vehicle flies to its way point, a way of about `way_m`."""
-    speed = speed_of(rng)
-    duration_s = min(max(20.0, 2.0 * way_m / speed + (4.0 if airborne else 14.0)), LONGEST_S)
-    return {
-        "goal": {"duration_s": float(math.ceil(duration_s))},
-        "vehicles": {
-            "defaults": {"battery": dict(BATTERY)},
-            "pursuers": _pursuers(np.array(starts), np.array(ends), airborne=airborne),
-        },
-        "obstacles": obstacles or [],
-        "planner": {"cruise_m_s": speed, "separation_m": separation_m},
-        "refuelling": {"enabled": False},
-    }
-
-
 def _circles(rng: np.random.Generator) -> Document:
     """4 to 24 vehicles on a circle, each to the place opposite; half of the circles regular, half not."""
     n, separation_m = int(rng.integers(4, 25)), separation_of(rng)
@@ -105,7 +71,7 @@ def _circles(rng: np.random.Generator) -> Document:
         angle = angle + rng.uniform(-0.9, 0.9, n) * spare
     out = radius_m * np.column_stack([elementwise.cosines(angle), elementwise.sines(angle), np.zeros(n)])
     middle = np.array([0.0, 0.0, -5.0])
-    return _to_way_points(
+    return to_way_points(
         rng, middle + out, middle - out, way_m=2.0 * radius_m, separation_m=separation_m, airborne=True
     )
 
@@ -119,7 +85,7 @@ def _head_on(rng: np.random.Generator) -> Document:
     other = np.column_stack([np.full(k, way_m / 2), east + shift, np.full(k, -5.0)])
     aside = np.array([0.0, shift, 0.0])
     ends = np.vstack([other - aside, one + aside])
-    return _to_way_points(rng, np.vstack([one, other]), ends, way_m=way_m, separation_m=separation_m, airborne=True)
+    return to_way_points(rng, np.vstack([one, other]), ends, way_m=way_m, separation_m=separation_m, airborne=True)
 
 
 def _crossings(rng: np.random.Generator) -> Document:
@@ -133,7 +99,7 @@ def _crossings(rng: np.random.Generator) -> Document:
         for i in range(k):
             starts.append(-ahead * (way_m / 2 + i * apart_m) + [0.0, 0.0, -5.0])
             ends.append(ahead * (way_m / 2 + (k - 1 - i) * apart_m) + [0.0, 0.0, -5.0])
-    return _to_way_points(rng, starts, ends, way_m=way_m + k * apart_m, separation_m=separation_m, airborne=True)
+    return to_way_points(rng, starts, ends, way_m=way_m + k * apart_m, separation_m=separation_m, airborne=True)
 
 
 def _row_in_pocket(rng: np.random.Generator, most: int, separation_m: float) -> FloatArray:
@@ -159,7 +125,7 @@ def _walls(rng: np.random.Generator) -> Document:
         boxes.append(box_of(*roof))
     ends = starts + np.array([far_m + thick_m + float(rng.uniform(2.0, 5.0)), 0.0, -TAKEOFF_M])
     way_m = 2.0 * (deep_m + half_m + far_m) if kind != "L" else 2.0 * half_m + far_m + 6.0
-    return _to_way_points(rng, starts, ends, way_m=way_m, separation_m=separation_m, airborne=False, obstacles=boxes)
+    return to_way_points(rng, starts, ends, way_m=way_m, separation_m=separation_m, airborne=False, obstacles=boxes)
 
 
 def _gaps(rng: np.random.Generator) -> Document:
@@ -183,7 +149,7 @@ def _gaps(rng: np.random.Generator) -> Document:
     ]
     ends = starts + np.array([2.0 * wall_m + thick_m, 0.0, -TAKEOFF_M])
     way_m = 2.0 * elementary.hypot(wall_m, wide_m) + 2.0 * len(starts)
-    return _to_way_points(rng, starts, ends, way_m=way_m, separation_m=separation_m, airborne=False, obstacles=boxes)
+    return to_way_points(rng, starts, ends, way_m=way_m, separation_m=separation_m, airborne=False, obstacles=boxes)
 
 
 def _tracked(
@@ -295,7 +261,7 @@ def _traffic(rng: np.random.Generator) -> Document:
     """2 to 6 vehicles hover at way points while 1 to 3 aircraft that give no way pass through those places."""
     n, separation_m = int(rng.integers(2, 7)), separation_of(rng)
     starts = ring_places(rng, np.array([0.0, 0.0, -5.0]), n, max(2.5, n * (separation_m + 1.0) / (2 * math.pi)))
-    document = _to_way_points(rng, starts, starts, way_m=10.0, separation_m=separation_m, airborne=True)
+    document = to_way_points(rng, starts, starts, way_m=10.0, separation_m=separation_m, airborne=True)
     movers = []
     for i in range(int(rng.integers(1, 4))):
         through, heading = starts[int(rng.integers(n))], rng.uniform(0.0, 2 * math.pi)
@@ -377,6 +343,10 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "silence": silence,
     "accuracy": accuracy,
     "turning": turning,
+    "cube": cube,
+    "forest": forest,
+    "streets": streets,
+    "big_circle": big_circle,
 }
 FAMILIES = tuple(_MAKERS)
 """Names that `family` knows."""

@@ -83,3 +83,39 @@ def random_shapes(
 def ring_places(rng: np.random.Generator, centre: FloatArray, n: int, ring_m: float) -> FloatArray:
     angle = rng.uniform(0.0, 2 * math.pi) + 2 * math.pi * np.arange(n) / n
     return centre + ring_m * np.column_stack([elementwise.cosines(angle), elementwise.sines(angle), np.zeros(n)])
+
+
+def pursuers_of(starts: FloatArray, ends: FloatArray, *, airborne: bool) -> list[Document]:
+    """Pursuers 1, 2, … each with one way point."""
+    rows = []
+    for i, (start, end) in enumerate(zip(starts, ends, strict=True)):
+        rows.append(
+            {"sysid": i + 1, "start_m": rounded_m(start), "airborne": airborne, "waypoints_m": [rounded_m(end)]}
+        )
+    return rows
+
+
+def to_way_points(
+    rng: np.random.Generator,
+    starts: ArrayLike,
+    ends: ArrayLike,
+    *,
+    way_m: float,
+    separation_m: float,
+    airborne: bool,
+    obstacles: list[Document] | None = None,
+    longest_s: float = LONGEST_S,
+) -> Document:
+    """A scenario in which each vehicle flies to its way point, a way of about `way_m`."""
+    speed = speed_of(rng)
+    duration_s = min(max(20.0, 2.0 * way_m / speed + (4.0 if airborne else 14.0)), longest_s)
+    return {
+        "goal": {"duration_s": float(math.ceil(duration_s))},
+        "vehicles": {
+            "defaults": {"battery": dict(BATTERY)},
+            "pursuers": pursuers_of(np.array(starts), np.array(ends), airborne=airborne),
+        },
+        "obstacles": obstacles or [],
+        "planner": {"cruise_m_s": speed, "separation_m": separation_m},
+        "refuelling": {"enabled": False},
+    }

@@ -187,7 +187,9 @@ def test_paired_differences_are_found_where_unpaired_ones_drown(tmp_path: Path) 
 
 
 def test_the_shipped_campaigns_can_be_flown() -> None:
-    assert set(file.shipped_names()) == {"safety", "speed-against-safety", "loss", "policies", "silence", "accuracy"}
+    assert {"safety", "speed-against-safety", "loss", "policies"} < set(file.shipped_names())
+    assert {"silence", "accuracy", "turning", "dense"} < set(file.shipped_names())
+    assert len(file.shipped_names()) == 8
     for name in file.shipped_names():
         path = file.find(name)
         make(file.load(path), [path.parent]).check()

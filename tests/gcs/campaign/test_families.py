@@ -9,6 +9,7 @@ import pytest
 import yaml
 
 from gcs.campaign.families.accuracy import MOST_S
+from gcs.campaign.families.dense import DENSE_S
 from gcs.campaign.families.makers import FAMILIES, LONGEST_S, family
 from gcs.campaign.families.parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
 from gcs.campaign.families.silence import COMES_DOWN_S, SILENT_BEFORE_S
@@ -53,7 +54,7 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
         longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S,
-                     "accuracy": MOST_S}.get(name, LONGEST_S)  # fmt: skip
+                     "accuracy": MOST_S, **dict.fromkeys(("cube", "forest", "streets", "big_circle"), DENSE_S)}.get(name, LONGEST_S)  # fmt: skip
         assert 20 <= scenario.goal.duration_s <= longest_s
         assert scenario.clock.mode == "lockstep"
         assert 1.5 <= scenario.planner.cruise_m_s <= 5.0

@@ -163,7 +163,7 @@ def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
     """(1) of braking_clearance.py for the bounds themselves, on which the guarantee rests: pairs, shapes, walls, others."""
     rng = np.random.default_rng(seed)
     p, v, b = rng.uniform(-2, 2, (2, 3)), rng.normal(size=(2, 3)) * 3, rng.uniform(2, 6, 2)
-    table, other = world(rng), np.concatenate([rng.uniform(-2, 2, 3), np.zeros(3), [0.5, 0.0]])[None]
+    table, other = world(rng), np.concatenate([rng.uniform(-2, 2, 3), np.zeros(3), [0.5, 0.0, 0.0]])[None]
     fence = np.full((2, 6), -3.0)
     rows = np.array(
         [(PAIR, 0, 1), (PLANE, 0, 1), *((OBSTACLE, 0, k) for k in range(len(table))), (OTHER, 1, 0)], dtype=np.int64
@@ -171,7 +171,7 @@ def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
     last = np.full(len(rows), -math.inf)
     for _ in range(30):
         u = brake(v, b[:, None])
-        found = clearances(rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s)
+        found = clearances(rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s, np.full(2, 9.0), np.zeros(3))
         now = found[:, :2].min(axis=1)
         assert (now >= last - 1e-9).all()
         last, p, v = now, p + DT * v + 0.5 * DT * DT * u, v + DT * u

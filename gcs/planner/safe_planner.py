@@ -49,8 +49,8 @@ ACTS_M_S2 = 1.0
 cause."""
 REPEAT_AFTER_S = 2.0
 LEAST_AGILE_M_S, MOST_AGILE_M_S = 1.0, 3.0
-"""[choice] Traffic may turn any way at the greatest speed that it has flown at, within these; what flies faster is
-foreseen straight on beside that."""
+"""[choice] Traffic may turn any way at the greatest speed that it has flown at, and at the first at least; what has
+flown faster than the second, or than a vehicle can, is foreseen straight on."""
 
 
 class SafePlanner(TickPlanner):
@@ -241,10 +241,10 @@ class SafePlanner(TickPlanner):
         for aircraft in request.snapshot.traffic:
             name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
             radius_m, agile_m_s = rules.separation_m, self._agile_m_s[aircraft.callsign]
-            attracts = aircraft.callsign in self._attracting
-            if attracts or elementary.norm(aircraft.v_ned) > MOST_AGILE_M_S:
-                others.append(Intruder.of(name, None, aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s))
-            if not attracts:
+            turns = aircraft.callsign not in self._attracting and agile_m_s <= MOST_AGILE_M_S
+            straight = (aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s)
+            others.append(Intruder.of(name, None, *straight, -agile_m_s if turns else 0.0))
+            if turns:
                 others.append(Intruder.turning(name, aircraft.p_ned, agile_m_s, lead_s, radius_m))
         return others
 
@@ -252,8 +252,7 @@ class SafePlanner(TickPlanner):
         """Remember how fast the aircraft in sight have flown."""
         speeds = {aircraft.callsign: elementary.norm(aircraft.v_ned) for aircraft in traffic}
         self._agile_m_s = {
-            name: min(max(speed, LEAST_AGILE_M_S, self._agile_m_s.get(name, 0.0)), MOST_AGILE_M_S)
-            for name, speed in speeds.items()
+            name: max(speed, LEAST_AGILE_M_S, self._agile_m_s.get(name, 0.0)) for name, speed in speeds.items()
         }
 
     def _unled(self, columns: FleetColumns) -> list[int]:

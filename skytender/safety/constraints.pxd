@@ -48,6 +48,7 @@ cdef struct Near:  # what vehicles may come near to, and how near
     Py_ssize_t n
     const double* p  # (n, 3)
     const double* v
+    const double* v_max
     const double* a_max
     const double* brake
     const double* margin

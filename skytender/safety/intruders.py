@@ -41,12 +41,14 @@ class Intruder:
         lead_s: float,
         radius_m: float,
         age_s: float,
+        agile_m_s: float = 0.0,
     ) -> Intruder:
-        """Carried forward by `lead_s`, and the less certain the older the report of it is."""
+        """Carried forward by `lead_s`, and the less certain the older the report of it is. agile_m_s: -w where it
+        `turning` at w is for those that can outrun it."""
         v = np.array(v_ned)
         drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
         growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
-        return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s)
+        return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s, agile_m_s)
 
     @classmethod
     def turning(cls, name: str, p_ned: ArrayLike, speed_m_s: float, lead_s: float, radius_m: float) -> Intruder:

@@ -63,9 +63,8 @@ def way_clearance(
 
 
 def reach_clearance(m: Any, i: int, other: Any, leave: Any, dt: float, horizon: float, enough: float) -> Any:
-    """Clearance of i, which leaves along `leave`, and of what turns at up to `agile`, or at i's own greatest speed if
-    that is less."""
-    p, v, u, w, brake = m.p + 3 * i, m.v + 3 * i, m.u + 3 * i, min(other.agile, m.v_max[i]), m.brake[i]
+    """Clearance of i, which leaves along `leave`, and of what turns at up to `agile`."""
+    p, v, u, w, brake = m.p + 3 * i, m.v + 3 * i, m.u + 3 * i, other.agile, m.brake[i]
     xn, xe, xd = p[0] - other.p[0], p[1] - other.p[1], p[2] - other.p[2]
     first, _, _, _, _, _ = period_bound(xn, xe, xd, v[0], v[1], v[2], u[0], u[1], u[2], dt, w)
     xn += dt * (v[0] + 0.5 * dt * u[0])
@@ -122,7 +121,7 @@ def _least_of(s: Any, begin: int, end: int, e: Any, enough: float) -> float:
             other, p, v = cython.address(s.around.others[c.j]), s.p + 3 * c.i, s.v + 3 * c.i
             _, after, _, _, _, _ = way_clearance(
                 p[0] - other.p[0], p[1] - other.p[1], p[2] - other.p[2], v[0], v[1], v[2], s.brake[c.i], s.v_max[c.i],
-                min(other.agile, s.v_max[c.i]), e, s.rules.dt, s.rules.horizon,
+                other.agile, e, s.rules.dt, s.rules.horizon,
             )  # fmt: skip
             least = min(least, after - c.required)
     return least

@@ -73,6 +73,10 @@ def _find_others(near: Any, reach: Any, found: Any) -> int:
     for i in range(near.n):
         for j in range(near.others_count):
             other = cython.address(near.others[j])
+            if (other.agile > 0.0 and other.agile > near.v_max[i]) or (
+                other.agile < 0.0 and -other.agile <= near.v_max[i]
+            ):
+                continue
             usual = other.radius + near.margin[i] + near.spread[i]
             d = _of_pair(near.singles, near.singles_count, i, j, usual)
             speed = sqrt(other.v[0] ** 2 + other.v[1] ** 2 + other.v[2] ** 2)

@@ -117,8 +117,8 @@ class Others:
 
     p_ned, v_ned (m, 3); radius_m (m,): distance to be kept now, separation and uncertainty by age included, margins of
     our vehicles not; growth_m_s (m,): how fast that grows on within the horizon. agile_m_s (m,): above 0 for what may
-    turn any way at up to so much, whatever its v_ned; vehicles leave it (leaving.py) as far as pairs, obstacles and
-    walls allow.
+    turn any way at up to so much, whatever its v_ned; vehicles that are as fast leave it (leaving.py) as far as pairs,
+    obstacles and walls allow, and the others pass it over; -w for the straight way of one that only they heed.
     """
 
     p_ned: ArrayLike = field(default_factory=_none)
@@ -197,7 +197,7 @@ def filter_step(
             ("obstacles", table, None),
         ):
             _check(name, array, least)
-        _check("others: radius_m, growth_m_s and agile_m_s", moving[:, 6:], 0.0)
+        _check("others: radius_m and growth_m_s", moving[:, 6:8], 0.0)
         raise ValueError("low_ned and high_ned must be numbers; infinite ones stand for no wall")
     pairs = _special(pair_required_m, ids, ids, order, pairs=True)
     singles = _special(other_required_m, ids, np.arange(m), order, pairs=False)
@@ -265,7 +265,7 @@ def _sound(
         if not (v_max[i] >= _LEAST and a_max[i] >= _LEAST and margin[i] >= 0.0 and spread[i] >= 0.0):
             return False
     for i in range(m):
-        if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0 and moving[i, 8] >= 0.0):
+        if not (moving[i, 6] >= 0.0 and moving[i, 7] >= 0.0):
             return False
     for i in range(6 * n):
         if math.isnan(walls[i // 6, i % 6]):

@@ -419,7 +419,8 @@ def solve(
         for i in range(n):
             brake[i] = rules.brake_share * a_max[i]
         near = Near(
-            n=n, p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), a_max=cython.address(a_max[0]), brake=brake,
+            n=n, p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), v_max=cython.address(v_max[0]),
+            a_max=cython.address(a_max[0]), brake=brake,
             margin=cython.address(margin[0]), spread=cython.address(spread[0]),
             beyond=cython.address(beyond[0]), walls=cython.address(walls[0, 0]),
             others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])), others_count=len(others),

@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from sessions import Outcome, fly
 
+from gcs.campaign.families import family
+
 WANTED_M = 0.6
 ONE_POINT = """
 class OnePoint:
@@ -153,3 +155,19 @@ def test_who_hovers_gives_way_to_traffic(tmp_path: Path) -> None:
     told = [record for record in outcome.decisions if record["kind"] == "safety"]
     assert told
     assert {record["by"] for record in told} == {"traffic JET"}
+
+
+@pytest.mark.parametrize("name", ["turning", "cube", "forest", "streets", "big_circle"])
+def test_a_family_keeps_apart_and_away_from_traffic(name: str, tmp_path: Path) -> None:
+    """The verdict is by the vehicles' truth."""
+    content = family(name, 2) | {"vehicles_per_process": 100}
+    content["goal"] = {"duration_s": 12.0, "waypoints": "none"}
+    outcome = fly(content, tmp_path)
+    judged = {part["part"]: part for part in outcome.summary["goal"]}
+    separation_m = content["planner"]["separation_m"]
+    assert judged["separation"]["value"] >= separation_m
+    assert judged["separation"]["met"]
+    if name == "turning":
+        assert judged["traffic"]["value"] >= separation_m
+    if name in ("forest", "streets"):
+        assert judged["clearance"]["value"] > 0.1

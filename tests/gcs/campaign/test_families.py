@@ -19,6 +19,7 @@ from gcs.scenario.warnings import warnings
 from skytender import geometry as shapes
 
 SEEDS = range(12)
+DENSE = ("cube", "forest", "streets", "big_circle")
 
 
 def faults(document: Document) -> list[str]:
@@ -54,7 +55,8 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
         longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S,
-                     "accuracy": MOST_S, **dict.fromkeys(("cube", "forest", "streets", "big_circle"), DENSE_S)}.get(name, LONGEST_S)  # fmt: skip
+                     "accuracy": MOST_S,
+                     **dict.fromkeys(DENSE, DENSE_S)}.get(name, LONGEST_S)  # fmt: skip
         assert 20 <= scenario.goal.duration_s <= longest_s
         assert scenario.clock.mode == "lockstep"
         assert 1.5 <= scenario.planner.cruise_m_s <= 5.0

@@ -48,9 +48,9 @@ ACTS_M_S2 = 1.0
 """A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
 cause."""
 REPEAT_AFTER_S = 2.0
-LEAST_AGILE_M_S, MOST_AGILE_M_S = 1.0, 3.0
-"""[choice] Traffic may turn any way at the greatest speed that it has flown at, and at the first at least; what has
-flown faster than the second, or than a vehicle can, is foreseen straight on."""
+LEAST_AGILE_M_S = 1.0
+"""[choice] Traffic may turn any way at the greatest speed that it has flown at, and at least at this; by a vehicle that
+cannot fly as fast it is foreseen straight on."""
 
 
 class SafePlanner(TickPlanner):
@@ -241,7 +241,7 @@ class SafePlanner(TickPlanner):
         for aircraft in request.snapshot.traffic:
             name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
             radius_m, agile_m_s = rules.separation_m, self._agile_m_s[aircraft.callsign]
-            turns = aircraft.callsign not in self._attracting and agile_m_s <= MOST_AGILE_M_S
+            turns = aircraft.callsign not in self._attracting
             straight = (aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s)
             others.append(Intruder.of(name, None, *straight, -agile_m_s if turns else 0.0))
             if turns:
@@ -294,7 +294,7 @@ class SafePlanner(TickPlanner):
         """Constraint that bound the filter, for a person."""
         if KINDS[kind] == "vehicle":
             return f"vehicle {sysids[index]}"
-        if KINDS[kind] == "other":
+        if KINDS[kind] in ("other", "reach"):
             return others[index].name
         if KINDS[kind] == "obstacle":
             if index >= len(self._scenario.obstacles):

@@ -16,6 +16,9 @@ cdef Clearance way_clearance(
 cdef Clearance reach_clearance(
     const Moves* m, Py_ssize_t i, const Other* other, const double* leave, double dt, double horizon,
     double enough) noexcept nogil
+cpdef (double, double) clearance_leaving(
+    const double[::1] p, const double[::1] v, const double[::1] u, double w, const double[::1] e, double brake,
+    double v_max, double dt, double horizon)
 @cython.locals(
     k=Py_ssize_t, end=Py_ssize_t, at=Py_ssize_t, i=cython.longlong, number=int, most=double, least=double)
 cdef void choose_directions(Problem* s) noexcept nogil

@@ -25,7 +25,10 @@ from typing import Any
 import cython
 from cython.cimports.libc import math
 from cython.cimports.skytender.safety.braking_clearance import TINY, period_bound
+from cython.cimports.skytender.safety.constraints import Moves, Other
 from cython.cimports.skytender.safety.safety_constraints import OTHER, REACH
+
+from skytender.safety.braking_clearance import FloatArray
 
 DIRECTIONS = 17
 """level and 45 degrees up by each eighth of a turn, and up; none is down, where the ground is"""
@@ -73,6 +76,22 @@ def reach_clearance(m: Any, i: int, other: Any, leave: Any, dt: float, horizon: 
     vn, ve, vd = v[0] + dt * u[0], v[1] + dt * u[1], v[2] + dt * u[2]
     _, after, when, nn, ne, nd = way_clearance(xn, xe, xd, vn, ve, vd, brake, m.v_max[i], w, leave, dt, horizon)
     return min(first, enough), min(after - w * dt, enough), when, nn, ne, nd
+
+
+def clearance_leaving(
+    p: FloatArray, v: FloatArray, u: FloatArray, w: float, e: FloatArray, brake: float, v_max: float, dt: float,
+    horizon: float,
+) -> tuple[float, float]:  # fmt: skip
+    """Clearances in the coming period and after it of a vehicle at p that leaves along e (all (3,)) what is at 0."""
+    moves = Moves(
+        p=cython.address(p[0]), v=cython.address(v[0]), u=cython.address(u[0]), brake=cython.address(brake),
+        v_max=cython.address(v_max),
+    )  # fmt: skip
+    other = Other(p=[0.0, 0.0, 0.0], v=[0.0, 0.0, 0.0], radius=0.0, growth=0.0, agile=w)
+    first, after, _, _, _, _ = reach_clearance(
+        cython.address(moves), 0, cython.address(other), cython.address(e[0]), dt, horizon, math.INFINITY
+    )
+    return first, after
 
 
 def choose_directions(s: Any) -> None:

@@ -27,4 +27,4 @@ cdef bint write_line(
 cpdef clearances(
     const long long[:, ::1] rows, double enough, const double[:, ::1] p, const double[:, ::1] v,
     const double[:, ::1] u, const double[::1] brake, const double[:, ::1] others, const double[:, ::1] table,
-    const double[:, ::1] walls, double dt, double horizon, const double[::1] v_max, const double[::1] leave)
+    const double[:, ::1] walls, double dt, double horizon)

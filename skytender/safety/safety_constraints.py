@@ -49,16 +49,16 @@ def clearance_of(c: Any, enough: float, m: Any, around: Any) -> Any:
 
 def clearances(
     rows: IntArray, enough: float, p: FloatArray, v: FloatArray, u: FloatArray, brake: FloatArray, others: FloatArray,
-    table: FloatArray, walls: FloatArray, dt: float, horizon: float, v_max: FloatArray, leave: FloatArray,
+    table: FloatArray, walls: FloatArray, dt: float, horizon: float,
 ) -> FloatArray:  # fmt: skip
     """Clearances (k, 6) of constraints (kind, i, j), rows (k, 3), with vehicles at p (n, 3).
 
-    v, u: (n, 3); brake, v_max: (n,); leave: (3,) direction of leaving; others: (m, 9) place, velocity, radius, its
-    growth, agility; walls: (n, 6).
+    v, u: (n, 3); brake: (n,); others: (m, 9) place, velocity, radius, its growth, agility; walls: (n, 6). No kind is
+    REACH, which leaving.py measures.
     """
     moves = Moves(
         p=cython.address(p[0, 0]), v=cython.address(v[0, 0]), u=cython.address(u[0, 0]),
-        brake=cython.address(brake[0]), v_max=cython.address(v_max[0]),
+        brake=cython.address(brake[0]), v_max=cython.NULL,
     )  # fmt: skip
     around = Surroundings(
         others=cython.cast(cython.pointer(Other), cython.address(others[0, 0])),
@@ -72,7 +72,6 @@ def clearances(
     found = array
     for k in range(rows.shape[0]):
         c.kind, c.i, c.j = rows[k, 0], rows[k, 1], rows[k, 2]
-        c.leave[0], c.leave[1], c.leave[2] = leave[0], leave[1], leave[2]
         first, after, when, nn, ne, nd = clearance_of(
             cython.address(c), enough, cython.address(moves), cython.address(around)
         )

@@ -171,9 +171,7 @@ def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
     last = np.full(len(rows), -math.inf)
     for _ in range(30):
         u = brake(v, b[:, None])
-        found = clearances(
-            rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s, np.full(2, 9.0), np.zeros(3)
-        )
+        found = clearances(rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s)
         now = found[:, :2].min(axis=1)
         assert (now >= last - 1e-9).all()
         last, p, v = now, p + DT * v + 0.5 * DT * DT * u, v + DT * u

@@ -162,7 +162,7 @@ def test_refusals_missing_streams_and_an_impostor_are_told(flown: Flown) -> None
         "Arm: Need Position Estimate",
         "EXTENDED_SYS_STATE does not come",
         f"Another vehicle says that it is 1, from 127.0.0.1:{flown.twin}: ignored",
-        "Told to hold",
+        "Ordered to hold",
     ):
         assert wanted in flown.said, wanted
     missing = {v["sysid"]: v["missing_streams"] for v in flown.outcome.summary["vehicles"]}

@@ -98,7 +98,7 @@ def test_what_cannot_be_forwarded_to_is_a_sentence(tmp_path: Path) -> None:
     assert "cannot be listened at: Address already in use; another program" in in_use.stderr
     for argv, words in (
         (["--forward", "14550"], "must be udpin|udpout|tcp|tcpin:HOST:PORT or serial:DEVICE:BAUD"),
-        (["--forward-control"], "--forward-control is for --forward"),
+        (["--forward-control"], "--forward-control needs --forward"),
     ):
         refused = gcs("run", "demo", "--out", str(tmp_path / "none"), *argv)
         assert refused.returncode == 2

@@ -1,5 +1,5 @@
 """The demo with its vehicles competing on board and the ground station's radio dead from 30 s to 90 s, by what the
-vehicles themselves recorded."""
+vehicles themselves recorded. It has no aircraft: vehicles on board receive none, and one passed them in the dark."""
 
 from __future__ import annotations
 
@@ -17,7 +17,11 @@ ON_BOARD: dict[str, Any] = {"competition": {"where": "vehicles"}}
 
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
-    silent = {"radio": {"ground_blackouts": [{"from_s": FROM_S, "to_s": TO_S}]}, "goal": {"duration_s": 115}}
+    silent = {
+        "traffic": [],
+        "radio": {"ground_blackouts": [{"from_s": FROM_S, "to_s": TO_S}]},
+        "goal": {"duration_s": 115},
+    }
     return fly(merged(demo(), {**ON_BOARD, **silent}), tmp_path_factory.mktemp("silent"), "--quiet")
 
 

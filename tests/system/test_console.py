@@ -14,7 +14,7 @@ from screens import ALTERNATE, MAIN, Screen
 from sessions import GCS, all_gone, fly, small
 
 CONSOLE = "gcs.console"
-GOAL = {"duration_s": 30.0, "refuelled_at_least": 0}
+GOAL = {"duration_s": 90.0, "refuelled_at_least": 0}
 SPEED = 3.0  # there has to be time to look, whatever else the machine does
 
 
@@ -53,12 +53,12 @@ def test_resized_suspended_watched_by_others_and_killed_it_changes_nothing_in_fl
             screen.resize(120, 40)
             screen.until("competition", "arm")
             console.send_signal(signal.SIGTSTP)
-            screen.until(MAIN.decode(), "suspended", " of 30 s | ")
+            screen.until(MAIN.decode(), "suspended", " of 90 s | ")
             assert screen.cooked
             console.send_signal(signal.SIGCONT)
             screen.until(ALTERNATE.decode(), "flying")
             console.kill()
-            screen.until(MAIN.decode(), "the console was killed by signal 9; the session goes on", " of 30 s | ")
+            screen.until(MAIN.decode(), "the console was killed by signal 9; the session goes on", " of 90 s | ")
             assert screen.cooked
             family = screen.family()
             assert screen.finish() == 0
@@ -79,7 +79,7 @@ def test_orders_are_obeyed_q_leaves_lines_and_ctrl_c_stops_them(tmp_path: Path) 
         screen.press("y")
         screen.until("hold pursuer 1:", "operator")
         screen.press("q")
-        screen.until(MAIN.decode(), "the console was closed; the session goes on", " of 30 s | ")
+        screen.until(MAIN.decode(), "the console was closed; the session goes on", " of 90 s | ")
         assert screen.cooked
         family = screen.family()
         assert not [p for p in family if CONSOLE in p.cmdline()]
@@ -151,7 +151,7 @@ def test_a_dumb_terminal_gets_lines(tmp_path: Path) -> None:
     with Screen(run(tmp_path, "--lockstep"), TERM="dumb") as screen:
         assert screen.finish() == 0
     assert b"\x1b" not in screen.seen
-    assert b" of 30 s | " in screen.seen
+    assert b" of 90 s | " in screen.seen
 
 
 def test_monitor_names_a_folder_where_nothing_runs(tmp_path: Path) -> None:

@@ -67,8 +67,8 @@ def copied(flown: Outcome, folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
-    """Thirty seconds of the demo: two refuellings, and the goal missed."""
-    changes = {"goal": {"duration_s": 30}}
+    """Of the demo 32 s: two refuellings, and the goal missed."""
+    changes = {"goal": {"duration_s": 32}}
     return fly(merged(demo(), changes), tmp_path_factory.mktemp("report"), "--plain", report=True)
 
 

@@ -278,7 +278,7 @@ def test_foxglove_finds_what_it_shows_without_set_up(
     """Read by MCAP's own reader: schemas by the names that Foxglove knows, places as the vehicles knew them."""
     path = tmp_path / "session.mcap"
     assert run_argv(["export", str(flown.folder), "--format", "mcap", "--out", str(path)]) == 0
-    assert capsys.readouterr().out == f"301 snapshots: {path}\n"
+    assert capsys.readouterr().out == f"321 snapshots: {path}\n"
     truth = flown.truth(3)
     begun_ns = 1767225600 * 10**9
     with path.open("rb") as file:

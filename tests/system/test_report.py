@@ -109,7 +109,8 @@ def test_its_numbers_are_the_summarys(flown: Outcome) -> None:
     near = [panel["own"][0] for panel in figures["nearness"]["panels"]]
     separation, clearance, traffic = near
     between_m = 0.01  # drawn at ticks, judged between them too
-    assert np.nanmin(values(separation)) == pytest.approx(summary["believed_min_separation_m"], abs=between_m)
+    above_m = np.nanmin(values(separation)) - summary["believed_min_separation_m"]
+    assert -1e-9 <= above_m <= 0.1 * between_m
     assert np.nanmin(values(clearance)) == pytest.approx(summary["believed_min_clearance_m"], abs=between_m)
     assert np.nanmin(values(traffic)) == pytest.approx(summary["believed_min_traffic_m"], abs=between_m)
     errors = {line["id"]: np.nanmax(values(line)) for line in figures["error"]["panels"][0]["lines"]}

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import socket
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from ports import free_port
 from quick_vehicles import Fly, flying
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -26,10 +26,8 @@ def peers() -> Path:
 
 @pytest.fixture
 def port() -> int:
-    """A UDP port that was free a moment ago: peers cannot say which one the system gave them."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
+    """A port of the test's own: peers cannot say which one the system gave them."""
+    return free_port()
 
 
 @pytest.fixture

@@ -13,10 +13,10 @@ import pytest
 from conversation import Conversation
 from lanes import lanes, start
 from onlookers import PymavlinkStation, mavproxy, mavsdk, pymavlink_station
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
-from radios import Cable, Router, Tcp, free_tcp_port
+from radios import Cable, Router, Tcp
 from sessions import Outcome, Running
-from strangers import free_port
 
 FLEET = (1, 2, 3)
 BAUD = 57_600
@@ -35,7 +35,7 @@ class Fleet(NamedTuple):
 
 def tcp(stack: contextlib.ExitStack, _: Path) -> Fleet:
     """One listens, as a simulator does; two connect to where the session listens."""
-    listens = free_tcp_port()
+    listens = free_port()
     there = ("127.0.0.1", listens)
     one, two, three = (stack.enter_context(Tcp(to)) for to in (None, there, there))
     at = [f"tcp:127.0.0.1:{one.far_port}", f"tcpin:127.0.0.1:{listens}"]

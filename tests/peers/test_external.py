@@ -14,9 +14,10 @@ from typing import Any
 
 import pymap3d
 import pytest
+from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import Outcome, Running, fly
-from strangers import ARDUCOPTER, free_port, strangers
+from strangers import ARDUCOPTER, strangers
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 PX4, COPTER, TARGET = 5, 6, 8

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from onlookers import mavproxy, mavsdk
+from ports import free_port
 from sessions import Running, small
-from strangers import free_port
 
 
 def test_mavsdk_lands_what_gcs_flies_while_mavproxy_looks_on(peers: Path, tmp_path: Path) -> None:

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 from patience import PATIENCE_S
+from ports import free_port
 from quick_vehicles import Fly, flying
-from strangers import free_port
 
 SCRIPT = Path(__file__).with_name("with_mavsdk.py")
 PX4_SCENES = ("flight", "offboard", "mission", "follow", "failures", "motor")

@@ -17,10 +17,11 @@ from typing import Any, NamedTuple
 
 import pymap3d
 import pytest
+from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import GCS, Outcome, Running
 from station import Station
-from strangers import free_port, strangers
+from strangers import strangers
 
 PROGRAM = os.environ.get("SKYTENDER_ARDUCOPTER", "")
 DEFAULTS = Path("Tools", "autotest", "default_params", "copter.parm")

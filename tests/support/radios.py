@@ -14,17 +14,13 @@ import tty
 from pathlib import Path
 from typing import Self
 
+from ports import free_port
+
 BITS_PER_BYTE = 10
 """start, eight, stop"""
 BUFFER_BYTES = 2048
 """What a radio keeps that has not gone out yet; the rest is lost."""
 _PIECE = 512
-
-
-def free_tcp_port() -> int:
-    """A TCP port that nobody has."""
-    with socket.create_server(("127.0.0.1", 0)) as one:
-        return int(one.getsockname()[1])
 
 
 class Relay:
@@ -126,9 +122,9 @@ class Tcp(Relay):
     def __init__(self, to: tuple[str, int] | None = None) -> None:
         super().__init__()
         self._to = to
-        self._server = None if to else socket.create_server(("127.0.0.1", 0))
+        self.far_port = 0 if to else free_port()
+        self._server = None if to else socket.create_server(("127.0.0.1", self.far_port))
         self._stream: socket.socket | None = None
-        self.far_port = int(self._server.getsockname()[1]) if self._server is not None else 0
         self.cut = False
 
     def pull(self) -> None:

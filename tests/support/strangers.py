@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
-import socket
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -15,22 +13,6 @@ from sessions import ROOT
 
 SIMVEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 ARDUCOPTER = [sys.executable, str(ROOT / "tests" / "peers" / "arducopter.py")]
-
-
-WORKER, WORKERS = os.environ.get("PYTEST_XDIST_WORKER", "gw0"), int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
-_given: set[int] = set()
-
-
-def free_port(host: str = "127.0.0.1") -> int:
-    """A UDP port that nobody has, and that no test beside this one or before it was given: one of its vehicles may
-    still speak to it."""
-    while True:
-        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM) as one:
-            one.bind((host, 0))
-            port = int(one.getsockname()[1])
-        if port not in _given and port % WORKERS == int(WORKER.removeprefix("gw")):
-            _given.add(port)
-            return port
 
 
 @contextmanager

@@ -15,9 +15,10 @@ from typing import Any
 
 import pytest
 from commands import gcs
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import GCS
-from strangers import ARDUCOPTER, free_port
+from strangers import ARDUCOPTER
 
 VEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 CHECK = ["check", "--json", "--within", "60"]

@@ -16,9 +16,10 @@ from typing import Any
 import pymap3d
 import pytest
 import yaml
+from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import Outcome, Running, fly
-from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
+from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
 LAT, LON, ALT = 47.397742, 8.545594, 488.0
 RING_M = 2.0

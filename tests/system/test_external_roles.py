@@ -12,8 +12,9 @@ from typing import Any
 import psutil
 import pytest
 import yaml
+from ports import free_port
 from sessions import Outcome, Running, small
-from strangers import SIMVEHICLE, free_port, strangers
+from strangers import SIMVEHICLE, strangers
 
 TANKER, LOST = 201, 2
 END_S = 21.0

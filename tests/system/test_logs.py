@@ -19,10 +19,11 @@ from typing import Any
 
 import pytest
 from commands import gcs
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from scenarios import loaded
 from sessions import fly
-from strangers import SIMVEHICLE, free_port, strangers
+from strangers import SIMVEHICLE, strangers
 
 from gcs.session.fetched_logs import fetch_logs
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
+from ports import free_port
 from sessions import Outcome, Running, small
-from strangers import ARDUCOPTER, free_port, strangers
+from strangers import ARDUCOPTER, strangers
 
 from gcs.recording.session_folder import read
 from gcs.report.findings import Findings

@@ -13,8 +13,9 @@ from typing import Any
 
 import pytest
 from commands import gcs
+from ports import free_port
 from sessions import ROOT
-from strangers import free_port, strangers
+from strangers import strangers
 
 HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "parameter_holder.py")]
 FORMS = {"UINT8": "B", "INT8": "b", "UINT16": "H", "INT16": "h", "UINT32": "I", "INT32": "i", "REAL32": "f"}

@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 from commands import gcs
-from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
+from ports import free_port
+from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
 from gcs.scenario.file import load
 

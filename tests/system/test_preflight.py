@@ -13,9 +13,10 @@ import yaml
 from commands import gcs
 from hypothesis import given
 from hypothesis import strategies as st
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import Running, fly
-from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
+from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
 from gcs.scenario.model import Scenario
 from gcs.supervisor.preflight import fence_items, rally_items

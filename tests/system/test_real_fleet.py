@@ -21,8 +21,9 @@ import pymap3d
 import pytest
 import yaml
 from commands import gcs
+from ports import free_port
 from sessions import Outcome, fly
-from strangers import free_port, strangers
+from strangers import strangers
 
 ARDUCOPTER = os.environ.get("SKYTENDER_ARDUCOPTER", "")
 PX4 = os.environ.get("SKYTENDER_PX4", "")

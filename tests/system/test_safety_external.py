@@ -14,9 +14,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import Outcome, fly, read_truth
-from strangers import SIMVEHICLE, free_port, strangers
+from strangers import SIMVEHICLE, strangers
 
 HOME = "47.397742,8.545594,488"
 ACROSS_M = 7.0

@@ -16,9 +16,10 @@ from typing import Any
 
 import psutil
 import pytest
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import Outcome, Running, fly, small
-from strangers import ARDUCOPTER, SIMVEHICLE, free_port, strangers
+from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
 SHORT = small(goal={"duration_s": 12.0, "refuelled_at_least": 0})
 IDS = (1, 101, 201)

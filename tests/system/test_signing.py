@@ -11,10 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import fly, small
 from station import ACCEPTED, Station
-from strangers import SIMVEHICLE, free_port, strangers
+from strangers import SIMVEHICLE, strangers
 
 from gcs.link.keys import new_key, read_key
 

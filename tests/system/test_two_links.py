@@ -10,9 +10,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import pytest
+from ports import free_port
 from radios import Cable
 from sessions import Outcome, Running
-from strangers import SIMVEHICLE, free_port, strangers
+from strangers import SIMVEHICLE, strangers
 
 from gcs.recording import session_folder
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 import serial
 from commands import gcs
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from radios import Cable
 
@@ -36,12 +37,6 @@ def spoken(stack: ExitStack, say: Callable[[], object]) -> None:
     thread.start()
     stack.callback(thread.join)
     stack.callback(stop.set)
-
-
-def free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
 
 
 def wrong_rate(stack: ExitStack, folder: Path, _: pytest.MonkeyPatch) -> Trouble:

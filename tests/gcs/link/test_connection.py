@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 import serial
 from patience import PATIENCE_S
+from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from radios import Cable
 
@@ -57,8 +58,7 @@ def soon(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_tcp_is_made_when_somebody_listens_and_again_when_it_has_ended() -> None:
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        where = server.getsockname()
+    where = ("127.0.0.1", free_port())
     one = opened(f"tcp:127.0.0.1:{where[1]}")
     until(one, lambda: "it cannot be reached (Connection refused)" in one.problem)
     for _ in range(2):

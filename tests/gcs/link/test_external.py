@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 from patience import PATIENCE_S
+from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link import external
@@ -55,12 +56,6 @@ class Vehicle:
             heard.append(message)
         assert len(heard) == count
         return heard
-
-
-def free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
 
 
 @pytest.fixture

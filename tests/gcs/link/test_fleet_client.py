@@ -14,6 +14,7 @@ from typing import Any, Literal
 import pytest
 from commands import gcs
 from patience import PATIENCE_S
+from ports import free_port
 from pymavlink.dialects.v10 import ardupilotmega as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega as mavlink2
 
@@ -129,7 +130,7 @@ def test_all_are_found_and_asked_each_in_its_own_version(together: bool) -> None
 
 
 def test_a_command_for_every_vehicle_reaches_the_one_that_speaks_mavlink_1() -> None:
-    port = asked_port()
+    port = free_port()
     vehicles = fleet()
     with flying(port, *[[one] for one in vehicles]):
         done = gcs("params", "get", "RTL_ALT", "--connect", f"udpin:127.0.0.1:{port}", "--json")
@@ -140,7 +141,7 @@ def test_a_command_for_every_vehicle_reaches_the_one_that_speaks_mavlink_1() -> 
 
 def test_a_vehicle_whose_messages_are_refused_is_named_and_the_command_is_not_done() -> None:
     """One signs with a key that nobody has given."""
-    port, vehicles = asked_port(), [Vehicle(3, "new"), Vehicle(5, "new")]
+    port, vehicles = free_port(), [Vehicle(3, "new"), Vehicle(5, "new")]
     vehicles[1]._out[2].signing.secret_key, vehicles[1]._out[2].signing.sign_outgoing = b"k" * 32, True
     words = ("params", "get", "RTL_ALT", "--connect", f"udpin:127.0.0.1:{port}")
     with flying(port, *[[one] for one in vehicles]):
@@ -152,15 +153,9 @@ def test_a_vehicle_whose_messages_are_refused_is_named_and_the_command_is_not_do
     assert "left out" not in named.stderr
 
 
-def asked_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
-
-
 @pytest.mark.parametrize("sysids", [(3, 4), (3, 3)])
 def test_a_second_autopilot_of_one_system_id_is_named(sysids: tuple[int, int]) -> None:
-    port = asked_port()
+    port = free_port()
     with flying(port, *([Vehicle(sysid, "new")] for sysid in sysids)):
         done = gcs("params", "get", "RTL_ALT", "--connect", f"udpin:127.0.0.1:{port}")
     assert done.returncode == 0, done.stderr

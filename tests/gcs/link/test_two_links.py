@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from patience import PATIENCE_S
+from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.link.external import ExternalLink
@@ -53,12 +54,6 @@ class Port:
                 names += [m.get_type() for m in parser.parse_buffer(self.socket.recv(65536)) or ()]
             except BlockingIOError:
                 return names
-
-
-def free_port() -> int:
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
 
 
 class Stand:

@@ -26,6 +26,7 @@ TESTS = ROOT / "tests"
 PEERS = str(ROOT / ".venv-peers" / "bin" / "python")
 sys.path.insert(0, str(TESTS / "support"))
 
+from ports import free_port  # noqa: E402
 from station import POSITION, Station  # noqa: E402
 
 SCENES = ("flight", "offboard", "mission", "follow", "failures")
@@ -61,9 +62,7 @@ def mavsdk_client() -> list[bytes]:
             near, far = (stack.enter_context(socket.socket(socket.AF_INET, socket.SOCK_DGRAM)) for _ in range(2))
             for each in (near, far):
                 each.bind(("127.0.0.1", 0))
-            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
-                free.bind(("127.0.0.1", 0))
-                port = free.getsockname()[1]
+            port = free_port()
             connect = f"udpout:127.0.0.1:{near.getsockname()[1]}"
             vehicle = [
                 sys.executable,

@@ -65,7 +65,7 @@ fuzz: $(DEV_READY)
 	@$(VENV)/bin/python tests/fuzz $(FUZZ)
 
 # FAULTS="--moments 3 --only SIGKILL,blackout --hours 0" flies less of it; what has been flown is kept, and --write puts
-# the table into docs/threat-model.md.
+# the table into docs/faults.md.
 faults: $(DEV_READY)
 	@$(VENV)/bin/python tests/faults $(FAULTS)
 

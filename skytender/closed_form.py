@@ -1,5 +1,5 @@
-"""The winner-take-all law over a time with its inputs constant, exactly, in logarithms (docs/model.md#exact-solution;
-paper eqs. 1, 2) [lineage].
+"""The winner-take-all law over a time with its inputs constant, exactly, in logarithms
+(docs/model/competition.md#exact-solution; paper eqs. 1, 2) [lineage].
 
 With w = v^p, a = p c, and k the largest of w_i e^(a τ_i t):
 

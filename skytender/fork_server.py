@@ -1,4 +1,5 @@
-"""A fork server: it has loaded what its children need, and forks one for each order (docs/protocol.md#processes).
+"""A fork server: it has loaded what its children need, and forks one for each order
+(docs/protocol/processes.md#processes).
 
 Standard input, a Unix socket, pipe or file, takes a JSON line per order; descriptors may come with it over the socket.
 Standard output reports {"ready": true}, then {…, "pid"} at each fork and {…, "pid", "exit", "last_lines", "cpu_s"} at

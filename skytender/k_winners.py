@@ -1,4 +1,4 @@
-"""The k greatest at once, read off the winner-take-all law as it is (docs/model.md#k-winners) [choice].
+"""The k greatest at once, read off the winner-take-all law as it is (docs/model/competition.md#k-winners) [choice].
 
     v_i(t)/v_j(t) = v_i(0)/v_j(0) · e^(c (τ_i - τ_j) t)
 

@@ -1,4 +1,4 @@
-"""Winner-take-all competition (docs/model.md#competition; paper eqs. 1, 2, 22) [lineage].
+"""Winner-take-all competition (docs/model/competition.md#competition; paper eqs. 1, 2, 22) [lineage].
 
     v_i' = c (τ_i - Σ_j v_j^p) v_i
 
@@ -18,8 +18,8 @@ FloatArray = NDArray[np.float64]
 
 
 def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
-    """States (n,) after `dt_s` seconds with `tau` constant: the exact solution (docs/model.md#exact-solution; paper
-    eqs. 1, 2) [lineage].
+    """States (n,) after `dt_s` seconds with `tau` constant: the exact solution
+    (docs/model/competition.md#exact-solution; paper eqs. 1, 2) [lineage].
 
     v (n,) >= 0 and tau (n,) > 0 have no unit, p >= 1, and rate = c > 0 in 1/s; all finite, else ValueError.
     Computed in logarithms relative to the leader, so neither growth nor decay overflows; a loser far below the smallest
@@ -38,7 +38,7 @@ def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float)
 
 def advance_ln(ln_v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
     """The same of the states' logarithms (n,), finite, so that no ratio is lost to the range of floats
-    (docs/model.md#k-winners)."""
+    (docs/model/competition.md#k-winners)."""
     ln_now, drive = finite("ln_v", ln_v), drive_of(tau, np.shape(ln_v)[:1])
     require_exponent(p)
     require_positive("rate", rate)
@@ -53,7 +53,7 @@ def normalise(x: ArrayLike, *, low: float, high: float, largest_wins: bool = Tru
 
     The largest of `x` (n,) becomes `high` and the smallest `low`, or the reverse when the smallest is to win. When all
     are equal there is nothing to scale: the first becomes `high` and the others `low`, so that in the order of system
-    ids the lowest is first (docs/protocol.md#refuelling-schedule). One alone is `high`.
+    ids the lowest is first (docs/protocol/energy.md#refuelling-schedule). One alone is `high`.
     ValueError unless x is finite and 0 < low < high, both finite.
     """
     values = finite("x", x)
@@ -73,13 +73,14 @@ def normalise(x: ArrayLike, *, low: float, high: float, largest_wins: bool = Tru
 
 def revive(v: ArrayLike, floor: float) -> FloatArray:
     """States (n,) with every one lifted to `floor` > 0, so that a loser can win later
-    (docs/protocol.md#refuelling-schedule) [choice]."""
+    (docs/protocol/energy.md#refuelling-schedule) [choice]."""
     require_positive("floor", floor)
     return np.asarray(np.maximum(finite("v", v), floor))
 
 
 def share(v: ArrayLike, p: float, floor: float) -> float:
-    """The winner's share, 0..1, of Σ v^p less the floor's own share (docs/protocol.md#refuelling-schedule) [choice].
+    """The winner's share, 0..1, of Σ v^p less the floor's own share (docs/protocol/energy.md#refuelling-schedule)
+    [choice].
 
     What each v^p holds above floor^p counts, the winner's and the others' alike: 1 when all others lie on the floor, 0
     while no vehicle has left it. Without this, a thousand revived losers would outweigh any winner.

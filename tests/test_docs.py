@@ -12,8 +12,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
+import yaml
 from pages import CONTRIBUTING, DOCS, PAGES, README, ROOT, anchors, files
 
 from gcs.scenario.json_schema import editor_schema
@@ -24,16 +26,19 @@ LINK = re.compile(r"\]\((?P<path>[^)#:\s]*)(?:#(?P<anchor>[a-z0-9-]+))?\)")
 PICTURE = re.compile(r'<img src="(?P<path>[^"]+)"')
 GENERATED = DOCS / "reference"
 TOPS = (ROOT / "gcs", ROOT / "simvehicle")
+TO_READ = [README, CONTRIBUTING, ROOT / "SECURITY.md", *PAGES]
+MOST_WORDS = 2500
 EXAMPLES = {"my_planner.py": "own-planner.md", "my_policy.py": "own-policy.md"}
 
 
 def texts() -> Iterator[tuple[Path, str]]:
-    """(file, text) of code, tests, scenarios and the files at the top."""
-    for folder in ("gcs", "simvehicle", "tests", "configs"):
+    """(file, text) of code, tests, scenarios, pages and the files at the top."""
+    for folder in ("gcs", "simvehicle", "skytender", "tests", "configs", "docs"):
         for path in (ROOT / folder).rglob("*"):
-            if path.suffix in {".py", ".yaml", ".json", ".md"} and path != Path(__file__):
+            if path.suffix in {".py", ".pxd", ".js", ".yaml", ".json", ".md", ".ipynb"} and path != Path(__file__):
                 yield path, path.read_text(encoding="utf-8")
-    yield ROOT / "CHANGELOG.md", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    for name in ("CHANGELOG.md", "CONTRIBUTING.md", "README.md", "SECURITY.md", "CITATION.cff", "Makefile"):
+        yield ROOT / name, (ROOT / name).read_text(encoding="utf-8")
 
 
 def test_every_citation_names_a_heading() -> None:
@@ -43,6 +48,8 @@ def test_every_citation_names_a_heading() -> None:
         for match in CITATION.finditer(re.sub(r"\n\s*(?:# )?", " ", text)):
             page, anchor = DOCS / match["page"], match["anchor"]
             cited += 1
+            if page.parent == GENERATED and page.name in generated().pages():
+                continue
             if not page.is_file() or (anchor and anchor not in anchors(page)):
                 broken.add(f"{path.relative_to(ROOT)}: {match[0]}")
     assert not broken
@@ -54,7 +61,7 @@ def test_nothing_cites_what_no_user_has() -> None:
     assert not [path for path, text in texts() if internal.search(text)]
 
 
-@pytest.mark.parametrize("page", [README, CONTRIBUTING, *PAGES], ids=lambda page: str(page.relative_to(ROOT)))
+@pytest.mark.parametrize("page", TO_READ, ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_resolve(page: Path) -> None:
     text = page.read_text(encoding="utf-8")
     for match in LINK.finditer(text):
@@ -67,14 +74,36 @@ def test_links_resolve(page: Path) -> None:
     assert all((page.parent / match["path"]).exists() for match in PICTURE.finditer(text))
 
 
-def test_every_page_is_in_the_sites_navigation_and_is_linked() -> None:
-    navigation = (SITE / "mkdocs.yml").read_text(encoding="utf-8").partition("nav:")[2]
-    index = (DOCS / "index.md").read_text(encoding="utf-8")
-    for page in PAGES:
-        name = str(page.relative_to(DOCS))
-        assert f": {name}" in navigation
-        assert name == "index.md" or f"({name})" in index
-    assert all(f": reference/{name}" in navigation for name in generated().pages() if name.endswith(".md"))
+@pytest.mark.parametrize("page", TO_READ, ids=lambda page: str(page.relative_to(ROOT)))
+def test_a_page_can_be_read_at_one_sitting(page: Path) -> None:
+    assert len(page.read_text(encoding="utf-8").split()) < MOST_WORDS
+
+
+def linked(page: Path) -> set[Path]:
+    """The pages that a page links."""
+    text = page.read_text(encoding="utf-8")
+    return {(page.parent / match["path"]).resolve() for match in LINK.finditer(text) if match["path"]}
+
+
+def test_every_page_is_of_one_of_four_kinds_in_the_navigation_and_is_found_from_the_index() -> None:
+    index, *kinds = yaml.safe_load((SITE / "mkdocs.yml").read_text(encoding="utf-8"))["nav"]
+    assert list(index.values()) == ["index.md"]
+    assert [name for kind in kinds for name in kind] == ["Tutorials", "How-to guides", "Reference", "Explanation"]
+    made = [GENERATED / name for name in generated().pages() if name.endswith(".md")]
+    assert sorted(named_in(kinds)) == sorted({*PAGES, *made} - {DOCS / "index.md"})
+    at_once = linked(DOCS / "index.md")
+    for page in {*PAGES, *made} - {DOCS / "index.md"}:
+        overview = page.parent / "index.md"
+        assert page in at_once or (overview in at_once and page in linked(overview)), page
+
+
+def named_in(navigation: Any) -> Iterator[Path]:
+    """The pages that a part of the navigation names."""
+    if isinstance(navigation, str):
+        yield DOCS / navigation
+    else:
+        for part in navigation.values() if isinstance(navigation, dict) else navigation:
+            yield from named_in(part)
 
 
 def test_what_the_python_api_describes_can_be_imported() -> None:
@@ -162,8 +191,8 @@ def test_the_site_builds_and_asks_for_nothing_from_the_network(tmp_path: Path) -
     site = tmp_path / "stage" / "site"
     api = (site / "python-api.html").read_text(encoding="utf-8")
     assert 'id="gcs.session.python.Session"' in api or 'id="gcs.Session"' in api
-    assert 'href="protocol.html#session-folder"' in api
-    assert "docs/protocol.md" not in api
+    assert 'href="protocol/folder.html#session-folder"' in api
+    assert "docs/protocol/" not in api
     for page in site.rglob("*.html"):
         loaded = re.findall(r'<(?:script|img|link)[^>]+(?:src|href)="(https?:)?//', page.read_text(encoding="utf-8"))
         assert not loaded, page

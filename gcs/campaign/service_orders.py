@@ -1,5 +1,5 @@
 """Whether some order of services keeps every vehicle: a search over all orders, depth first, by estimated service times
-(docs/model.md#service-orders) [choice].
+(docs/model/competition.md#service-orders) [choice].
 
 Tankers obey the same rules as under the policies: a free one takes one of the vehicles that want energy, or waits for
 the first that will. A branch is cut off where a vehicle would land unserved in any case. After MOST_NODES the search

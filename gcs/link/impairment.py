@@ -1,4 +1,5 @@
-"""A bad radio, in session time: what it loses, holds back, repeats and shuffles (docs/protocol.md#radio-impairment).
+"""A bad radio, in session time: what it loses, holds back, repeats and shuffles
+(docs/protocol/radio.md#radio-impairment).
 
 It stands above the link, between it and the supervisor, and knows nothing of frames but their order. Each vehicle and
 direction has a random stream of its own, seeded by name; every frame draws the same number of times whatever becomes of

@@ -1,4 +1,4 @@
-"""The supervised link, and the ground station's only fleet socket: docs/protocol.md#clock-and-supervised-link.
+"""The supervised link, and the ground station's only fleet socket: docs/protocol/link.md#clock-and-supervised-link.
 
 One UDP socket holds every vehicle's link; a vehicle is known by its (system, component), by the secret in its first
 hello, which only the processes of the session have, and from then on by the address that this came from. A datagram

@@ -1,7 +1,7 @@
 """Sequence numbers: giving them, and knowing by them when a vehicle's tick is in.
 
 A number is one byte and wraps. Of two numbers the later is the one fewer than 128 steps ahead: that is why a tick holds
-at most 127 frames (docs/protocol.md#answer).
+at most 127 frames (docs/protocol/link.md#answer).
 """
 
 from __future__ import annotations

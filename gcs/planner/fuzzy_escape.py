@@ -1,5 +1,5 @@
-"""Fuzzy escape from local minima of the potential field (docs/model.md#fuzzy-escape; form and rules [choice], domains
-and terms [seed]).
+"""Fuzzy escape from local minima of the potential field (docs/model/planner.md#fuzzy-escape; form and rules [choice],
+domains and terms [seed]).
 
 Inputs: ΔΦ in [-π, π], the angle from attraction to repulsion, signed by the side s to which the repulsion leans;
 ΔF = (|F_g| - |F_o|)/(|F_g| + |F_o|) in [-1, 1]. Output: f in [-1, 1]; the escape force has the size 1.3 |F_g| |f| and
@@ -54,8 +54,8 @@ def new_memory(n: int) -> FloatArray:
 
 
 def escape_strength(delta_phi: float, delta_f: float) -> float:
-    """Fuzzy output f in [-1, 1] for ΔΦ in rad and ΔF (docs/model.md#fuzzy-escape, Table I); inputs beyond the domains
-    are clamped."""
+    """Fuzzy output f in [-1, 1] for ΔΦ in rad and ΔF (docs/model/planner.md#fuzzy-escape, Table I); inputs beyond the
+    domains are clamped."""
     return _strength(delta_phi, delta_f)
 
 
@@ -104,7 +104,7 @@ def escape_force(
     goal_distance: float, full_step: float, arrival: float,
 ) -> tuple[float, float, float]:  # fmt: skip
     """Escape force (north, east, down), in the units of the attraction; changes a leader's memory in place
-    (docs/model.md#fuzzy-escape; paper eqs. 8, 9 and Table I) [choice], domains and terms [seed].
+    (docs/model/planner.md#fuzzy-escape; paper eqs. 8, 9 and Table I) [choice], domains and terms [seed].
 
     (gn, ge, gd) is F_g and (on, oe, od) F_o at (qn, qe, qd), m NED; called once for every step of the planned point,
     before the step. `full_step` in m is the length of a full step: a slow leader makes shorter ones and is not stuck

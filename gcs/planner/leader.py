@@ -1,5 +1,5 @@
-"""Virtual leaders: the planned points that the vehicles follow, moved through the field (docs/model.md#planner; paper
-eq. 4, its step a [choice]).
+"""Virtual leaders: the planned points that the vehicles follow, moved through the field (docs/model/planner.md#planner;
+paper eq. 4, its step a [choice]).
 
     q += l min(1, |F|/k0) F/|F| + feed-forward,   l = speed · period / steps,   steps = ceil(speed · period / κ)
     q += l F/|F| + feed-forward                   with full steps (the paper's prose); the last ends on the goal

@@ -1,10 +1,11 @@
 """One tick of planning: from the fleet's snapshot to a set point for every vehicle that is being steered.
 
-Each vehicle has a virtual leader (docs/model.md#planned-point). Targets' leaders follow a carrot along the scenario's
-path, pursuers' their slot of the formation or their own way points, tankers' the place above their receiver or where
-they wait. A vehicle flies LOOKAHEAD_S behind its leader (docs/model.md#guidance: 0.32 s of guidance, and half a grant).
-So leaders keep formation with leaders, and everything else that moves is looked at where it will be by then. Targets
-are planned first, then pursuers, then tankers, so that each follows what the one before it does in this very period.
+Each vehicle has a virtual leader (docs/model/planner.md#planned-point). Targets' leaders follow a carrot along the
+scenario's path, pursuers' their slot of the formation or their own way points, tankers' the place above their receiver
+or where they wait. A vehicle flies LOOKAHEAD_S behind its leader (docs/model/control.md#guidance: 0.32 s of guidance,
+and half a grant). So leaders keep formation with leaders, and everything else that moves is looked at where it will be
+by then. Targets are planned first, then pursuers, then tankers, so that each follows what the one before it does in
+this very period.
 """
 
 from __future__ import annotations

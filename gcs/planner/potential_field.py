@@ -1,4 +1,5 @@
-"""Attraction and repulsion of the potential field (docs/model.md#potential-field; form [choice], values [seed]).
+"""Attraction and repulsion of the potential field (docs/model/planner.md#potential-field; form [choice], values
+[seed]).
 
     U_g = ½ k0 ρ²,                F_g = k0 min(ρ, cap) towards g
     U_o = 0                                                      ρ > ρ_o
@@ -27,8 +28,8 @@ _FLOOR_M = SURFACE_FLOOR_M
 
 @dataclass(frozen=True)
 class FieldConstants:
-    """Parameters of the field (docs/model.md#potential-field; values [seed], cap_m [choice]). ValueError names what is
-    out of range.
+    """Parameters of the field (docs/model/planner.md#potential-field; values [seed], cap_m [choice]). ValueError names
+    what is out of range.
 
     k0, k1 scale attraction and repulsion; a is the gain and b the share of the repulsion range of the inner term;
     attraction_range_m is the range of way points (tracked targets attract at any distance); repulsion_range_m that of
@@ -79,7 +80,7 @@ class FieldConstants:
 
 def widened_range(range_m: ArrayLike, speed_m_s: ArrayLike, age_s: ArrayLike) -> FloatArray:
     """Repulsion range in m of a moving repulsor whose report is `age_s` old: range + speed · age
-    (docs/model.md#potential-field).
+    (docs/model/planner.md#potential-field).
 
     Arguments broadcast. A report from the future, as clocks may have it, does not narrow the range.
     """

@@ -1,4 +1,5 @@
-"""Safety layer: any planner's set points, changed as little as keeps everyone apart (docs/model.md#safety-layer).
+"""Safety layer: any planner's set points, changed as little as keeps everyone apart
+(docs/model/safety.md#safety-layer).
 
 Each steered vehicle has a leader that obeys limits of speed and acceleration. The planner proposes where it goes, the
 safety filter (safety_filter.py) has the last word, and the vehicle is sent the leader's place and mean velocity. Then

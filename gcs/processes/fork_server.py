@@ -1,4 +1,5 @@
-"""A fork server, such as `simvehicle fork-server`: started, given orders, ended (docs/protocol.md#processes)."""
+"""A fork server, such as `simvehicle fork-server`: started, given orders, ended
+(docs/protocol/processes.md#processes)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vehicles as processes: their command lines, for the fork server (docs/protocol.md#processes)."""
+"""Vehicles as processes: their command lines, for the fork server (docs/protocol/processes.md#processes)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from skytender.safety.silence import Failsafe
 
 SUPERVISED = "--supervised"
 PEERS_A_TICK = 8
-"""Reports of peers that a bundle holds beside everything else (docs/protocol.md#peer-reports)."""
+"""Reports of peers that a bundle holds beside everything else (docs/protocol/onboard.md#peer-reports)."""
 REPORT_TICK_S, LEAST_REPORT_S = 0.1, 0.2
 
 

@@ -1,4 +1,4 @@
-"""The digest of a session: docs/protocol.md#digest."""
+"""The digest of a session: docs/protocol/folder.md#digest."""
 
 from __future__ import annotations
 

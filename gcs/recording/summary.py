@@ -1,4 +1,4 @@
-"""summary.json: how a session ended and what it amounts to (docs/protocol.md#summary)."""
+"""summary.json: how a session ended and what it amounts to (docs/protocol/result.md#summary)."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ class LinkSummary(SummaryPart):
 
 
 class GoalPartSummary(SummaryPart):
-    """Result of one part of the goal (docs/protocol.md#goal)."""
+    """Result of one part of the goal (docs/protocol/result.md#goal)."""
 
     part: str
     """`lost`, `duration`, `separation`, `clearance`, `traffic`, `ground`, `waypoints`, `pursue` or `refuelled`"""

@@ -1,4 +1,4 @@
-"""Vehicles' own truth of their places, from a session's `vehicles/SYSID.truth` (docs/protocol.md#truth)."""
+"""Vehicles' own truth of their places, from a session's `vehicles/SYSID.truth` (docs/protocol/folder.md#truth)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A base's service, step by step: docs/protocol.md#service-at-a-base.
+"""A base's service, step by step: docs/protocol/energy.md#service-at-a-base.
 
     join (fly to above the base) → land → start receiver → transfer → catch up → stop receiver → take off → done
 

@@ -1,5 +1,5 @@
 """The paper's competition, by need and for one winner after another: bids, dwell time, time limit, urgency
-(docs/protocol.md#bids-by-need).
+(docs/protocol/energy.md#bids-by-need).
 
 Needs are the bids, or what a kind of this competition puts in their place (`EffortBidding`). A winner must lead for the
 dwell time; near ties are cut short by `decide_within_s`; and a vehicle that would not last until a rendezvous is served
@@ -181,8 +181,8 @@ class NeedBidding(BiddingRule):
 
 
 class EffortBidding(NeedBidding):
-    """The competition by control energy (paper, Example 4; docs/protocol.md#bids-by-effort): as by need, with the
-    control effort that each has reported since its last joule came in place of the needs.
+    """The competition by control energy (paper, Example 4; docs/protocol/energy.md#bids-by-effort): as by need, with
+    the control effort that each has reported since its last joule came in place of the needs.
 
     That the most energy wins, and that it is counted anew after a while, is the paper's; its definition and what it is
     counted from are a [choice].

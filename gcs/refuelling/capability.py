@@ -1,5 +1,5 @@
-"""Ability to take energy in the air (docs/protocol.md#transfer-capability): as the scenario says, or found out by
-asking.
+"""Ability to take energy in the air (docs/protocol/energy.md#transfer-capability): as the scenario says, or found out
+by asking.
 
 MAV_CMD_USER_1 may mean anything to an unknown autopilot. So only a vehicle that has the parameter SIM_BAT_CAP_J is
 asked, and by a command that does nothing: to stop a transfer that it has not begun.

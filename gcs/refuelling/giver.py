@@ -2,7 +2,7 @@
 
 How long services take beside the way is learnt in the session: the time from the decision to the first joule is fitted
 by least squares as a + b · way, and what passes between the last joule and the end is averaged
-(docs/model.md#service-times) [choice].
+(docs/model/competition.md#service-times) [choice].
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How many vehicles no schedule could have kept (docs/model.md#least-losses) [choice].
+"""How many vehicles no schedule could have kept (docs/model/competition.md#least-losses) [choice].
 
 A relaxation that every schedule obeys: until t, each tanker delivers at most its rate since energy could first flow,
 and no more than it can spare; ways and pauses cost nothing, and what it gives is shared at will. A vehicle that still

@@ -5,7 +5,7 @@
         def choose(self, request): return a system id, or None for none now
 
 A scenario names one: `competition: {policy: optimal | … | MODULE:CLASS}`. With a policy that chooses for one tanker at
-a time, a vehicle that would not last until a rendezvous goes first (docs/protocol.md#refuelling-schedule).
+a time, a vehicle that would not last until a rendezvous goes first (docs/protocol/energy.md#refuelling-schedule).
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 """Frames relayed between partners of a transfer: their own frames, header unchanged
-(docs/protocol.md#transfer-command)."""
+(docs/protocol/energy.md#transfer-command)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Services planned ahead for all tankers over a rolling horizon (docs/model.md#planned-services) [choice].
+"""Services planned ahead for all tankers over a rolling horizon (docs/model/competition.md#planned-services) [choice].
 
 A plan lists the vehicles that each tanker serves one after another. The tanker that is free first takes one of the
 vehicles that want energy then; none waits that a free tanker could serve. A service that begins s before its receiver

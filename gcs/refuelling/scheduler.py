@@ -1,4 +1,4 @@
-"""Refuelling scheduler: gives receivers to tankers and bases (docs/protocol.md#refuelling-schedule).
+"""Refuelling scheduler: gives receivers to tankers and bases (docs/protocol/energy.md#refuelling-schedule).
 
 The schedule is pure but for its own memory: a snapshot and the results of earlier commands go in, requests and records
 come out. It never knows a socket or a clock. How one service goes on from its decision:

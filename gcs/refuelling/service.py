@@ -31,7 +31,7 @@ class Phase(StrEnum):
 
 class TransferRole(IntEnum):
     """param2 of MAV_CMD_USER_1, the command that starts and stops a transfer of energy
-    (docs/protocol.md#energy-transfer): what the vehicle is to do."""
+    (docs/protocol/energy.md#energy-transfer): what the vehicle is to do."""
 
     STOP = 0
     GIVE = 1

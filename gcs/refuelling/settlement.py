@@ -1,4 +1,5 @@
-"""Joules that were on the way when a transfer ended: they come back to their giver (docs/protocol.md#settlement).
+"""Joules that were on the way when a transfer ended: they come back to their giver
+(docs/protocol/energy.md#settlement).
 
 A transfer over a slow or bad radio ends with more given than credited. Once both sides have ended it and have reported
 their counters since, what is missing is known for good, and the tanker is ordered to take it back; a base's books are

@@ -1,4 +1,4 @@
-"""Winner-take-all competition (docs/model.md#competition; paper eqs. 1, 2, 22, 26-28) [lineage].
+"""Winner-take-all competition (docs/model/competition.md#competition; paper eqs. 1, 2, 22, 26-28) [lineage].
 
     v_i' = c (τ_i - Σ_j v_j^p) v_i
 
@@ -47,8 +47,8 @@ def simulate(
     delay_s: ArrayLike | None = None,
     seed: int = 0,
 ) -> FloatArray:
-    """States (k, n) at `times_s` (k,) of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay)
-    [lineage].
+    """States (k, n) at `times_s` (k,) of a competition with noise, delay or changing τ
+    (docs/model/competition.md#noise-and-delay) [lineage].
 
         v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i(t),    v(t) = v0 up to the first time
 

@@ -1,4 +1,4 @@
-"""Steps of a competition with noise, delay or changing τ (docs/model.md#noise-and-delay), for
+"""Steps of a competition with noise, delay or changing τ (docs/model/competition.md#noise-and-delay), for
 `simulated_competition.simulate`.
 
     v_i' = c (τ_i(t) - Σ_j |v_j(t)|^p) v_i(t - d_i) + ϑ_i

@@ -1,4 +1,4 @@
-"""A tanker's service, step by step: docs/protocol.md#service-by-a-tanker.
+"""A tanker's service, step by step: docs/protocol/energy.md#service-by-a-tanker.
 
     join → start receiver → start giver → transfer → stop giver → catch up → stop receiver → done
       ▲                                      broken off by either side │

@@ -1,9 +1,9 @@
 """Assignment of one pursuer to each target, by the least control effort (paper, abstract).
 
-Each target has a race of its own (docs/model.md#target-assignment): every pursuer bids a control effort, the least
-wins. That is the effort that it is predicted to need to reach the target, or the one that it has reported so far. The
-winner pursues, the others hold. All is decided anew at each tick: a challenger takes over when its state holds the
-share that the rules demand, while the present pursuer is forgiven some of its effort, so that near ties do not swap
+Each target has a race of its own (docs/model/competition.md#target-assignment): every pursuer bids a control effort,
+the least wins. That is the effort that it is predicted to need to reach the target, or the one that it has reported so
+far. The winner pursues, the others hold. All is decided anew at each tick: a challenger takes over when its state holds
+the share that the rules demand, while the present pursuer is forgiven some of its effort, so that near ties do not swap
 back and forth [choice]. By prediction the least of a first tick pursues at once; measured efforts are alike then, so
 none does before one has won. Targets choose in order of system id; a pursuer of one target races for no other.
 """
@@ -26,8 +26,8 @@ LOW, HIGH = 0.01, 1.0
 
 
 def predicted_effort(p_ned: Vec3, v_ned: Vec3, target_p_ned: Vec3, target_v_ned: Vec3, speed_m_s: float) -> float:
-    """Control effort to meet a target that flies on straight: g t + |Δv|, m/s (docs/model.md#target-assignment)
-    [choice].
+    """Control effort to meet a target that flies on straight: g t + |Δv|, m/s
+    (docs/model/competition.md#target-assignment) [choice].
 
     t is the time to the meeting at `speed_m_s`: thrust carries the weight for that long, and Δv turns the present
     velocity into the one that meets the target. A target that cannot be met costs as if it flew away for good: the time

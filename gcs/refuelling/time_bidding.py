@@ -1,5 +1,5 @@
 """The competition of vehicles that wait, as many winners at once as givers are free
-(docs/protocol.md#refuelling-schedule, docs/model.md#k-winners) [choice].
+(docs/protocol/energy.md#refuelling-schedule, docs/model/competition.md#k-winners) [choice].
 
 A bid is the time until the vehicle must land, less the time until energy could reach it if another were served first,
 and the way to it, which all others wait for, added: the least bids most. The law is the paper's; the k greatest win at

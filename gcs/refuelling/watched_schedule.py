@@ -1,5 +1,5 @@
 """Schedule of vehicles that compete on board: watched by what they report, not decided here
-(docs/protocol.md#competition-on-board).
+(docs/protocol/onboard.md#competition-on-board).
 
 Reports in, the same records come out as of a schedule that decides. What was missed while the radio was dead is learnt
 afterwards: each tanker reports all of its services again and again.

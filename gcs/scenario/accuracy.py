@@ -1,10 +1,10 @@
 """How far vehicles may be from where they say they are, and what that adds to the distances that are kept.
 
-A vehicle with `sensors:` knows its place to a standard deviation s of each axis (docs/model.md#estimate-errors). Along
-the line between two vehicles their errors differ by one of sqrt(s_1² + s_2²). Its spread is k times that, with k of
-`planner: {confidence}`: the share of sessions in which no error of any two vehicles, or of a vehicle beside what stands
-there, is greater than its spread, by the union bound over all of them and over the correlation times that the session
-lasts [choice].
+A vehicle with `sensors:` knows its place to a standard deviation s of each axis (docs/model/world.md#estimate-errors).
+Along the line between two vehicles their errors differ by one of sqrt(s_1² + s_2²). Its spread is k times that, with k
+of `planner: {confidence}`: the share of sessions in which no error of any two vehicles, or of a vehicle beside what
+stands there, is greater than its spread, by the union bound over all of them and over the correlation times that the
+session lasts [choice].
 """
 
 from __future__ import annotations

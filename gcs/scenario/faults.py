@@ -1,4 +1,4 @@
-"""Faults that a scenario injects, at a time or with a chance that its seed draws (docs/protocol.md#faults).
+"""Faults that a scenario injects, at a time or with a chance that its seed draws (docs/protocol/radio.md#faults).
 
 faults:
   - {fault: blackout, sysid: 2, at_s: 20, for_s: 10}

@@ -1,7 +1,7 @@
 """A scenario: what flies, where, for how long and to what end, as typed, frozen objects.
 
 `load` reads a YAML file, `dump` writes one. Units stand in the names; angles are in degrees. A file states its axes,
-`ned` or `paper` (north, west, up; docs/protocol.md#frames), and `load` converts once: every object here is NED.
+`ned` or `paper` (north, west, up; docs/protocol/frames.md#frames), and `load` converts once: every object here is NED.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -69,9 +69,9 @@ TRANSFER_SILENCE_S = 1.0
 TRANSFER_HOPS = 4
 """Giver, supervisor, receiver and back: within the silence the giver's joules must be seen to have arrived."""
 MOST_MOVERS = 100
-"""A tick holds at most 127 frames of one sender (docs/protocol.md#answer)."""
+"""A tick holds at most 127 frames of one sender (docs/protocol/link.md#answer)."""
 MOST_PEERS = 40
-"""Vehicles whose reports fit a bundle together, twice a second (docs/protocol.md#peer-reports)."""
+"""Vehicles whose reports fit a bundle together, twice a second (docs/protocol/onboard.md#peer-reports)."""
 NO_PURSUIT = "a competition for targets needs a pursuer and a target"
 NO_EFFORT = "external vehicles report no control effort: leave them out of the pursuers, or"
 
@@ -146,7 +146,7 @@ class Scenario(Part):
     record: Record = Record.model_construct()
     """files that the session leaves, and how large they become; everything in one file each by default"""
     truth: Flag = True
-    """launched vehicles record what they themselves know (docs/protocol.md#truth)"""
+    """launched vehicles record what they themselves know (docs/protocol/folder.md#truth)"""
 
     @property
     def random_weather(self) -> bool:

@@ -65,8 +65,8 @@ def _named(key: str, value: Any) -> Any:
 
 
 class PlannerRules(Part):
-    """Potential field (docs/model.md#potential-field) [seed: k0, k1, a, b, ranges] and fuzzy escape
-    (docs/model.md#fuzzy-escape); or one's own."""
+    """Potential field (docs/model/planner.md#potential-field) [seed: k0, k1, a, b, ranges] and fuzzy escape
+    (docs/model/planner.md#fuzzy-escape); or one's own."""
 
     _short = model_validator(mode="before")(lambda value: _named("method", value))
 
@@ -140,8 +140,8 @@ class PursuitRules(Part):
 
 
 class CompetitionRules(Part):
-    """Winner-take-all (docs/model.md#competition): exponent p, rate c, values in [floor, high]; which vehicles compete,
-    when it is decided."""
+    """Winner-take-all (docs/model/competition.md#competition): exponent p, rate c, values in [floor, high]; which
+    vehicles compete, when it is decided."""
 
     _short = model_validator(mode="before")(lambda value: _named("policy", value))
 

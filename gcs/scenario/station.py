@@ -45,7 +45,7 @@ def _is_address(text: str) -> str:
 
 
 class Forward(Part):
-    """Other ground stations beside this one (docs/protocol.md#forwarding)."""
+    """Other ground stations beside this one (docs/protocol/external.md#forwarding)."""
 
     to: Annotated[
         tuple[Annotated[str, Asks("address", beyond_this_machine), AfterValidator(_is_address)], ...],

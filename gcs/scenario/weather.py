@@ -17,9 +17,9 @@ def _ascending(axis: tuple[float, ...]) -> tuple[float, ...]:
 
 
 class Sensors(Part):
-    """Errors of what a vehicle knows of its own motion (docs/model.md#estimate-errors) [choice]: the standard deviation
-    of each axis, and the time over which it is correlated. It needs `plant: rotors`. A real autopilot, which estimates
-    by itself, has them as errors of its sensors (docs/model.md#sensors)."""
+    """Errors of what a vehicle knows of its own motion (docs/model/world.md#estimate-errors) [choice]: the standard
+    deviation of each axis, and the time over which it is correlated. It needs `plant: rotors`. A real autopilot, which
+    estimates by itself, has them as errors of its sensors (docs/model/world.md#sensors)."""
 
     position_m: NotNegative = 0.3
     """error of the position, m"""
@@ -50,7 +50,7 @@ Axis = Annotated[tuple[Coordinate, ...], Field(min_length=1, max_length=2000), A
 
 
 class Gust(Part):
-    """Discrete gust: it rises as (1 - cos)/2, holds, and falls as it rose (docs/model.md#wind)."""
+    """Discrete gust: it rises as (1 - cos)/2, holds, and falls as it rose (docs/model/world.md#wind)."""
 
     at_s: Seconds
     """begin, s of session time"""
@@ -67,8 +67,8 @@ class Gust(Part):
 
 
 class WindTable(Part):
-    """Wind by place, on a grid, added to the mean wind (docs/model.md#wind): between places in proportion, beyond the
-    table as at its edge. An axis of one place has the same wind all along."""
+    """Wind by place, on a grid, added to the mean wind (docs/model/world.md#wind): between places in proportion, beyond
+    the table as at its edge. An axis of one place has the same wind all along."""
 
     north_m: Axis = (0.0,)
     """places north of the origin, m, ascending"""
@@ -91,7 +91,7 @@ class WindTable(Part):
 
 
 class Wind(Part):
-    """Wind on vehicles that fly on rotors (docs/model.md#wind)."""
+    """Wind on vehicles that fly on rotors (docs/model/world.md#wind)."""
 
     speed_m_s: WindSpeed = 0.0
     """mean wind, m/s, the same at all heights"""

@@ -1,5 +1,5 @@
 """A client of a session's socket: messages in, commands out, newline-delimited JSON
-(docs/protocol.md#session-socket)."""
+(docs/protocol/socket.md#session-socket)."""
 
 from __future__ import annotations
 

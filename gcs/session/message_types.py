@@ -1,5 +1,5 @@
-"""Types of the lines on a session's socket (docs/protocol.md#session-socket): what a session, an observer and a replay
-send. `gcs/schemas/messages.schema.json` is made of them.
+"""Types of the lines on a session's socket (docs/protocol/socket.md#session-socket): what a session, an observer and a
+replay send. `gcs/schemas/messages.schema.json` is made of them.
 
 Seconds, metres, joules; positions and velocities in the common NED frame. None: not known.
 """

@@ -1,5 +1,5 @@
 """The supervisor as a process: `python -m gcs.session.process FOLDER`, started by `gcs run`
-(docs/protocol.md#processes).
+(docs/protocol/processes.md#processes).
 
 Reads FOLDER/scenario.yaml, starts the vehicles, runs the session and leaves its files in FOLDER. It ends when its stdin
 closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcome", "error"} at the end.

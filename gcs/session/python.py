@@ -65,7 +65,7 @@ class Session:
     end stops it and saves what was flown.
 
     In lockstep a program may also act: `step`, `command` and `inject`. What it does stands in decisions.jsonl, and the
-    same acts make the same session, byte for byte (docs/protocol.md#programs-that-act).
+    same acts make the same session, byte for byte (docs/protocol/socket.md#programs-that-act).
 
     trust: let the scenario use the code, programs, key files, devices and addresses that it names, which for a file is
     remembered until it changes, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError,
@@ -118,7 +118,7 @@ class Session:
 
     @property
     def folder(self) -> Path:
-        """Folder that the session leaves behind (docs/protocol.md#session-folder)."""
+        """Folder that the session leaves behind (docs/protocol/folder.md#session-folder)."""
         if self._folder is None:
             raise SessionError("the session has no folder before it begins; use it as `with Session(...) as session:`")
         return self._folder
@@ -203,9 +203,9 @@ class Session:
     def inject(self, fault: Mapping[str, Any]) -> None:
         """Let a fault happen, with the next tick or at `at_s`.
 
-        fault: a scenario's fault (docs/protocol.md#faults), such as {"fault": "motor", "sysid": 3}; without `between_s`
-        and `chance`, since nothing is drawn in flight. `kill` and `hang` need a vehicle with a process of its own.
-        Raises SessionError where there is no such fault, or it cannot befall that vehicle.
+        fault: a scenario's fault (docs/protocol/radio.md#faults), such as {"fault": "motor", "sysid": 3}; without
+        `between_s` and `chance`, since nothing is drawn in flight. `kill` and `hang` need a vehicle with a process of
+        its own. Raises SessionError where there is no such fault, or it cannot befall that vehicle.
         """
         self._check_acts()
         if isinstance(fault, Mapping) and fault.get("sysid") is not None:

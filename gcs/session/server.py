@@ -1,5 +1,5 @@
 """The session's socket: snapshots out, operators' commands in, newline-delimited JSON
-(docs/protocol.md#session-socket).
+(docs/protocol/socket.md#session-socket).
 
 A client first reads the greeting, a line of type "session": it ends with the last events that were sent before, and how
 many those were in all. One that reads slowly is dropped, never waited for.

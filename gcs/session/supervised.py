@@ -280,7 +280,7 @@ def run(
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
 ) -> int:
-    """Fly the session prepared in `folder`; the exit status (docs/protocol.md#exit-status).
+    """Fly the session prepared in `folder`; the exit status (docs/protocol/result.md#exit-status).
 
     `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
     `echo` prints the lines that sum it up. `fork` is the supervisor instead of that module. `stderr` takes

@@ -1,4 +1,4 @@
-"""Injects a scenario's faults when their time has come, and says what came of each (docs/protocol.md#faults).
+"""Injects a scenario's faults when their time has come, and says what came of each (docs/protocol/radio.md#faults).
 
 The radio's faults stand in the radio from the start. A vehicle is commanded by MAV_CMD_INJECT_FAILURE to have one of
 its own: a launched one past the radio, which would lose the order, an external one as any command. Processes are the

@@ -1,6 +1,6 @@
 """Goal monitor: measures the goal each tick from telemetry, and at the end from the vehicles' truth files.
 
-Vehicles that count (docs/protocol.md#goal):
+Vehicles that count (docs/protocol/result.md#goal):
 - separation: two vehicles in flight of which we fly at least one. One that another flies (taken over, in an
   operator's hands, on its failsafe) gives no way; near it counts only where ours closes in.
 - obstacles, traffic: vehicles in flight that we fly.

@@ -1,5 +1,5 @@
 """Acts of a program in Python in the session that it steps: set points, commands and faults, and what came of them
-(docs/protocol.md#programs-that-act).
+(docs/protocol/socket.md#programs-that-act).
 
 All of it happens between two ticks, and stands in decisions.jsonl with the next one's time: the same acts at the same
 ticks make the same session, and a recording can be decided again with them.

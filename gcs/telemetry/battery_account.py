@@ -1,4 +1,5 @@
-"""A vehicle's battery by its messages alone: initial + received - drawn - given (docs/protocol.md#energy-accounting).
+"""A vehicle's battery by its messages alone: initial + received - drawn - given
+(docs/protocol/energy.md#energy-accounting).
 
 One account is kept of each vehicle while a session flies, in its replay and in its report, fed in the same order.
 """

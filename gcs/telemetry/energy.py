@@ -1,4 +1,4 @@
-"""How a battery is accounted, from whatever an autopilot reports of it (docs/protocol.md#energy-accounting).
+"""How a battery is accounted, from whatever an autopilot reports of it (docs/protocol/energy.md#energy-accounting).
 
 Three meters of the energy drawn, the best first; a vehicle's source is the best one that has spoken within GAP_S:
 

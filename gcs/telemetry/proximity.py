@@ -31,7 +31,7 @@ class Airspace:
 
     flying: Flags
     ours: Flags
-    """flown by us: only then their clearance counts (docs/protocol.md#goal)"""
+    """flown by us: only then their clearance counts (docs/protocol/result.md#goal)"""
     up: Flags
     """vehicles that must not touch the ground"""
     exempt: Ints

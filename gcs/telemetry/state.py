@@ -90,7 +90,7 @@ class VehicleView(NamedTuple):
 
     @property
     def remaining_j(self) -> float:
-        """Energy in the battery, J, by the vehicle's messages alone (docs/protocol.md#energy-accounting)."""
+        """Energy in the battery, J, by the vehicle's messages alone (docs/protocol/energy.md#energy-accounting)."""
         return self.initial_j + self.received_j - self.drawn_j - self.given_j
 
     @property

@@ -1,4 +1,4 @@
-"""Giving and receiving energy in flight: docs/protocol.md#energy-transfer.
+"""Giving and receiving energy in flight: docs/protocol/energy.md#energy-transfer.
 
 Joules move whole and fractions carry over. Each side keeps one counter for life, `given_j` or `received_j`, which it
 sends as XferOut and XferIn. A receiver credits by the largest XferOut that it has seen, so a lost frame costs nothing.

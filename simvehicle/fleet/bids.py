@@ -1,4 +1,5 @@
-"""Bids on the scale of time, as a vehicle makes its own from what the others report (docs/model.md#time-left) [choice].
+"""Bids on the scale of time, as a vehicle makes its own from what the others report
+(docs/model/competition.md#time-left) [choice].
 
 The numbers that the ground station learns in a session, how long services take beside the way, are its first guesses
 here.

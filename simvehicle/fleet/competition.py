@@ -1,4 +1,5 @@
-"""The competition as each vehicle runs it for itself, over the bids that it hears (docs/model.md#k-winners) [lineage].
+"""The competition as each vehicle runs it for itself, over the bids that it hears (docs/model/competition.md#k-winners)
+[lineage].
 
 The k greatest win at once, k the free tankers, when the last of them has left the next one behind for the dwell time.
 Each vehicle finds all winners and their tankers; it acts only where it is one of them.

@@ -1,7 +1,7 @@
 """Reports by which the vehicles of a fleet know each other, and what one of them has received so far.
 
-A report is a row of 32-bit floats (docs/protocol.md#peer-reports). What a vehicle knows of itself goes through the same
-rounding, so that all compete with the same numbers.
+A report is a row of 32-bit floats (docs/protocol/onboard.md#peer-reports). What a vehicle knows of itself goes through
+the same rounding, so that all compete with the same numbers.
 """
 
 from __future__ import annotations

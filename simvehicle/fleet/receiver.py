@@ -1,4 +1,4 @@
-"""A receiver's side of a service that it arranges itself: docs/protocol.md#competition-on-board.
+"""A receiver's side of a service that it arranges itself: docs/protocol/onboard.md#competition-on-board.
 
     call → meet → start giver → transfer → stop giver → catch up → done
              ▲                                  │ broken off (at most 5 times)

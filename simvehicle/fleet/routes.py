@@ -1,5 +1,5 @@
 """Ways that a vehicle finds by itself while no ground station flies it: past the map's obstacles and the peers it hears
-(docs/protocol.md#flight-without-a-ground-station) [choice]. NED, m.
+(docs/protocol/onboard.md#flight-without-a-ground-station) [choice]. NED, m.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 """Separation on board: a vehicle that flies by itself keeps apart from the peers that it receives
-(docs/protocol.md#separation-on-board).
+(docs/protocol/onboard.md#separation-on-board).
 
 The station's safety filter has seen to it that vehicles stay apart if all brake. So a vehicle whose set point stays
 away brakes at once, as that filter has presumed, and has a virtual leader of its own from then on. In every mode that
@@ -35,7 +35,7 @@ from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders,
 from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, stretch, tube, way_home
 
 LAG_S = 0.37
-"""A vehicle flies so long behind its leader (docs/model.md#guidance)."""
+"""A vehicle flies so long behind its leader (docs/model/control.md#guidance)."""
 ALONE_S = 2.0
 """Without a HEARTBEAT of the station for so long, every vehicle in the air has a leader, so that all know each
 other's."""

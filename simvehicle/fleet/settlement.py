@@ -1,7 +1,7 @@
 """Joules of transfers that have ended and never arrived: their receiver lets the tanker take them back.
 
 The tanker's own books say what it gave by an order; the receiver tells it what it has credited of that
-(docs/protocol.md#settlement). Where nothing was lost nothing is sent.
+(docs/protocol/energy.md#settlement). Where nothing was lost nothing is sent.
 """
 
 from __future__ import annotations

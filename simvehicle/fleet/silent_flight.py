@@ -1,5 +1,5 @@
 """Flight of a vehicle whose ground station is silent: it holds, or goes where a service needs it
-(docs/protocol.md#flight-without-a-ground-station).
+(docs/protocol/onboard.md#flight-without-a-ground-station).
 
 The set points that it gives itself take the way of those that come from outside, and stop as soon as one has come.
 """

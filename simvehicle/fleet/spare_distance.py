@@ -2,7 +2,7 @@
 
 Vehicles that filter different numbers, because their radios lose others, find different ways for each other. Each may
 brake at any time. So no vehicle takes more than half of the distance that is to spare towards a peer that brakes. With
-m the braking clearance (docs/model.md#safety-filter) of vehicle and peer, u_b braking and D the distance required,
+m the braking clearance (docs/model/safety.md#safety-filter) of vehicle and peer, u_b braking, D the distance required,
 
     m(u, peer brakes) >= min(m_b, (m_b + D) / 2),    m_b = m(u_b, peer brakes)
 

@@ -1,7 +1,7 @@
 """A tanker's side of services that receivers arrange: it takes one caller at a time and leaves with its reserve.
 
 The tanker is the one place where two claims meet: the pursuer that its report names has it, and every peer receives the
-same (docs/protocol.md#competition-on-board).
+same (docs/protocol/onboard.md#competition-on-board).
 """
 
 from __future__ import annotations

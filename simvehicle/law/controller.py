@@ -1,5 +1,5 @@
-"""Double closed-loop speed tracking: outer loop (docs/model.md#speed-loop) [choice], also without its floor, and inner
-loop (docs/model.md#attitude-loop) [lineage]."""
+"""Double closed-loop speed tracking: outer loop (docs/model/control.md#speed-loop) [choice], also without its floor,
+and inner loop (docs/model/control.md#attitude-loop) [lineage]."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def outer(
     tilt_slope: float,
     thrust_max: float,
 ) -> tuple[float, float, float]:
-    """Speed loop: (φ_d, θ_d, u1) (docs/model.md#speed-loop) [choice].
+    """Speed loop: (φ_d, θ_d, u1) (docs/model/control.md#speed-loop) [choice].
 
     W = v_d' + (K/m) v + (0, 0, g) - λ (v - v_d). Lift comes first: W_z is floored at 0.3 g and capped at the most
     thrust, then the horizontal part shrinks to what tilt and thrust leave.
@@ -66,7 +66,7 @@ def outer_literal(
     gravity: float,
 ) -> tuple[float, float, float]:
     """Speed loop without floor and limits, θ_d within ±90° [seed] and thrust with its sign: (φ_d, θ_d, u1)
-    (docs/model.md#speed-loop) [choice: the form of paper eq. 17, which is lost].
+    (docs/model/control.md#speed-loop) [choice: the form of paper eq. 17, which is lost].
 
         θ_d = atan((W_x cosψ + W_y sinψ)/W_z)   φ_d = atan(cosθ_d (W_x sinψ - W_y cosψ)/W_z)   u1 = W_z/(cosφ_d cosθ_d)
 
@@ -94,7 +94,7 @@ def inner(
     drag: float,
     limit: float,
 ) -> float:
-    """Attitude loop of one angle: tau (docs/model.md#attitude-loop) [lineage], with error = γ - γ_d.
+    """Attitude loop of one angle: tau (docs/model/control.md#attitude-loop) [lineage], with error = γ - γ_d.
 
     tau = γ_d'' + (L Kγ/Iγ) γ_d' - Ap (γ' - γ_d') - Aq (γ - γ_d)
     """

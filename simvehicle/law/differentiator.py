@@ -1,4 +1,4 @@
-"""Finite-time third-order differentiator (docs/model.md#differentiator, paper eq. 21) [lineage], values [seed],
+"""Finite-time third-order differentiator (docs/model/control.md#differentiator, paper eq. 21) [lineage], values [seed],
 discretised implicitly.
 
 One implicit Euler step of h is one scalar equation in s = X3+, with X2+ = X2 + h s and X1+ = X1 + h X2+:
@@ -132,7 +132,7 @@ def solve_two(
 
 @cython.wraparound(True)
 def step(x: ArrayLike, signal: ArrayLike, dt_s: float, *, epsilon: float) -> NDArray[np.float64]:
-    """One implicit step of differentiators (docs/model.md#differentiator, paper eq. 21) [lineage].
+    """One implicit step of differentiators (docs/model/control.md#differentiator, paper eq. 21) [lineage].
 
     Args:
         x: (..., 3), X1, X2, X3: the signal's estimate and its first two derivatives, in units of the signal per s^k.

@@ -1,4 +1,5 @@
-"""The four-rotor UAV as a plant (docs/model.md#rigid-body) [lineage], its RK4 step, and the frames it is seen in.
+"""The four-rotor UAV as a plant (docs/model/vehicle.md#rigid-body) [lineage], its RK4 step, and the frames it is seen
+in.
 
 Axes are the paper's, nwu: x north, y west, z up. The state holds the rates of the Euler angles, not body rates.
 A plant state is (x, y, z, x', y', z', φ, θ, ψ, φ', θ', ψ'); inputs are (u1, tau2, tau3, tau4).
@@ -26,7 +27,7 @@ INPUT_SIZE = 4
 
 
 def thrust_direction(roll: float, pitch: float, yaw: float) -> tuple[float, float, float]:
-    """Unit vector of thrust in nwu axes (docs/model.md#rigid-body) [lineage]."""
+    """Unit vector of thrust in nwu axes (docs/model/vehicle.md#rigid-body) [lineage]."""
     sin_roll, cos_roll = elementary.sin_cos(roll)
     sin_pitch, cos_pitch = elementary.sin_cos(pitch)
     sin_yaw, cos_yaw = elementary.sin_cos(yaw)
@@ -118,7 +119,7 @@ def wrap_angle(angle: float) -> float:
 
 
 def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> NDArray[np.float64]:
-    """Time derivative of plant states (docs/model.md#rigid-body, paper eq. 3) [lineage].
+    """Time derivative of plant states (docs/model/vehicle.md#rigid-body, paper eq. 3) [lineage].
 
     Args:
         state: (n, 12), nwu axes, m, m/s, rad, rad/s.
@@ -150,7 +151,7 @@ def derivative(state: ArrayLike, inputs: ArrayLike, *, airframe: Airframe) -> ND
 def body_rates(
     roll: float, pitch: float, roll_rate: float, pitch_rate: float, yaw_rate: float
 ) -> tuple[float, float, float]:
-    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (docs/model.md#rigid-body)
+    """Body rates (p, q, r), rad/s, of nwu Euler angles, rad, and their rates, rad/s (docs/model/vehicle.md#rigid-body)
     [lineage].
 
     On plain floats: telemetry asks for them in every grant. On the wire they are `ned_from_nwu` of this.
@@ -165,7 +166,7 @@ def body_rates(
 
 
 def ned_from_nwu(v: Sequence[float]) -> tuple[float, float, float]:
-    """North, east, down of north, west, up: half a turn about north (docs/protocol.md#frames).
+    """North, east, down of north, west, up: half a turn about north (docs/protocol/frames.md#frames).
 
     The same for Euler angles, their rates and body rates: (φ, θ, ψ) gives NED's (φ, -θ, -ψ).
     """

@@ -1,4 +1,4 @@
-"""From set points at the planner's rate to a reference the law can fly (docs/model.md#guidance) [choice].
+"""From set points at the planner's rate to a reference the law can fly (docs/model/control.md#guidance) [choice].
 
 A step in v_d is a spike in torque, so a set point is first followed by a point q of bounded speed and acceleration,
 and q by three first-order lags r1, r2, r3: the reference r = r3 has continuous acceleration and jerk.
@@ -135,7 +135,7 @@ def follow_yaw(memory: NDArray[np.float64], yaw: float, rate_max: float, omega: 
 
 def start(position: ArrayLike, velocity: ArrayLike, *, guidance: Guidance) -> NDArray[np.float64]:
     """Memory of a start in motion: position and velocity, (n, 3), nwu, m and m/s, give (n, 15)
-    (docs/model.md#guidance)."""
+    (docs/model/control.md#guidance)."""
     p, v = np.atleast_2d(np.asarray(position, dtype=np.float64)), np.atleast_2d(np.asarray(velocity, dtype=np.float64))
     lead = v / guidance.omega
     return np.concatenate([p + 3.0 * lead, v, p + 2.0 * lead, p + lead, p], axis=1)

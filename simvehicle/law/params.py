@@ -44,8 +44,8 @@ def _require_not_negative(name: str, value: float) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Airframe:
-    """The body (docs/model.md#rigid-body) [seed]: mass, arm L, gravity, drag Kx = Ky = Kz, Kφ = Kθ = Kψ and Iφ = Iθ =
-    Iψ.
+    """The body (docs/model/vehicle.md#rigid-body) [seed]: mass, arm L, gravity, drag Kx = Ky = Kz, Kφ = Kθ = Kψ and Iφ
+    = Iθ = Iψ.
 
     Raises:
         ValueError: a mass, arm, gravity or inertia that is not positive, a drag that is negative.
@@ -79,7 +79,8 @@ class Airframe:
 
 @dataclass(frozen=True, kw_only=True)
 class Gains:
-    """Gains of the two loops (docs/model.md#control-law) and ε of the differentiators (docs/model.md#differentiator).
+    """Gains of the two loops (docs/model/control.md#control-law) and ε of the differentiators
+    (docs/model/control.md#differentiator).
 
     `speed` is λ (1/s), `rate` Ap (1/s), `angle` Aq (1/s²), `epsilon` ε (s).
 
@@ -131,8 +132,8 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class BatteryParams:
-    """Battery and what is drawn from it (docs/model.md#battery) [choice]. An infinite `initial_j`, the default, means
-    full.
+    """Battery and what is drawn from it (docs/model/vehicle.md#battery) [choice]. An infinite `initial_j`, the default,
+    means full.
 
     Raises:
         ValueError: capacity not positive, initial charge outside 0..capacity, a negative power.
@@ -155,7 +156,7 @@ class BatteryParams:
 
 @dataclass(frozen=True, kw_only=True)
 class Guidance:
-    """From set points to a reference (docs/model.md#guidance) [choice].
+    """From set points to a reference (docs/model/control.md#guidance) [choice].
 
     `shaped` is the default's filtered reference; False is the paper's: v_d linear between set points, yaw constant.
     `gain` K (1/s) and `decel` a (m/s²) of the square-root controller, `velocity_gain` of q'' (1/s), `omega` ω of the
@@ -187,8 +188,8 @@ class VehicleParams:
     """Everything the flight core knows of one vehicle.
 
     `bumpless` starts X1 of the differentiators at the first angle; False is the paper's X(0) = 0
-    (docs/model.md#differentiator). `literal` flies the speed loop without its floor, with signed thrust
-    (docs/model.md#speed-loop); limits of tilt and thrust do not go with it.
+    (docs/model/control.md#differentiator). `literal` flies the speed loop without its floor, with signed thrust
+    (docs/model/control.md#speed-loop); limits of tilt and thrust do not go with it.
 
     Raises:
         ValueError: an inner loop that is unstable, by Remark 1 of the paper (Ap + L Kγ/Iγ > 0; Aq > 0 is checked in

@@ -33,7 +33,8 @@ Floats = list[float]
 
 
 class Plant:
-    """Plant of one vehicle: the paper's, of its eq. 3 (docs/model.md#rigid-body), which others are derived from."""
+    """Plant of one vehicle: the paper's, of its eq. 3 (docs/model/vehicle.md#rigid-body), which others are derived
+    from."""
 
     state: NDArray[np.float64]
     """(1, n)"""
@@ -121,7 +122,7 @@ class Plant:
 
 
 class RotorPlant(Plant):
-    """A rigid body on four rotors, in weather (docs/model.md#rotors)."""
+    """A rigid body on four rotors, in weather (docs/model/vehicle.md#rotors)."""
 
     own: WorldVehicle
     _air: Air

@@ -1,5 +1,5 @@
 """The flight core of vehicles on rotors: guidance → outer loop → differentiators → inner loop → allocation → wind →
-rotors → estimate → energy (docs/model.md#rotors).
+rotors → estimate → energy (docs/model/vehicle.md#rotors).
 
 A vehicle is one row: what the law knows, laid out as in step.py, and behind it the body as rotors.py has it, the wind
 there, and the errors of what the law knows. The law is the same as on the paper's plant; its angular accelerations
@@ -85,8 +85,8 @@ def _see(s: Any, error: Any) -> None:
 
 
 def _observe(s: Any, p: Any, u1: float, dt: float) -> None:
-    """Disturbance observer (docs/model.md#rotors) [choice]: v̂' = u1 e - g - (K/m) v + d̂ + 2ω (v - v̂), d̂' = ω² (v - v̂),
-    with e the direction of thrust. Standing or falling it believes in none."""
+    """Disturbance observer (docs/model/vehicle.md#rotors) [choice]: v̂' = u1 e - g - (K/m) v + d̂ + 2ω (v - v̂), d̂' =
+    ω² (v - v̂), with e the direction of thrust. Standing or falling it believes in none."""
     angles = s.known.attitude
     pushed = cython.declare(cython.double[3])
     ex, ey, ez = dynamics.thrust_direction(angles[0], angles[1], angles[2])
@@ -118,7 +118,8 @@ def _blow(s: Any, w: Any, gusts: Any, count: int, noise: Any, t: float, dt: floa
 
 
 def _draw(s: Any, p: Any, a: Any, w: Any, dt: float) -> float:
-    """Take a step's energy from the battery, at most what is left (docs/model.md#rotor-power); the thrust, N."""
+    """Take a step's energy from the battery, at most what is left (docs/model/vehicle.md#rotor-power); the thrust,
+    N."""
     body, wind, thrust_n = cython.address(s.body), s.wind, 0.0
     for i in range(4):
         thrust_n += a.thrust * body.rotors[i] * body.rotors[i]

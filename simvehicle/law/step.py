@@ -49,7 +49,7 @@ _LEAST_PERIOD_S = 1e-3
 
 
 def set_reference(s: Any, c: Any, p: Any, t: float) -> None:
-    """Write r, v_d and v_d' of the state's time t (docs/model.md#guidance)."""
+    """Write r, v_d and v_d' of the state's time t (docs/model/control.md#guidance)."""
     for i in range(3):
         if p.shaped != 0.0:
             r1, r2, r3 = s.guide.r1[i], s.guide.r2[i], s.guide.r3[i]
@@ -106,7 +106,7 @@ def start_afresh(s: Any, p: Any) -> None:
 
 def control(s: Any, c: Any, p: Any, dt: float) -> tuple[float, float, float, float]:
     """Outer loop → differentiators of the new angles → inner loop: (u1, tau2, tau3, tau4)
-    (docs/model.md#control-law)."""
+    (docs/model/control.md#control-law)."""
     v, v_d, a_d = s.velocity, s.reference_velocity, s.reference_acceleration
     if p.literal != 0.0:
         roll_d, pitch_d, u1 = controller.outer_literal(
@@ -166,7 +166,7 @@ def _meet_ground(s: Any, c: Any, x: float, y: float) -> None:
 
 
 def draw(s: Any, p: Any, u1: float, dt: float) -> None:
-    """Take a step's energy from the battery, at most what is left (docs/model.md#battery)."""
+    """Take a step's energy from the battery, at most what is left (docs/model/vehicle.md#battery)."""
     drawn = min(power.power(u1, p.gravity, p.hover_w, p.avionics_w) * dt, max(s.remaining_j, 0.0))
     s.drawn_j += drawn
     s.remaining_j -= drawn
@@ -236,7 +236,7 @@ def initial_state(
     airborne: bool,
 ) -> NDArray[np.float64]:
     """State of a vehicle before its first step, (STATE_SIZE,), guidance matched to a start in motion
-    (docs/model.md#guidance).
+    (docs/model/control.md#guidance).
 
     Args:
         params: the vehicle.
@@ -277,7 +277,7 @@ def advance(
     steps: int,
     dt_s: float = STEP_S,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Fly n vehicles k steps on (docs/model.md#vehicle). Pure: the arguments stay as they are.
+    """Fly n vehicles k steps on (docs/model/vehicle.md#vehicle). Pure: the arguments stay as they are.
 
     Args:
         state: (n, STATE_SIZE).

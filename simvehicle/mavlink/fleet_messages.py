@@ -1,5 +1,5 @@
 """Messages between the vehicles of a fleet: reports as DEBUG_FLOAT_ARRAY, transfer orders as COMMAND_LONG
-(docs/protocol.md#competition-on-board)."""
+(docs/protocol/onboard.md#competition-on-board)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The vehicle's side of the supervised link: docs/protocol.md#vehicle-side-of-the-link.
+"""The vehicle's side of the supervised link: docs/protocol/link.md#vehicle-side-of-the-link.
 
 A bundle is one datagram whose last frame is the supervisor's SYSTEM_TIME: the grant. Its rules:
 1. The grant's time is new and no number of the supervisor's is missing since the last grant: apply, fly, answer.

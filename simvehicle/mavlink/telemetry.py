@@ -216,7 +216,7 @@ def _extended_sys_state(v: Any, m: Any) -> None:
 
 
 def _attitude(v: Any, m: Any) -> None:
-    """Euler angles, and rates about the body's axes: docs/model.md#rigid-body."""
+    """Euler angles, and rates about the body's axes: docs/model/vehicle.md#rigid-body."""
     angles, rates = v.plant.row.attitude, v.plant.row.rates
     sin_roll, cos_roll = elementary.sin_cos(angles[0])
     sin_pitch, cos_pitch = elementary.sin_cos(angles[1])

@@ -1,4 +1,4 @@
-"""Comparators of the finite-time differentiator (docs/model.md#comparison-differentiators): two others, and
+"""Comparators of the finite-time differentiator (docs/model/control.md#comparison-differentiators): two others, and
 itself stepped explicitly.
 
 Every one is stepped by explicit Euler, as such laws usually are: state and signal of one time give the state a step
@@ -25,8 +25,8 @@ def _sign(x: float) -> float:
 
 
 def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon: float) -> tuple[float, float, float]:
-    """One explicit Euler step of the finite-time differentiator (docs/model.md#differentiator) [lineage]: (X1+, X2+,
-    X3+).
+    """One explicit Euler step of the finite-time differentiator (docs/model/control.md#differentiator) [lineage]: (X1+,
+    X2+, X3+).
 
     ε³ X3' = -2^(3/5)·4·sig(X1 - v + sig(ε X2)^(9/7))^(1/3) - 4·sig(ε² X3)^(3/5)
     """
@@ -38,8 +38,8 @@ def explicit(x1: float, x2: float, x3: float, signal: float, dt: float, epsilon:
 def sliding_mode(
     x: float, u1: float, signal: float, dt: float, alpha: float, lambda_: float
 ) -> tuple[float, float, float]:
-    """One step of Levant's sliding-mode differentiator (docs/model.md#comparison-differentiators) [lineage]: (x+, u1+,
-    u).
+    """One step of Levant's sliding-mode differentiator (docs/model/control.md#comparison-differentiators) [lineage]:
+    (x+, u1+, u).
 
     x' = u = u1 - λ |x - v|^(1/2) sgn(x - v),   u1' = -α sgn(x - v);   u is the derivative's estimate
     """
@@ -51,7 +51,8 @@ def sliding_mode(
 def high_gain(
     x1: float, x2: float, signal: float, dt: float, k1: float, k2: float, alpha: float
 ) -> tuple[float, float]:
-    """One step of the linear high-gain differentiator (docs/model.md#comparison-differentiators) [lineage]: (x1+, x2+).
+    """One step of the linear high-gain differentiator (docs/model/control.md#comparison-differentiators) [lineage]:
+    (x1+, x2+).
 
     x1' = x2 - (k1/α) (x1 - v),   x2' = -(k2/α²) (x1 - v);   x2 is the derivative's estimate
     """

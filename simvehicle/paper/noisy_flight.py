@@ -1,7 +1,8 @@
 """Flights on an estimate that errs: the finite-time differentiator against the two others, inside the loop.
 
 The vehicle's law and plant fly a level circle by velocity. What the law knows of the motion errs as by a scenario's
-`sensors:` (docs/model.md#estimate-errors), so that noise reaches the desired angles, which are differentiated twice.
+`sensors:` (docs/model/world.md#estimate-errors), so that noise reaches the desired angles, which are differentiated
+twice.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ SPEED_M_S, TURN_RAD_S = 2.0, 0.6
 
 
 def finite_time() -> Differentiate:
-    """The vehicle's own, stepped as it steps it (docs/model.md#differentiator)."""
+    """The vehicle's own, stepped as it steps it (docs/model/control.md#differentiator)."""
     epsilon = NAMED["default"].gains.epsilon
     x = (0.0, 0.0, 0.0)
 
@@ -47,7 +48,8 @@ def finite_time() -> Differentiate:
 
 
 def sliding_mode() -> Differentiate:
-    """Levant's; its derivative goes through a second one of its kind (docs/model.md#comparison-differentiators)."""
+    """Levant's; its derivative goes through a second one of its kind
+    (docs/model/control.md#comparison-differentiators)."""
     states = [(0.0, 0.0), (0.0, 0.0)]
 
     def derivatives(signal: float) -> tuple[float, float]:
@@ -64,7 +66,8 @@ def sliding_mode() -> Differentiate:
 
 
 def high_gain() -> Differentiate:
-    """The linear one; likewise its derivative through a second one (docs/model.md#comparison-differentiators)."""
+    """The linear one; likewise its derivative through a second one
+    (docs/model/control.md#comparison-differentiators)."""
     states = [(0.0, 0.0), (0.0, 0.0)]
 
     def derivatives(signal: float) -> tuple[float, float]:

@@ -1,9 +1,10 @@
 """The paper's vehicle-only figures as studies: each flies or differentiates, and gives its numbers and its curves.
 
-    fig5      the finite-time differentiator on 5 sin t (docs/model.md#differentiator; paper Fig. 5)
+    fig5      the finite-time differentiator on 5 sin t (docs/model/control.md#differentiator; paper Fig. 5)
     fig12     it on sin t, against the sliding-mode and the linear high-gain differentiator (paper Fig. 12)
-    implicit  why it is stepped implicitly: torque and speed error against step and noise (docs/model.md#differentiator)
-    noise     the three in flight, on an estimate that errs (docs/model.md#comparison-differentiators)
+    implicit  why it is stepped implicitly: torque and speed error against step and noise
+              (docs/model/control.md#differentiator)
+    noise     the three in flight, on an estimate that errs (docs/model/control.md#comparison-differentiators)
 
 Numbers carry their unit in their name; a time of convergence that is never reached is null.
 """
@@ -29,7 +30,7 @@ Study = tuple[dict[str, Any], dict[str, Floats]]
 Law = Callable[[float, float, float, float], tuple[float, float, float]]
 
 SCHEMA = 1
-SETTLED_S = 3.0  # errors count from here (docs/model.md#differentiator)
+SETTLED_S = 3.0  # errors count from here (docs/model/control.md#differentiator)
 DURATION_S = 20.0
 WITHIN = 0.1  # converged: the error stays below this share of the amplitude...
 HELD_S = 1.0  # ... for so long

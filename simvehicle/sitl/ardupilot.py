@@ -1,4 +1,4 @@
-"""A real ArduPilot on our physics, through its JSON interface (docs/protocol.md#ardupilot).
+"""A real ArduPilot on our physics, through its JSON interface (docs/protocol/autopilots.md#ardupilot).
 
 It says what it wants of its motors in a servo packet, and lives on once that is answered: so a grant ends by keeping
 an answer back.

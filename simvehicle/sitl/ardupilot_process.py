@@ -1,4 +1,4 @@
-"""A real ArduPilot as a process: its parameters, ports and flags (docs/protocol.md#autopilots-of-others)."""
+"""A real ArduPilot as a process: its parameters, ports and flags (docs/protocol/autopilots.md#autopilots-of-others)."""
 
 from __future__ import annotations
 

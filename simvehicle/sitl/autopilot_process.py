@@ -1,5 +1,5 @@
 """An autopilot that is not ours as a process: what is wanted of it, its start, its end, its last words
-(docs/protocol.md#autopilots-of-others)."""
+(docs/protocol/autopilots.md#autopilots-of-others)."""
 
 from __future__ import annotations
 

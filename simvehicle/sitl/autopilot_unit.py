@@ -1,5 +1,5 @@
 """A vehicle that an autopilot of others flies on our physics, on the supervisor's clock
-(docs/protocol.md#autopilots-of-others).
+(docs/protocol/autopilots.md#autopilots-of-others).
 
 This process starts the autopilot, is its simulation, and stands between it and the supervisor: frames of a bundle go
 to it before the step that they count for, frames that it says are numbered anew and go into the answer. Time passes

@@ -1,4 +1,4 @@
-"""A real PX4 on our physics, through its HIL messages (docs/protocol.md#px4).
+"""A real PX4 on our physics, through its HIL messages (docs/protocol/autopilots.md#px4).
 
 Its time is that of the last HIL_SENSOR. It says what it wants of its motors in the HIL_ACTUATOR_CONTROLS that answers
 one, and lives on with the next: so a grant ends by sending none.

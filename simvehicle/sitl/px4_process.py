@@ -1,4 +1,4 @@
-"""A real PX4 as a process: its parameters, ports and start scripts (docs/protocol.md#px4).
+"""A real PX4 as a process: its parameters, ports and start scripts (docs/protocol/autopilots.md#px4).
 
 PX4 starts by a shell script that looks for parts of it on PATH first, which is its own way to be configured: two stand
 in its folder, its parameters and its MAVLink. From 1.16 on it reads no script of parameters, but variables of its

@@ -1,4 +1,5 @@
-"""The secret by which a supervisor knows the vehicles that it has started: docs/protocol.md#vehicle-side-of-the-link.
+"""The secret by which a supervisor knows the vehicles that it has started:
+docs/protocol/link.md#vehicle-side-of-the-link.
 
 The fork server reads it from its socket and leaves it to the process that it forks. It stands in no command line and no
 file, which other users could read.

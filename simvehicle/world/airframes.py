@@ -1,4 +1,5 @@
-"""Named airframes with published parameters (docs/model.md#airframes), and the row that the compiled plant reads.
+"""Named airframes with published parameters (docs/model/vehicle.md#airframes), and the row that the compiled plant
+reads.
 
 Axes of a body are flu: x forward, y left, z up. Rotors are numbered as ArduPilot's and PX4's quad X: front right, back
 left, front left, back right; the first two turn counter-clockwise as seen from above.
@@ -22,7 +23,7 @@ ROTORS = 4
 SPIN = (1.0, 1.0, -1.0, -1.0)
 """+1: the rotor turns counter-clockwise from above, and its torque turns the body clockwise."""
 INDUCED_FACTOR, FIGURE_OF_MERIT = 1.15, 0.7
-"""κ and FM of docs/model.md#rotor-power [choice]."""
+"""κ and FM of docs/model/vehicle.md#rotor-power [choice]."""
 HEADROOM = 0.85
 """Share of the greatest thrust that the law may ask for: the rest is left for turning [choice]."""
 _SINGULAR = 1e-12
@@ -31,7 +32,7 @@ _SINGULAR = 1e-12
 
 @dataclass(frozen=True, kw_only=True)
 class RotorAirframe:
-    """A quadrotor (docs/model.md#airframes). Coefficients hold at an air density of 1.225 kg/m³.
+    """A quadrotor (docs/model/vehicle.md#airframes). Coefficients hold at an air density of 1.225 kg/m³.
 
     `arms_m`: (x, y) of the four rotors, flu, from the centre of mass. `thrust_n_s2`: thrust over speed squared.
     `torque_nm_s2`: torque over speed squared. `rotor_drag_kg` and `inflow_drag_kg`: a rotor's force over speed times
@@ -112,7 +113,8 @@ class RotorAirframe:
 
     @property
     def hover_shaft_w(self) -> float:
-        """Power at the rotors' shafts in hover at sea level, W: T √(T/(2 ρ A))/FM (docs/model.md#rotor-power)."""
+        """Power at the rotors' shafts in hover at sea level, W: T √(T/(2 ρ A))/FM
+        (docs/model/vehicle.md#rotor-power)."""
         weight_n = self.mass_kg * GRAVITY_M_S2
         disc_m2 = ROTORS * math.pi * self.rotor_radius_m * self.rotor_radius_m
         return weight_n * math.sqrt(weight_n / (2.0 * SEA_LEVEL_KG_M3 * disc_m2)) / FIGURE_OF_MERIT

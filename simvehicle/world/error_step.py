@@ -1,4 +1,4 @@
-"""One step of a vehicle's estimate errors (docs/model.md#estimate-errors) [choice]."""
+"""One step of a vehicle's estimate errors (docs/model/world.md#estimate-errors) [choice]."""
 
 from __future__ import annotations
 

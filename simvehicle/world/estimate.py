@@ -1,4 +1,5 @@
-"""Errors of what a vehicle knows of its motion (docs/model.md#estimate-errors) [choice]: first-order Gauss-Markov."""
+"""Errors of what a vehicle knows of its motion (docs/model/world.md#estimate-errors) [choice]: first-order
+Gauss-Markov."""
 
 from __future__ import annotations
 

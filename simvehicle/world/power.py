@@ -1,4 +1,4 @@
-"""Power of rotors in the air, and a battery with an inner resistance (docs/model.md#rotor-power) [choice]."""
+"""Power of rotors in the air, and a battery with an inner resistance (docs/model/vehicle.md#rotor-power) [choice]."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A rigid body on four rotors (docs/model.md#rotors) [choice]: its motion over one step, as compiled functions.
+"""A rigid body on four rotors (docs/model/vehicle.md#rotors) [choice]: its motion over one step, as compiled functions.
 
 Axes are nwu for the world and flu for the body. A body is a row of 17 numbers: position (m), velocity (m/s),
 quaternion (w, x, y, z) from flu to nwu, body rates (rad/s), rotor speeds (rad/s). Motors are first-order lags, solved

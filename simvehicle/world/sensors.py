@@ -1,4 +1,4 @@
-"""Errors of the sensor readings for an autopilot that estimates its motion by itself (docs/model.md#sensors)
+"""Errors of the sensor readings for an autopilot that estimates its motion by itself (docs/model/world.md#sensors)
 [choice]: first-order Gauss-Markov, as an estimate's errors."""
 
 from __future__ import annotations

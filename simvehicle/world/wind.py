@@ -1,4 +1,4 @@
-"""Wind at a vehicle: a mean, turbulence after Dryden, and discrete gusts (docs/model.md#wind), nwu, m/s.
+"""Wind at a vehicle: a mean, turbulence after Dryden, and discrete gusts (docs/model/world.md#wind), nwu, m/s.
 
 Turbulence is what filters make of white noise, each stepped exactly for the speed and height of the moment. Its memory
 are five numbers of unit scale: one of the filter along the mean wind, two of each across and up.

@@ -1,4 +1,5 @@
-"""Wind from a table: its mean at places of a grid, and between them in proportion (docs/model.md#wind) [choice]."""
+"""Wind from a table: its mean at places of a grid, and between them in proportion (docs/model/world.md#wind)
+[choice]."""
 
 from __future__ import annotations
 

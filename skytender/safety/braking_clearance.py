@@ -3,7 +3,7 @@
 A vehicle at p with velocity v flies one period T with a constant acceleration u and then *brakes*: in every further
 period with  u = -b v/|v|,  and in the last one, where |v| <= b T, with  u = -v/T, so that it stands exactly. The way
 is a straight line; a braking vehicle that is asked again a period later brakes along the rest of the same way. The
-clearance m is the least distance on the way, so brakes never lower it (docs/model.md#safety-filter):
+clearance m is the least distance on the way, so brakes never lower it (docs/model/safety.md#safety-filter):
 
     m(state after a period of braking) >= m(state)                                                            (1)
 

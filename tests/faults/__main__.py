@@ -5,7 +5,7 @@ blackouts, a full disk. Its columns are the outcomes, the least separation, joul
 reaches beyond the fault, whether every reader opens what was left, and processes that still lived 3 s after the end.
 
 What has been flown is kept, a line of JSON per session, and not flown again: the table can be made in pieces. `--write`
-puts it into docs/threat-model.md. Status 1 where a reader failed or a process was left.
+puts it into docs/faults.md. Status 1 where a reader failed or a process was left.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ ORPHANS_WITHIN_S = 3.0
 PURSUER, TARGET, TANKER = 1, 101, 201
 LARGEST_BATTERY_J = 16_700_000.0
 """Nearly the largest that a scenario may have: of so little power it lasts for over 24 h, and nobody needs a tanker."""
-PAGE = ROOT / "docs" / "threat-model.md"
+PAGE = ROOT / "docs" / "faults.md"
 BEGINS, ENDS = "<!-- make faults -->\n", "<!-- /make faults -->\n"
 KEPT = ROOT / ".faults.jsonl"
 

@@ -112,8 +112,8 @@ def test_nobody_competes_without_trouble() -> None:
 
 
 def test_a_revived_loser_wins_later_as_soon_as_published() -> None:
-    # docs/model.md#exact-solution: 14 s at l = 0.01, a gap of 0.4, c = 1, p = 2, until 0.9 of the sum is the
-    # newcomer's.
+    # docs/model/competition.md#exact-solution: 14 s at l = 0.01, a gap of 0.4, c = 1, p = 2, until 0.9 of the sum is
+    # the newcomer's.
     v, tau = np.array([0.01, 0.6**0.5]), np.array([1.0, 0.6])
     after = [winner_take_all.advance(v, tau, t, p=2, rate=1.0) for t in np.arange(0, 20, 0.1)]
     first = next(k for k, x in enumerate(after) if x[0] ** 2 >= 0.9 * (x**2).sum())

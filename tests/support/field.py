@@ -1,5 +1,5 @@
 """The planner's compiled potential field, summed over what attracts and repels at one place; and the
-potentials that docs/model.md#potential-field gives, whose gradients these forces are."""
+potentials that docs/model/planner.md#potential-field gives, whose gradients these forces are."""
 
 import math
 from typing import Any

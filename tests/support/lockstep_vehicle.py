@@ -1,4 +1,4 @@
-"""A vehicle on the supervised link, driven by hand by the rules of docs/protocol.md#vehicle-side-of-the-link."""
+"""A vehicle on the supervised link, driven by hand by the rules of docs/protocol/link.md#vehicle-side-of-the-link."""
 
 import random
 import socket

@@ -9,7 +9,7 @@ import pytest
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 
-PAPER_OBSTACLES = [  # x north, y west, z up (docs/model.md#potential-field) [seed]
+PAPER_OBSTACLES = [  # x north, y west, z up (docs/model/planner.md#potential-field) [seed]
     *((1, 2, 1.5), (2, 2, 1), (2, 2, 2), (4, 2.2, 2.1), (4.1, 3, 2.1), (3, 5, 2.1), (4, 5, 2.1), (5, 5, 2.3)),
     *((5.8, 5, 2.4), (8, 5, 2.6), (8.3, 6, 2.7), (8, 8, 2.6), (8.5, 8, 2.7)),
 ]

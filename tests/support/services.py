@@ -1,5 +1,5 @@
-"""Scripted vehicles that answer a schedule's commands as docs/protocol.md#energy-transfer has them do, and a play of
-one with them."""
+"""Scripted vehicles that answer a schedule's commands as docs/protocol/energy.md#energy-transfer has them do, and a
+play of one with them."""
 
 import math
 from dataclasses import dataclass, field

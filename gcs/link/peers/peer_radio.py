@@ -1,5 +1,5 @@
 """The radio among vehicles that compete on board: every frame that one broadcasts, on its way to each other one
-(docs/protocol.md#radio-among-vehicles).
+(docs/protocol/onboard.md#radio-among-vehicles).
 
 It is a part of the simulated world and not of the ground station: nothing here is decided, and the ground station's own
 radio may be dead meanwhile. It loses and delays as that one does, with a random stream for each sender and receiver. A

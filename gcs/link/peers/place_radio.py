@@ -1,4 +1,4 @@
-"""The radio on which vehicles receive each other's places (docs/protocol.md#separation-on-board).
+"""The radio on which vehicles receive each other's places (docs/protocol/onboard.md#separation-on-board).
 
 Vehicles broadcast LOCAL_POSITION_NED and POSITION_TARGET_LOCAL_NED to all vehicles. As the radio among those that
 compete, this is a part of the simulated world, not of the ground station: it loses and delays as that one does, and

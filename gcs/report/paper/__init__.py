@@ -1,1 +1,1 @@
-"""The paper's examples, flown and measured, claim by claim (docs/model.md#paper-examples)."""
+"""The paper's examples, flown and measured, claim by claim (docs/model/examples.md#paper-examples)."""

@@ -1,4 +1,5 @@
-"""The paper's Examples 1 to 4 from their recorded sessions (docs/model.md#paper-examples; paper Figs. 7 to 11)."""
+"""The paper's Examples 1 to 4 from their recorded sessions (docs/model/examples.md#paper-examples; paper Figs. 7 to
+11)."""
 
 from __future__ import annotations
 
@@ -87,7 +88,7 @@ def example3(scenario: Scenario, folder: Path) -> Study:
     finer = max(races.solver_error(v0, tau, p=p, duration_s=SHOWN_S, rtol=3e-14) for p in EXPONENTS)
     times = convergence_times(v0, tau)
     close = f"the next, vehicle {second}, bids {gap:.4f} less than the winner, {winner}"
-    why_1 = "with c = 1 the ratio of two states does not depend on p (docs/model.md#convergence-time)"
+    why_1 = "with c = 1 the ratio of two states does not depend on p (docs/model/competition.md#convergence-time)"
     measured = {
         "ex3-speed": speed,
         "ex3-winner": Measurement(winner, f"control efforts {_listed(effort)}"),
@@ -118,7 +119,7 @@ def example3(scenario: Scenario, folder: Path) -> Study:
 
 
 def convergence_times(v0: Floats, tau: Floats) -> dict[str, list[float]]:
-    """Times in s for each of EXPONENTS, under the three criteria of docs/model.md#convergence-time."""
+    """Times in s for each of EXPONENTS, under the three criteria of docs/model/competition.md#convergence-time."""
     return {
         RATIO_1: [races.time_to_win(v0, tau, p=p, rate=1.0, criterion="ratio") for p in EXPONENTS],
         RATIO_P: [races.time_to_win(v0, tau, p=p, rate=1.0 / p, criterion="ratio") for p in EXPONENTS],

@@ -1,5 +1,5 @@
 """The paper's loop closed, from its recorded sessions: measured control energy competes for a moving target and for a
-tanker (docs/model.md#target-assignment; paper Section III-A and Fig. 11)."""
+tanker (docs/model/competition.md#target-assignment; paper Section III-A and Fig. 11)."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The competition of control efforts: the winner, the time, and whether the losers vanish (docs/model.md#competition;
-paper eqs. 1, 2, 22).
+"""The competition of control efforts: the winner, the time, and whether the losers vanish
+(docs/model/competition.md#competition; paper eqs. 1, 2, 22).
 
 v_i' = c (τ_i - Σ v_j^p) v_i,   τ and v(0) min-max to [0.01, 1]
 """

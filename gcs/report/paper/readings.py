@@ -1,5 +1,5 @@
 """Other readings of the competition, on Example 3's states: v >= 0 as the paper's eq. 2 says, the rate 1/p, and the
-whole vector delayed (docs/model.md#noise-and-delay; paper Figs. 10, 13, 14).
+whole vector delayed (docs/model/competition.md#noise-and-delay; paper Figs. 10, 13, 14).
 
     v_i' = c (τ_i - Σ_j v_j(t - d_i)^p) v_i(t - d_i) + ϑ_i,   v_i >= 0
 """

@@ -1,4 +1,4 @@
-"""Example 3's competition with noise (paper Fig. 13) and delay (Fig. 14), docs/model.md#noise-and-delay."""
+"""Example 3's competition with noise (paper Fig. 13) and delay (Fig. 14), docs/model/competition.md#noise-and-delay."""
 
 from __future__ import annotations
 

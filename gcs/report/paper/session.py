@@ -44,7 +44,7 @@ class RecordedFlight:
 
     def reference(self) -> tuple[Floats, Floats]:
         """v_d (k, 3) m/s and v_d' (k, 3) m/s² at `time_s`: linear between the set points' velocities
-        (docs/model.md#guidance).
+        (docs/model/control.md#guidance).
 
         Before the first set point the vehicle flies on its own initial velocity.
         """

@@ -18,7 +18,8 @@ from gcs.report.paper.study import Drawing, Measurement, Study, Table
 from skytender import geometry
 
 TERMS = ("NB", "NM", "S", "PM", "PB")
-RULES = (  # of docs/model.md#fuzzy-escape, since Table I's entries are lost; rows: terms of ΔΦ, columns: terms of ΔF
+# Of docs/model/planner.md#fuzzy-escape, since Table I's entries are lost; rows: terms of ΔΦ, columns: terms of ΔF.
+RULES = (
     ("NB", "NB", "NB", "NM", "S"),
     ("NM", "NM", "NM", "S", "S"),
     ("S", "S", "S", "S", "S"),
@@ -135,7 +136,7 @@ def fig6() -> Study:
 
 
 def loops() -> Study:
-    """Rate at which the attitude's error falls, against the speed's (docs/model.md#control-law)."""
+    """Rate at which the attitude's error falls, against the speed's (docs/model/control.md#control-law)."""
     measured = {}
     for claim, rate, angle in (("loops-order", RATE_GAIN, ANGLE_GAIN), ("loops-default", *DEFAULT_GAINS)):
         inner = float(-np.roots([1.0, rate + ROTATIONAL_DRAG_1_S, angle]).real.max())

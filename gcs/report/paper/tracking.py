@@ -16,13 +16,13 @@ from gcs.report.paper.study import Measurement, Table
 SETTLED_AFTER_S = 8.0
 ALONG_FROM_S = 5.0
 LAMBDA, DRAG_1_S, GRAVITY = 3.0, 0.1 / 2.0, 9.8  # 1/s, K/m 1/s, m/s²: the paper's
-FLOOR = 0.3  # of g, least W_z (docs/model.md#speed-loop)
+FLOOR = 0.3  # of g, least W_z (docs/model/control.md#speed-loop)
 _ROUNDING_S = 1e-6
 
 
 def desired_attitude(v: Floats, v_d: Floats, a_d: Floats, yaw: Floats) -> tuple[Floats, Floats]:
-    """φ_d and θ_d (k,) rad from v, v_d m/s and v_d' m/s² (k, 3), paper axes (docs/model.md#speed-loop; paper eqs.
-    13-17) [choice].
+    """φ_d and θ_d (k,) rad from v, v_d m/s and v_d' m/s² (k, 3), paper axes (docs/model/control.md#speed-loop; paper
+    eqs. 13-17) [choice].
 
     W = v_d' + (K/m) v + (0, 0, g) - λ (v - v_d),  θ_d = atan2(W_x cosψ + W_y sinψ, W_z),
     φ_d = asin((W_x sinψ - W_y cosψ)/|W|)

@@ -40,7 +40,7 @@ class RadioSplit(Part):
 
 class Radio(Part):
     """Faults of the radio link, each way: shares of all frames, and seconds
-    (docs/protocol.md#radio-impairment)."""
+    (docs/protocol/radio.md#radio-impairment)."""
 
     loss: Fraction = 0.0
     """share of frames lost, 0 to 1"""

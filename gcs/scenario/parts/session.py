@@ -55,7 +55,7 @@ class Pursue(Part):
 
 
 class Goal(Part):
-    """Goal of the session (docs/protocol.md#goal): every part must be met. No vehicle collides, falls out or
+    """Goal of the session (docs/protocol/result.md#goal): every part must be met. No vehicle collides, falls out or
     misses a way point unless the scenario says that this does not matter."""
 
     pursue: Pursue | None = None
@@ -86,7 +86,7 @@ class Goal(Part):
 
 
 class Record(Part):
-    """Files that a session leaves on disk, and how large they become (docs/protocol.md#rotation)."""
+    """Files that a session leaves on disk, and how large they become (docs/protocol/folder.md#rotation)."""
 
     rotate_mb: Annotated[int, Exact(ge=1, le=1_000_000)] | None = None
     """once session.tlog and decisions.jsonl are larger together, they go on in new files; MB; never without it"""

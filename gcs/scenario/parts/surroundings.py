@@ -104,8 +104,8 @@ class Mover(Part):
 
 
 class Attractor(Part):
-    """A point that draws pursuers within its range, beside what they follow (docs/model.md#potential-field; paper eq.
-    5) [choice], range [seed]."""
+    """A point that draws pursuers within its range, beside what they follow (docs/model/planner.md#potential-field;
+    paper eq. 5) [choice], range [seed]."""
 
     name: Label | None = None
     """shown in plots"""

@@ -28,7 +28,7 @@ Airframe = Literal["iris", "hummingbird", "crazyflie"]
 
 
 class Battery(Part):
-    """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model.md#battery) [choice]."""
+    """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model/vehicle.md#battery) [choice]."""
 
     capacity_j: Annotated[float, Exact(ge=1, le=1 << 24)]
     """energy of the full battery, J"""
@@ -69,9 +69,9 @@ class VehicleBase(Part):
     autopilot: RealAutopilot | Literal["own"] = "own"
     """`own`: our law; `{ardupilot: PATH}` or `{px4: PATH}`: a real one, started by the session, on rotors"""
     plant: Literal["paper", "rotors"] = "paper"
-    """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model.md#rotors)"""
+    """`paper`: the plant of the paper's eq. 3; `rotors`: a rigid body on four rotors (docs/model/vehicle.md#rotors)"""
     airframe: Airframe | None = None
-    """on rotors: whose mass, rotors and drag it has (docs/model.md#airframes); by default `iris`"""
+    """on rotors: whose mass, rotors and drag it has (docs/model/vehicle.md#airframes); by default `iris`"""
     sensors: Sensors | None = None
     """errors of what it knows of its motion; `{}` has typical ones; without it the vehicle knows exactly"""
     params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it

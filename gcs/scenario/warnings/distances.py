@@ -16,13 +16,13 @@ from gcs.scenario.warnings.warning import ScenarioWarning
 from skytender import elementary, elementwise, geometry
 
 LAG_S = 0.37
-"""Distance that a vehicle flies behind its planned point (docs/model.md#guidance)."""
+"""Distance that a vehicle flies behind its planned point (docs/model/control.md#guidance)."""
 LAUNCHED_M_S2 = 5.0
 """The greatest horizontal acceleration of a launched vehicle."""
 EXTERNAL_ERROR_M = 1.0
 """Distance of real autopilots from their set points in sharp turns (docs/how-to/external-autopilots.md)."""
 FILTERED_M_S = 5.0
-"""Speed up to which the safety filter keeps vehicles apart (docs/model.md#safety-layer)."""
+"""Speed up to which the safety filter keeps vehicles apart (docs/model/safety.md#safety-layer)."""
 CROSSED_SHARE = 0.5
 """With the safety filter a ring is warned of where it loses more than this share of its places at once."""
 RING_LOOKS, PATH_STEP_M = 36, 0.25

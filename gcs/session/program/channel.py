@@ -1,4 +1,4 @@
-"""The program in Python that steps a session, as its supervisor sees it (docs/protocol.md#programs-that-act).
+"""The program in Python that steps a session, as its supervisor sees it (docs/protocol/socket.md#programs-that-act).
 
 A channel of its own, which the supervisor inherits: newline-delimited JSON. The program asks for the next snapshot, and
 says with that what is to be flown meanwhile; between two of them it commands and injects, and each is answered. In

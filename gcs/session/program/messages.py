@@ -1,4 +1,4 @@
-"""Lines between a session and the program in Python that steps it (docs/protocol.md#programs-that-act).
+"""Lines between a session and the program in Python that steps it (docs/protocol/socket.md#programs-that-act).
 
 The program's are objects with a text `command`: one of the requests below, or an operator's command with its `id`. The
 session answers NEXT with the fleet, a column for each thing, and everything else but STOP with a reply. Positions in m

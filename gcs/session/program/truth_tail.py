@@ -1,5 +1,5 @@
 """Vehicles' own truth at one time of a session that still flies: their files are read as far as they have been written
-(docs/protocol.md#truth).
+(docs/protocol/folder.md#truth).
 
 A vehicle writes a record before the answer that reports it, so that in lockstep the record of a snapshot's time is
 there, and perhaps the next one, which waits.

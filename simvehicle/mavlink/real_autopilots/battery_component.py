@@ -1,5 +1,5 @@
-"""The battery of a vehicle that another autopilot flies (docs/protocol.md#autopilots-of-others): what it tells, and the
-energy that it takes in the air. No socket, no clock.
+"""The battery of a vehicle that another autopilot flies (docs/protocol/autopilots.md#autopilots-of-others): what it
+tells, and the energy that it takes in the air. No socket, no clock.
 
 The autopilot knows nothing of transfers. So what concerns the battery is answered here, in the autopilot's name, by
 which a supervisor knows its vehicles; the autopilot never sees it.

@@ -1,5 +1,5 @@
 """The supervised link on real loopback UDP; the test drives both ends by hand, by the rules of
-docs/protocol.md#vehicle-side-of-the-link."""
+docs/protocol/link.md#vehicle-side-of-the-link."""
 
 import random
 import socket

@@ -1,4 +1,5 @@
-"""Vehicles of one process: bundles and answers share datagrams, on real UDP (docs/protocol.md#shared-addresses)."""
+"""Vehicles of one process: bundles and answers share datagrams, on real UDP
+(docs/protocol/link.md#shared-addresses)."""
 
 import socket
 from collections.abc import Iterator

@@ -1,5 +1,5 @@
-"""Truth: scikit-fuzzy's control system, the rule table of docs/model.md#fuzzy-escape, and the scenes measured in
-docs/model.md#fuzzy-escape."""
+"""Truth: scikit-fuzzy's control system, the rule table of docs/model/planner.md#fuzzy-escape, and the scenes measured
+in docs/model/planner.md#fuzzy-escape."""
 
 import warnings
 
@@ -97,9 +97,9 @@ def walk(points: object, *, escapes: bool, full_steps: bool, limit: int = 400) -
     return bool(np.linalg.norm(path[-1] - GOAL) <= 0.1), len(path) - 1, np.array(path)
 
 
-# Steps and clearance of docs/model.md#fuzzy-escape, first column. It gives no coordinates: start, goal and the two
-# walls were recovered from the figures (one step more in each wall); of the U's only the pattern is held, their arms
-# being our guess.
+# Steps and clearance of docs/model/planner.md#fuzzy-escape, first column. It gives no coordinates: start, goal and the
+# two walls were recovered from the figures (one step more in each wall); of the U's only the pattern is held, their
+# arms being our guess.
 @pytest.mark.parametrize(
     ("scene", "steps", "clearance_m"),
     [

@@ -1,4 +1,4 @@
-"""Truth: kinematics by hand, docs/model.md#potential-field's path, and the plain field as the measure of the
+"""Truth: kinematics by hand, docs/model/planner.md#potential-field's path, and the plain field as the measure of the
 feed-forward."""
 
 import math
@@ -91,8 +91,8 @@ def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
             trail.append(q)
             assert len(trail) < 300
     path = np.concatenate(trail)
-    # docs/model.md#potential-field: 14.5 m and 0.451 m, measured with full steps; slowing down before a point rounds
-    # the path off less.
+    # docs/model/planner.md#potential-field: 14.5 m and 0.451 m, measured with full steps; slowing down before a point
+    # rounds the path off less.
     assert np.linalg.norm(np.diff(path, axis=0), axis=1).sum() == pytest.approx(14.5, abs=0.1)
     assert geometry.clearance(table, path).min() > 0.451
 
@@ -259,8 +259,8 @@ def test_attractors_for_nobody_are_refused() -> None:
 
 
 def test_full_steps_neither_shrink_before_a_way_point_nor_pass_the_goal() -> None:
-    """Example 1 by eq. 4: 146 steps of 0.1 m, counted by hand of docs/model.md#potential-field's measure; the default
-    comes to the way point at a tenth of that."""
+    """Example 1 by eq. 4: 146 steps of 0.1 m, counted by hand of docs/model/planner.md#potential-field's measure; the
+    default comes to the way point at a tenth of that."""
     table = geometry.points(EXAMPLE_1)
     course = [NWU_TO_NED * (5.0, 5.0, 1.5), NWU_TO_NED * (10.0, 10.0, 3.0)]
     for field, steps, least_m in ((replace(FIELD, full_steps=True), 146, 0.1), (FIELD, None, 0.012)):

@@ -37,7 +37,8 @@ def distance(a: list[float], b: list[float]) -> float:
 
 
 def expected(some: LeaderRows, row: int, here: np.ndarray, route_m: float, brake_m_s2: float | None) -> float:
-    """docs/model.md: the leader waits for who is behind by more than the leash, and can stop at its goal."""
+    """docs/model/planner.md#planned-point: the leader waits for who is behind by more than the leash, and can stop at
+    its goal."""
     speed, q = float(some.speed_m_s[row]), some.q_ned[row].tolist()
     behind_m = distance(q, here[row].tolist())
     speed *= min(max(2.0 * (1.0 - behind_m / (LEASH_M + LOOKAHEAD_S * speed)), 0.0), 1.0)

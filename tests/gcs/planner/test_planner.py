@@ -1,5 +1,5 @@
-"""The planner in closed loop with vehicles that lag behind their set points by the 0.37 s that docs/model.md#guidance
-measured."""
+"""The planner in closed loop with vehicles that lag behind their set points by the 0.37 s that
+docs/model/control.md#guidance measured."""
 
 import itertools
 import math

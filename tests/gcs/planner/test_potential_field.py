@@ -1,4 +1,5 @@
-"""Truth: numeric gradients of the potential, closed values, and the paths measured in docs/model.md#potential-field."""
+"""Truth: numeric gradients of the potential, closed values, and the paths measured in
+docs/model/planner.md#potential-field."""
 
 import math
 
@@ -153,8 +154,8 @@ def test_range_widens_by_speed_times_age() -> None:
 
 
 def walk(start_nwu: object, field: FieldConstants) -> tuple[int, float, float]:
-    """Full steps κF/|F|, as docs/model.md#potential-field was measured, by way of LEGS: steps, length, clearance in
-    m."""
+    """Full steps κF/|F|, as docs/model/planner.md#potential-field was measured, by way of LEGS: steps, length,
+    clearance in m."""
     table = geometry.points(EXAMPLE_1)
     ranges = np.ones(len(table))
     path = [NWU_TO_NED * start_nwu]

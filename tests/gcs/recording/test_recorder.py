@@ -237,7 +237,7 @@ def digest_of(
 
 
 def test_digest_is_the_hash_of_what_the_protocol_says() -> None:
-    """docs/protocol.md#digest, in its words."""
+    """docs/protocol/folder.md#digest, in its words."""
     random = np.random.default_rng(3)
     came = [attitude(k, sysid=k % 5 + 1, roll=float(random.normal())) for k in range(300)]
     came.append(codec.encode("SYSTEM_TIME", 7, 1, 1, time_unix_usec=0, time_boot_ms=0))  # its payload is one byte

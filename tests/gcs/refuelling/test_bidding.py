@@ -1,5 +1,5 @@
 """Who is next: the state against an adaptive solver, decisions against the rules in
-docs/protocol.md#refuelling-schedule."""
+docs/protocol/energy.md#refuelling-schedule."""
 
 import itertools
 from typing import Any

@@ -1,4 +1,5 @@
-"""Services from the decision to the end, against scripted vehicles that obey docs/protocol.md#energy-transfer."""
+"""Services from the decision to the end, against scripted vehicles that obey
+docs/protocol/energy.md#energy-transfer."""
 
 from typing import Any
 

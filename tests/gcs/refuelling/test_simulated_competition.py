@@ -172,8 +172,8 @@ def test_a_seed_is_a_path_whatever_times_are_asked_for(noise: str) -> None:
 
 
 def test_samples_of_noise_leave_the_winner_and_an_sde_of_that_intensity_does_not() -> None:
-    """docs/model.md#noise-and-delay: the winner's picture is kept by samples held for 1 ms, and lost even at σ² = 0.1
-    as an SDE."""
+    """docs/model/competition.md#noise-and-delay: the winner's picture is kept by samples held for 1 ms, and lost even
+    at σ² = 0.1 as an SDE."""
     tau = np.linspace(0.01, 1.0, 15)
     times = np.linspace(0.0, 100.0, 501)
     share = {}

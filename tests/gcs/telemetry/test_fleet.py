@@ -221,7 +221,7 @@ def test_a_vehicle_that_counts_no_energy_is_read_by_its_percentage(fleet: Fleet)
 
 
 def test_the_first_percentage_is_the_start_of_a_vehicle_that_names_none(fleet: Fleet) -> None:
-    """docs/protocol.md#energy-accounting: initial is the parameter, else the first battery_remaining."""
+    """docs/protocol/energy.md#energy-accounting: initial is the parameter, else the first battery_remaining."""
     view = seen(fleet, battery(energy_consumed=10, battery_remaining=50))
     assert view.initial_j == pytest.approx(0.5 * CAPACITY_J + 1000)
     assert view.remaining_j == pytest.approx(0.5 * CAPACITY_J)

@@ -17,7 +17,8 @@ def sig(x, power):
 
 
 def slope_of_x3(x1, x2, x3, v):
-    """X3' as the paper prints it (docs/model.md#differentiator), for oracles: a root finder, and the explicit step."""
+    """X3' as the paper prints it (docs/model/control.md#differentiator), for oracles: a root finder, and the explicit
+    step."""
     angle = 2.0**0.6 * 4.0 * sig(x1 - v + sig(EPSILON * x2, 9 / 7), 1 / 3)
     return -(angle + 4.0 * sig(EPSILON**2 * x3, 3 / 5)) / EPSILON**3
 

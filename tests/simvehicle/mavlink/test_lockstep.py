@@ -13,7 +13,7 @@ EPOCH_US = 1_700_000_000_000_000
 
 
 class Supervisor:
-    """Numbers frames in bundle order, as docs/protocol.md#bundle asks."""
+    """Numbers frames in bundle order, as docs/protocol/link.md#bundle asks."""
 
     def __init__(self, system: int = 255, component: int = 190) -> None:
         self.mav = mav.MAVLink(None, system, component)

@@ -1,4 +1,4 @@
-"""Truth: the numbers of docs/model.md#differentiator, the flight core itself, and hand-made signals."""
+"""Truth: the numbers of docs/model/control.md#differentiator, the flight core itself, and hand-made signals."""
 
 import json
 import subprocess

@@ -1,5 +1,5 @@
 """Times of convergence against closed forms: v_i/v_j = v_i(0)/v_j(0) e^(c (τ_i - τ_j) t)
-(docs/model.md#convergence-time)."""
+(docs/model/competition.md#convergence-time)."""
 
 import math
 

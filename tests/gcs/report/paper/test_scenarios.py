@@ -1,4 +1,5 @@
-"""The paper's examples as they ship (docs/model.md#paper-examples), and the keys of a scenario that they need."""
+"""The paper's examples as they ship (docs/model/examples.md#paper-examples), and the keys of a scenario that they
+need."""
 
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from gcs.scenario.model import Scenario
 
 PAPER_SPEEDS = [(0, 0, 0), (1, 3, 2), (2, 2, 2), (1, 3, 6), (1, 2, 4)]
 PAPER_STARTS = [(0, 5, 0), (0, 0, 0), (0, -5, 0)]
-PAPER_CASES = {  # docs/model.md#paper-examples
+PAPER_CASES = {  # docs/model/examples.md#paper-examples
     "example1": [((0, 0, 0), v) for v in PAPER_SPEEDS],
     "example2": [(p, (1, 1, 1)) for p in PAPER_STARTS],
     "example3": [(p, v) for p in PAPER_STARTS for v in PAPER_SPEEDS],

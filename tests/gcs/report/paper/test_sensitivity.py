@@ -12,7 +12,7 @@ from gcs.report.paper import sensitivity
 
 
 def test_plans_are_example_1s_and_come_to_the_end(tmp_path: Path) -> None:
-    """146 whole steps, 14.5 m from (0,0,0), as docs/model.md#potential-field has it."""
+    """146 whole steps, 14.5 m from (0,0,0), as docs/model/planner.md#potential-field has it."""
     whole = sensitivity.planned((0.0, 0.0, 0.0), full_steps=True)
     assert len(whole) == 146
     assert np.linalg.norm(whole, axis=1) == pytest.approx(1.0)

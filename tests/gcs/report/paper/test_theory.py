@@ -1,4 +1,4 @@
-"""The scenes of docs/model.md#fuzzy-escape, and a closed form for the loops."""
+"""The scenes of docs/model/planner.md#fuzzy-escape, and a closed form for the loops."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,8 @@ def test_the_plain_field_stops_where_the_forces_cancel_on_the_line() -> None:
 def test_the_escape_reaches_the_target_in_about_the_steps_of_the_model() -> None:
     trail = theory.walk(theory.LAYOUTS["one obstacle on the line"], escape=True)
     assert np.linalg.norm(trail[-1] - theory.TARGET) <= theory.ARRIVED_M
-    assert len(trail) - 1 == pytest.approx(111, abs=25)  # docs/model.md#fuzzy-escape walked with full steps to the end
+    # docs/model/planner.md#fuzzy-escape walked with full steps to the end
+    assert len(trail) - 1 == pytest.approx(111, abs=25)
 
 
 def test_the_attitude_is_slower_than_the_speed_with_the_papers_gains() -> None:

@@ -20,7 +20,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build check test release-check bench fuzz faults docs picture clean
+.PHONY: run build check test release-check bench fuzz faults docs picture gallery clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -75,6 +75,10 @@ docs: $(DEV_READY) $(DOCS_READY)
 # The moving picture at the README's top; needs Chromium.
 picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
+
+# The pictures of docs/gallery.md, by flights; needs Chromium. GALLERY="demo paper/example1" makes only these.
+gallery: $(DEV_READY)
+	@$(VENV)/bin/python docs/.site/gallery.py $(GALLERY)
 
 clean:
 	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache build

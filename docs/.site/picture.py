@@ -11,10 +11,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from PIL import Image
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 ROOT = Path(__file__).resolve().parents[2]
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
@@ -48,35 +50,53 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=ROOT / ".readme" / "page.webp")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
-        folder = options.session or Path(name) / "demo"
-        gcs = [sys.executable, "-m", "gcs"]
-        if options.session is None:
-            subprocess.run([*gcs, "run", "demo", "--lockstep", "--quiet", "--no-report", "--out", folder], check=True)
-        page = Path(name) / "page.html"
-        subprocess.run([*gcs, "report", folder, "--quiet", "--out", page], check=True)
-        frames = [Image.open(io.BytesIO(png)).convert("RGB") for png in pictures(page)]
-    height = round(frames[0].height * SHOWN_WIDTH / frames[0].width)
-    small = [frame.resize((SHOWN_WIDTH, height), Image.Resampling.LANCZOS) for frame in frames]
+        times_s = [BEGIN_S + (END_S - BEGIN_S) * k / (FRAMES - 1) for k in range(FRAMES)]
+        small = [shrunk(png, SHOWN_WIDTH) for png in pictures(report("demo", Path(name), options.session), times_s)]
     durations = [FRAME_MS] * (len(small) - 1) + [LAST_MS]
     small[0].save(options.out, save_all=True, append_images=small[1:], duration=durations, loop=0, quality=55, method=4)
     print(f"{options.out}: {len(small)} frames, {options.out.stat().st_size / 1e3:.0f} kB")
 
 
-def pictures(page: Path) -> list[bytes]:
-    """A PNG of the fleet's part of the page at each time."""
+def report(scenario: str, folder: Path, flown: Path | None = None) -> Path:
+    """The report of a scenario, which is flown into `folder` unless `flown` has it already."""
+    gcs = [sys.executable, "-m", "gcs"]
+    session = flown or folder / "session"
+    if flown is None:
+        options = ("--lockstep", "--quiet", "--no-report", "--out", session)
+        subprocess.run([*gcs, "run", scenario, *options], check=True)
+    page = folder / "page.html"
+    subprocess.run([*gcs, "report", session, "--quiet", "--out", page], check=True)
+    return page
+
+
+def shrunk(png: bytes, width: int) -> Image.Image:
+    """A picture of that width."""
+    image = Image.open(io.BytesIO(png)).convert("RGB")
+    return image.resize((width, round(image.height * width / image.width)), Image.Resampling.LANCZOS)
+
+
+@contextmanager
+def opened(page: Path, width: int = WIDTH, height: int = HEIGHT) -> Iterator[Page]:
+    """A file in Chromium."""
     with sync_playwright() as playwright:
         arguments = ["--no-sandbox", "--enable-unsafe-swiftshader"]
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
-        tab = browser.new_page(viewport={"width": WIDTH, "height": HEIGHT}, color_scheme="light")
+        tab = browser.new_page(viewport={"width": width, "height": height}, color_scheme="light")
         tab.goto(page.as_uri())
+        yield tab
+        browser.close()
+
+
+def pictures(page: Path, times_s: Iterable[float]) -> list[bytes]:
+    """A PNG of the fleet's part of a report at each time."""
+    with opened(page) as tab:
         tab.evaluate(READY)
         tab.evaluate(STYLE)
         taken = []
-        for k in range(FRAMES):
-            tab.evaluate(SEEK, BEGIN_S + (END_S - BEGIN_S) * k / (FRAMES - 1))
+        for t_s in times_s:
+            tab.evaluate(SEEK, t_s)
             taken.append(tab.screenshot())
-        browser.close()
-    return taken
+        return taken
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 from skytender import geometry
+from skytender.patrol import patrol
 
 REACHED_M = 0.5
 """Distance from its last way point within which a vehicle has arrived."""
@@ -159,6 +160,19 @@ def _solid(flown: Flown) -> Value:
     return float(geometry.clearance(table, places[flies]).min()) if len(table) and flies.any() else None
 
 
+def _aircraft(flown: Flown) -> Value:
+    """At the times of the records, by where the paths of aircraft lead."""
+    times_s, places, flies = _in_flight(flown)
+    least_m = math.inf
+    for mover in flown.scenario.traffic:
+        if not mover.attracts and flies.any():
+            path = functools.partial(patrol, mover.path_m, mover.speed_m_s, closed=mover.closed, start_s=mover.start_s)
+            there = np.array([path(time_s)[0] for time_s in times_s.tolist()])
+            away_m = np.linalg.norm(places - there, axis=2)
+            least_m = min(least_m, float(away_m[flies].min()))
+    return least_m - flown.scenario.planner.separation_m if math.isfinite(least_m) else None
+
+
 def _aloft(flown: Flown) -> Value:
     """None of a session at whose end the station is received."""
     _, _, flies = _in_flight(flown)
@@ -195,6 +209,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "min_clearance_m": (_from_summary("min_clearance_m"), "least distance to an obstacle, m"),
     "spare_m": (_spare, "least distance of two launched vehicles less the separation, in any mode, m"),
     "solid_m": (_solid, "least distance to an obstacle of a launched vehicle in flight, in any mode, m"),
+    "aircraft_m": (_aircraft, "least distance to traffic of a launched vehicle less the separation, in any mode, m"),
     "aloft": (_aloft, "launched vehicles that a station that stays silent leaves in the air"),
     "density": (_density, "separation cubed times vehicles by the volume in which they start and go to way points"),
     "lost": (_lost, "vehicles lost: dead, run dry, landed by a failsafe, never in the air"),

@@ -29,12 +29,13 @@ from gcs.planner.tracking import Tracking
 from gcs.scenario.accuracy import spreads_m
 from gcs.scenario.model import Scenario
 from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.state import TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import Vec3, VehicleView
 from skytender import elementary
 from skytender.geometry import FloatArray
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import KINDS, Filtered, FilterSettings, Leaders, filter_step
 from skytender.safety.silence import STEP_M, between, braked, flown_on, presumed_places
+from skytender.safety.traffic import TrafficReach
 
 MOST_MARGIN_M = 1.5
 SPARE_M = 0.05
@@ -49,9 +50,6 @@ ACTS_M_S2 = 1.0
 """A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
 cause."""
 REPEAT_AFTER_S = 2.0
-LEAST_AGILE_M_S = 1.0
-"""[choice] Traffic may turn any way at the greatest speed that it has flown at, and at least at this; by a vehicle that
-cannot fly as fast it is foreseen straight on."""
 
 
 class SafePlanner(TickPlanner):
@@ -91,7 +89,7 @@ class SafePlanner(TickPlanner):
         self._fence = FenceBorder(scenario, rules.clearance_m)
         self._solid = np.concatenate([planner.obstacles, self._fence.walls])
         self._settings: FilterSettings | None = None
-        self._agile_m_s: dict[str, float] = {}
+        self._traffic_reach = TrafficReach()
         """how fast each aircraft in sight may turn, by callsign"""
         self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
         self._reported_s: dict[tuple[int, str], float] = {}
@@ -238,23 +236,8 @@ class SafePlanner(TickPlanner):
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
-        self._watch(request.snapshot.traffic)
-        for aircraft in request.snapshot.traffic:
-            name, lead_s = f"traffic {aircraft.callsign}", self.lag_s + aircraft.age_s
-            radius_m, agile_m_s = rules.separation_m, self._agile_m_s[aircraft.callsign]
-            turns = aircraft.callsign not in self._attracting
-            straight = (aircraft.p_ned, aircraft.v_ned, lead_s, radius_m, aircraft.age_s)
-            others.append(Intruder.of(name, None, *straight, -agile_m_s if turns else 0.0))
-            if turns:
-                others.append(Intruder.turning(name, aircraft.p_ned, agile_m_s, lead_s, radius_m))
-        return others
-
-    def _watch(self, traffic: Sequence[TrafficView]) -> None:
-        """Remember how fast the aircraft in sight have flown."""
-        speeds = {aircraft.callsign: elementary.norm(aircraft.v_ned) for aircraft in traffic}
-        self._agile_m_s = {
-            name: max(speed, LEAST_AGILE_M_S, self._agile_m_s.get(name, 0.0)) for name, speed in speeds.items()
-        }
+        traffic = request.snapshot.traffic
+        return others + self._traffic_reach.intruders(traffic, self.lag_s, rules.separation_m, self._attracting)
 
     def _unled(self, columns: FleetColumns) -> list[int]:
         """Rows of those that live, follow no leader and are not surely on the ground."""

@@ -310,9 +310,10 @@ def _weather_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
 
 
 def keeps_apart(s: Scenario) -> bool:
-    """Whether launched vehicles receive each other's places, and keep apart on board while they fly by themselves."""
+    """Whether launched vehicles receive the places of each other and of aircraft, and keep apart on board while they
+    fly by themselves."""
     ours = sum(vehicle.real is None for vehicle in s.vehicles.launched)
-    return s.planner.safety and s.planner.vehicles_repel and ours > 1
+    return s.planner.safety and s.planner.vehicles_repel and ours > (0 if s.traffic else 1)
 
 
 def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:

@@ -85,6 +85,7 @@ def make_place_radio(scenario: Scenario, injections: Iterable[Injection] = ()) -
         Impairment(**{name: getattr(radio, name) for name in _SHARES}, seed=scenario.seed),
         blackouts=radio_faults(injections, scenario)[0],
         splits=radio.splits,
+        traffic=bool(scenario.traffic),
     )
 
 

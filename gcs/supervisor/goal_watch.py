@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
+from gcs.mavlink.ids import TRAFFIC
 from gcs.recording import truth
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
@@ -31,6 +32,7 @@ from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
+from skytender.patrol import patrol
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
 """Records and events."""
@@ -40,7 +42,6 @@ NEVER_FLEW_S = 10.0
 """A vehicle that is not in the air so long after it joined has never taken part."""
 PARTING_S = 3.0
 """Time that a tanker and its receiver, nearer than the separation, have to part."""
-_NO_TRAFFIC: tuple[Mapping[str, Vec3], tuple[str, ...], Floats] = ({}, (), approach.STRAIGHT)
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
 _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 
@@ -76,8 +77,8 @@ class GoalWatch:
         self._airspace: Airspace | None = None
         """None where it has changed"""
         self._uncounted = np.empty(0, np.bool_)
-        self._log: list[tuple[float, Airspace, tuple[str, ...], Floats]] = []
-        """of each tick: time, vehicles that count, and the traffic's callsigns and places (n, 3), which may be many"""
+        self._log: list[tuple[float, Airspace]] = []
+        """of each tick: time, and vehicles that count"""
         self._external_p_ned: list[Floats] = []
         whole = scenario.truth and scenario.record.truth_hz is None  # a record at every tick
         self._keeps_log = whole and bool(scenario.vehicles.launched)
@@ -110,16 +111,11 @@ class GoalWatch:
         if not self._all_count:
             p_ned = p_ned.copy()
             p_ned[self._uncounted] = np.nan
-        traffic, callsigns, there = _NO_TRAFFIC
-        if snapshot.traffic:
-            traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
-            callsigns, there = tuple(traffic), np.array([*traffic.values()])
-            if self._log and self._log[-1][2] == callsigns:
-                callsigns = self._log[-1][2]
         if self._keeps_log:
-            self._log.append((now_s, airspace, callsigns, there))
+            self._log.append((now_s, airspace))
             if self._has_external:
                 self._external_p_ned.append(p_ned[~self._ours].astype(np.float32))
+        traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
         places = Places(p_ned, height_m, traffic)
         self._waypoints.update(p_ned)
         breaches = self.believed.update(now_s, airspace, places)
@@ -273,7 +269,7 @@ class GoalWatch:
         }
         if not tables or any(table is None for table in tables.values()):
             return [], []
-        ticks = np.array([t_s for t_s, *_ in self._log])
+        ticks = np.array([t_s for t_s, _ in self._log])
         judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
         breaches: list[Breach] = []
         shape = (len(ticks), len(self._vehicles), 3)
@@ -287,15 +283,25 @@ class GoalWatch:
         curved = not self._external_p_ned
         if self._external_p_ned:
             p_ned[:, ~self._ours] = self._external_p_ned
-        for tick, (t_s, airspace, callsigns, traffic_ned) in enumerate(self._log):
-            traffic = {name: (n, e, d) for name, (n, e, d) in zip(callsigns, traffic_ned.tolist(), strict=True)}
+        for tick, (t_s, airspace) in enumerate(self._log):
             in_flight = np.where(airspace.flying[:, None], p_ned[tick], np.nan)
             waypoints.update(in_flight)
             height_m = 0.0 - p_ned[tick, :, 2]
-            places = Places(p_ned[tick], height_m, traffic, v_ned[tick] if curved else approach.STRAIGHT)
+            places = Places(
+                p_ned[tick], height_m, self._true_traffic(t_s), v_ned[tick] if curved else approach.STRAIGHT
+            )
             breaches += judged.update(t_s, airspace, places)
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
         return self._notices_of(now_s, breaches, "truth")
+
+    def _true_traffic(self, t_s: float) -> dict[str, Vec3]:
+        """Places of the scenario's traffic, as long as its process lived."""
+        died = self._lost.get(TRAFFIC[0])
+        movers = self._scenario.traffic if died is None or t_s < died.t_s else ()
+        return {
+            mover.callsign: patrol(mover.path_m, mover.speed_m_s, t_s, closed=mover.closed, start_s=mover.start_s)[0]
+            for mover in movers
+        }
 
     def measured(self, snapshot: FleetSnapshot, *, time_s: float, pursuit_held_s: float, refuelled: int) -> Measured:
         """All figures, by truth once that has been judged."""

@@ -510,7 +510,7 @@ class Supervisor:
         grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, heartbeat_due, points, more)
         sent = self.link.grant_all(grants)
         if self._peer_radio is not None:
-            sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0]]
+            sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0] and not is_place(raw)]
         elif self._place_radio is not None and self._place_radio.delivered:
             sent = [raw for raw in sent if not is_place(raw)]
         recording.sent = sent

@@ -58,9 +58,9 @@ from gcs.telemetry.readings import (
 )
 from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleTrack
-from gcs.telemetry.traffic import KnownTraffic
 from skytender import elementary, geodesy
 from skytender import mavlink as mav
+from skytender.safety.traffic import KnownTraffic
 
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
@@ -213,7 +213,7 @@ class Fleet:
             row[[V_NORTH, V_EAST, V_DOWN]] = turned(tuple(row[[V_NORTH, V_EAST, V_DOWN]].tolist()), place.turn_rad)
             if sysid in keep:
                 row[DOWN] = down_m
-        self._traffic.move(place)
+        self._traffic.move(lambda at_ned, v_ned: (place.moved(at_ned), turned(v_ned, place.turn_rad)))
 
     def note_message(self, sysid: int, time_s: float) -> None:
         """A message of a vehicle's autopilot came that is not for `ingest`."""

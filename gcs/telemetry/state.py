@@ -12,6 +12,7 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
 from gcs.telemetry.columns import FIGURES, FLAGS, NO_NUMBER, PLACES, FleetColumns
+from skytender.safety.traffic import TrafficView
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
@@ -130,16 +131,6 @@ class VehicleView(NamedTuple):
         (n, e, d), (v_n, v_e, v_d), age_s = self.p_ned, self.v_ned, self.age_s
         age_s = STALE_S if age_s > STALE_S else age_s  # half the time of min
         return (n + v_n * age_s, e + v_e * age_s, d + v_d * age_s)
-
-
-@dataclass(frozen=True, slots=True)
-class TrafficView:
-    """Another aircraft by its ADSB_VEHICLE; common NED frame."""
-
-    callsign: str
-    p_ned: Vec3
-    v_ned: Vec3
-    age_s: float
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -33,6 +34,7 @@ from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
 from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, stretch, tube, way_home
+from skytender.safety.traffic import KnownTraffic, TrafficReach
 
 LAG_S = 0.37
 """A vehicle flies so long behind its leader (docs/model/control.md#guidance)."""
@@ -101,6 +103,7 @@ class Separation:
         self._vehicle, self._sysid, self._rules = vehicle, sysid, rules
         self._settings = FilterSettings(rules.period_s, rules.separation_m, rules.clearance_m)
         self.peers = PeerTable(rules.vehicles, rules.period_s)
+        self.traffic, self._traffic_reach = KnownTraffic(), TrafficReach()
         self._limits = rules.vehicles[sysid]
         self._brake_m_s2 = BRAKE_SHARE * self._limits.acceleration_m_s2
         self._next_ms = 0
@@ -138,7 +141,7 @@ class Separation:
         else:
             self._begin(_along(vehicle.p_ned, vehicle.v_ned, LAG_S), vehicle.v_ned)
         if steered:
-            u_ned = braking(*self._v_ned, self._brake_m_s2, self._rules.period_s)
+            u_ned = self._stopping()
         else:
             filtered = self._filtered(vehicle.leads or vehicle.alone(ALONE_S))
             if filtered is None:
@@ -280,6 +283,57 @@ class Separation:
         share = speed_m_s / away_m if away_m > 0.0 else 0.0
         return _along(target.v_ned, _vec(away), share)
 
+    def _aircraft(self) -> list[Intruder]:
+        traffic = self.traffic.at(self._vehicle.time_s)
+        return self._traffic_reach.intruders(traffic, LAG_S, self._rules.separation_m)
+
+    def _stopping(self) -> Vec3:
+        """Acceleration while set points stay away: it brakes, or leaves aircraft as far as peers that brake give it
+        room."""
+        dt = self._rules.period_s
+        brakes = braking(*self._v_ned, self._brake_m_s2, dt)
+        aircraft = self._aircraft()
+        if not aircraft:
+            return brakes
+        own = Leaders(
+            ids=[self._sysid],
+            p_ned=[self._p_ned],
+            v_ned=[self._v_ned],
+            v_max_m_s=[self._limits.speed_m_s],
+            a_max_m_s2=[self._limits.acceleration_m_s2],
+            margin_m=[self._margin_m()],
+        )
+        wanted_ned = [_along(self._v_ned, brakes, dt)]
+        obstacles = self._rules.obstacles
+        filtered = filter_step(own, wanted_ned, rules=self._settings, others=table_of(aircraft), obstacles=obstacles)
+        if filtered.changed_m_s2[0] <= UNCHANGED_M_S2:
+            return brakes
+        now_ms, table = self._vehicle.time_ms, self.peers
+        beside = table.worth_looking(now_ms, self._p_ned, self._v_ned, STILL_NEAR_M, AHEAD_NEAR_S, FORGOTTEN_S)
+        return self._sure(filtered.u_ned[0], [sysid for sysid in beside if sysid != self._sysid], LAG_S)
+
+    def _sure(
+        self, u_ned: NDArray[np.float64], sysids: Sequence[int], lead_s: float, leaders: _Near | None = None
+    ) -> Vec3:
+        """The nearest acceleration that is safe whatever `leaders` and these peers do (simvehicle/fleet/
+        spare_distance.py), which are looked at where they will be `lead_s` from now."""
+        near = leaders or _Near([self._sysid], [self._p_ned], [self._v_ned], [])
+        ids, places, velocities = list(near.ids), list(near.p_ned), list(near.v_ned)
+        for sysid in sysids:
+            place_ms, p_ned, v_ned = self.peers.place(sysid)
+            ids.append(sysid)
+            places.append(_along(p_ned, v_ned, (self._vehicle.time_ms - place_ms) / 1e3 + lead_s))
+            velocities.append(v_ned)
+        if len(ids) == 1:
+            return _vec(u_ned.tolist())
+        brake_m_s2 = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
+        required_m = np.full(len(ids) - 1, self._rules.separation_m + self._margin_m() + LEAST_MARGIN_M)
+        dt = self._rules.period_s
+        return sure_acceleration(u_ned, np.array(places), np.array(velocities), brake_m_s2, required_m, dt)
+
+    def _margin_m(self) -> float:
+        return min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
+
     def _filtered(self, leads: bool) -> Vec3 | None:
         """Acceleration of the coming period; None where a vehicle without a leader needs none."""
         near = self._near(leads)
@@ -288,7 +342,7 @@ class Separation:
         n = len(near.ids)
         limits = [self._rules.vehicles[sysid] for sysid in near.ids]
         margin_m = np.full(n, LEAST_MARGIN_M)
-        margin_m[0] = min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
+        margin_m[0] = self._margin_m()
         low, high = self._tubes(near, margin_m)
         filtered = filter_step(
             Leaders(
@@ -312,22 +366,11 @@ class Separation:
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
             self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
-        ids, p_ned, v_ned = list(near.ids), list(near.p_ned), list(near.v_ned)
-        if self._by_plan() and not self._vehicle.alone(
-            ALONE_S
-        ):  # then each may be steered at any time, from where it is, not its leader
-            for sysid in (*near.ids[1:], *near.unled):
-                place_ms, p_now_ned, v_now_ned = self.peers.place(sysid)
-                age_s = (self._vehicle.time_ms - place_ms) / 1e3
-                ids.append(sysid)
-                p_ned.append(_along(p_now_ned, v_now_ned, age_s))
-                v_ned.append(v_now_ned)
-        if not self._by_plan() or len(ids) == 1:
+        if not self._by_plan():
             return _vec(filtered.u_ned[0].tolist())
-        brake_m_s2 = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
-        required_m = np.full(len(ids) - 1, self._rules.separation_m + margin_m[0] + LEAST_MARGIN_M)
-        asked, dt = filtered.u_ned[0], self._rules.period_s
-        return sure_acceleration(asked, np.array(p_ned), np.array(v_ned), brake_m_s2, required_m, dt)
+        # One that returns while others have the station: each may be steered at any time, from where it is.
+        steerable = [] if self._vehicle.alone(ALONE_S) else [*near.ids[1:], *near.unled]
+        return self._sure(filtered.u_ned[0], steerable, 0.0, near)
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
@@ -355,6 +398,7 @@ class Separation:
             else:
                 p_ned, v_ned = table.newest(sysid)
                 unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, p_ned, v_ned), v_ned=v_ned)))
+        near.intruders += self._aircraft()
         self._part({sysid for sysid, _ in unheard})
         for sysid, peer in unheard:
             near.intruders += self._out_of_reach(sysid, peer)

@@ -35,6 +35,7 @@ from simvehicle.mavlink import (
     missions,
     offboard,
     parameter_protocol,
+    traffic,
 )
 from simvehicle.mavlink.codec import ReceivedFrame, as_bytes, decode, message
 from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
@@ -56,6 +57,7 @@ MESSAGES: dict[int, MessageHandler] = {
     **flight_commands.MESSAGES,
     **message_requests.MESSAGES,
     **parameter_protocol.MESSAGES,
+    **traffic.MESSAGES,
 }
 COMMANDS: dict[int, CommandHandler] = {**flight_commands.COMMANDS, **message_requests.COMMANDS, **maintenance.COMMANDS}
 _COMMAND_MESSAGES = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})

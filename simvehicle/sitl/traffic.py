@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +21,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.unit import Unit
 from skytender import elementary
 from skytender import mavlink as mav
+from skytender.patrol import patrol
 
 SYSID, COMPID = 255, 156
 REPORT_EVERY_MS = 100
@@ -47,21 +47,7 @@ class Aircraft:
 
     def at(self, time_s: float) -> tuple[Vec3, Vec3]:
         """Position and velocity at a time."""
-        corners = [*self.path_ned, self.path_ned[0]] if self.closed else [*self.path_ned, *self.path_ned[-2::-1]]
-        legs = [(a, b, elementary.distance(a, b)) for a, b in pairwise(corners)]
-        around_m = sum(length for _, _, length in legs)
-        if time_s <= self.start_s or around_m == 0.0:
-            return self.path_ned[0], (0.0, 0.0, 0.0)
-        way_m = (self.speed_m_s * (time_s - self.start_s)) % around_m
-        legs = [leg for leg in legs if leg[2] > 0.0]
-        for a, b, length in legs:  # noqa: B007 - rounding may leave a rest of way after the last leg: that leg's end
-            if way_m <= length:
-                break
-            way_m -= length
-        share = min(way_m / length, 1.0)
-        north, east, down = (x + share * (y - x) for x, y in zip(a, b, strict=True))
-        vn, ve, vd = (self.speed_m_s * (y - x) / length for x, y in zip(a, b, strict=True))
-        return (north, east, down), (vn, ve, vd)
+        return patrol(self.path_ned, self.speed_m_s, time_s, closed=self.closed, start_s=self.start_s)
 
 
 class Traffic(Unit):

@@ -38,7 +38,7 @@ from gcs.campaign.families.parts import (
 from gcs.campaign.families.silence import silence
 from gcs.campaign.families.silent_ways import SILENT_FROM_S, clearance_over, floats_over
 from gcs.campaign.families.tight import tight
-from gcs.campaign.families.turning import turning
+from gcs.campaign.families.turning import silent_traffic, turning
 from skytender import elementary, elementwise
 from skytender import geometry as shapes
 
@@ -343,6 +343,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "silence": silence,
     "accuracy": accuracy,
     "turning": turning,
+    "silent_traffic": silent_traffic,
     "cube": cube,
     "forest": forest,
     "streets": streets,

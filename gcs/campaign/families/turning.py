@@ -24,6 +24,7 @@ from skytender import elementary
 
 LEAST_M_S, MOST_M_S, OUTRUN = 1.0, 3.0, 0.9
 FEWEST, MOST, DURATION_S = 4, 16, 45.0
+SILENT_FROM_S, SILENCE_S = (8.0, 20.0), 15.0
 HEIGHT_M, FAR_M, CORNERS = 7.0, 8.0, 16
 
 
@@ -57,6 +58,14 @@ def turning(rng: np.random.Generator) -> Document:
         "refuelling": {"enabled": False},
         "traffic": movers,
     }
+
+
+def silent_traffic(rng: np.random.Generator) -> Document:
+    """The same while the station is silent: for a while in the middle of the session, or from then on."""
+    document = turning(rng)
+    from_s = round(float(rng.uniform(*SILENT_FROM_S)), 1)
+    to_s = from_s + (SILENCE_S if rng.random() < 0.5 else DURATION_S)
+    return document | {"radio": {"ground_blackouts": [{"from_s": from_s, "to_s": round(to_s, 1)}]}}
 
 
 def _street(n: int, apart_m: float) -> FloatArray:

@@ -1,8 +1,8 @@
 """The radio on which vehicles receive each other's places (docs/protocol/onboard.md#separation-on-board).
 
-Vehicles broadcast LOCAL_POSITION_NED and POSITION_TARGET_LOCAL_NED to all vehicles. As the radio among those that
-compete, this is a part of the simulated world, not of the ground station: it loses and delays as that one does, and
-goes on while the station's own radio is dead.
+Vehicles broadcast LOCAL_POSITION_NED and POSITION_TARGET_LOCAL_NED to all vehicles, other aircraft ADSB_VEHICLE. As
+the radio among those that compete, this is a part of the simulated world, not of the ground station: it loses and
+delays as that one does, and goes on while the station's own radio is dead.
 """
 
 from __future__ import annotations
@@ -14,17 +14,18 @@ from gcs.link.impairment import Burst, Impairment
 from gcs.link.peers.peer_radio import apart
 from gcs.mavlink import codec
 from gcs.mavlink.codec import LARGEST_FRAME, Frame
-from gcs.mavlink.ids import STATION
+from gcs.mavlink.ids import STATION, TRAFFIC
 from gcs.scenario.parts.radio import RadioSplit
 
 _PLACE, _LEADER = codec.msgid("LOCAL_POSITION_NED"), codec.msgid("POSITION_TARGET_LOCAL_NED")
+_AIRCRAFT = codec.msgid("ADSB_VEHICLE")
 MOST_BYTES = 11_000
 """Of places in a bundle: with what a shared datagram holds besides it stays within 16,384 bytes."""
 
 
 SELDOM = 3
 """[choice] Ticks: a vehicle foresees its peers for longer."""
-_SYSID_AT, _ID_AT = 5, slice(7, 10)  # in a frame
+_SYSID_AT, _COMPID_AT, _ID_AT = 5, 6, slice(7, 10)  # in a frame
 _MASK_AT, _NO_ACCELERATION = codec.HEADER_BYTES + 48, 0b1100_0000  # the low byte of its type_mask has x's and y's
 
 
@@ -38,10 +39,12 @@ class PlaceRadio:
         *,
         blackouts: Iterable[Burst] = (),
         splits: Iterable[RadioSplit] = (),
+        traffic: bool = False,
     ) -> None:
-        """Arguments as `PeerRadio` has them."""
-        self._sysids, self._radio = sorted(sysids), radio
-        self._members = frozenset(self._sysids)
+        """Arguments as `PeerRadio` has them; `traffic`: other aircraft report themselves too, to all."""
+        self._radio = radio
+        self._members = frozenset(sysids)
+        self._senders = [*sorted(self._members), *((TRAFFIC[0],) if traffic else ())]
         self._blackouts, self._splits = tuple(blackouts), tuple(splits)
         self._sent: Mapping[int, Sequence[Frame]] = {}
         self._places: dict[int, list[bytes]] = {}
@@ -69,7 +72,7 @@ class PlaceRadio:
         rests = seldom and not self._splits and self._ticks % SELDOM != 0
         self._flying, self.delivered = () if rests else flying, False
         led: Container[int] = () if self._splits else steered
-        self.listening = frozenset(sysid for sysid in self._sysids if sysid in self._flying and sysid not in led)
+        self.listening = frozenset(sysid for sysid in self._members if sysid in self._flying and sysid not in led)
 
     def deliver(self, sysid: int, t_s: float, *, led: bool) -> list[bytes]:
         """Places that reach a vehicle at a session time, as one piece of data, once per tick; `led`: a set point has
@@ -88,12 +91,13 @@ class PlaceRadio:
         """Frames in the order of their senders; where nothing is lost, the vehicle's own are among them."""
         if self._radio.clear and not self._blackouts and not self._splits:
             if self._all is None:
-                self._all = _fitting([raw for sender in self._sysids for raw in self._of(sender)], t_s)
+                self._all = _fitting([raw for sender in self._senders for raw in self._of(sender)], t_s)
             return self._all
         received: list[bytes] = []
-        for sender in self._sysids:
+        for sender in self._senders:
             if sender != sysid:
-                dark = apart(sender, sysid, t_s, self._blackouts, self._splits)
+                splits = () if sender == TRAFFIC[0] else self._splits
+                dark = apart(sender, sysid, t_s, self._blackouts, splits)
                 received += self._radio.apply(sysid, sender, t_s, self._of(sender), dark=dark)
         return _fitting(received, t_s)
 
@@ -102,13 +106,18 @@ class PlaceRadio:
         if places is None:
             frames = self._sent.get(sender, ())
             places = self._places[sender] = [
-                frame.raw for frame in frames if frame.msgid == _PLACE or (frame.msgid == _LEADER and _leads(frame.raw))
+                frame.raw
+                for frame in frames
+                if frame.msgid in (_PLACE, _AIRCRAFT) or (frame.msgid == _LEADER and _leads(frame.raw))
             ]
         return places
 
 
 def is_place(raw: bytes) -> bool:
-    """Whether a frame that goes to a vehicle, or several in one piece, is what another one has broadcast of itself."""
+    """Whether a frame that goes to a vehicle, or several in one piece, is what another one, or an aircraft, has
+    broadcast of itself."""
+    if (raw[_SYSID_AT], raw[_COMPID_AT]) == TRAFFIC:
+        return True
     return raw[_SYSID_AT] != STATION[0] and int.from_bytes(raw[_ID_AT], "little") in (_PLACE, _LEADER)
 
 
@@ -118,12 +127,12 @@ def _leads(raw: bytes) -> bool:
 
 
 def _fitting(frames: list[bytes], t_s: float) -> bytes:
-    """As many frames as a bundle holds, in one piece: leaders before places, and of too many another part in each
-    tick."""
+    """As many frames as a bundle holds, in one piece: of a vehicle with a leader that alone, and of too many another
+    part in each tick."""
     if sum(map(len, frames)) <= MOST_BYTES:
         return b"".join(frames)
     leaders = [raw for raw in frames if raw[_ID_AT.start] == _LEADER]
     led = {raw[_SYSID_AT] for raw in leaders}
-    some = leaders + [raw for raw in frames if raw[_ID_AT.start] == _PLACE and raw[_SYSID_AT] not in led]
+    some = leaders + [raw for raw in frames if raw[_ID_AT.start] != _LEADER and raw[_SYSID_AT] not in led]
     parts = math.ceil(sum(map(len, some)) / (MOST_BYTES - LARGEST_FRAME))
     return b"".join(some[round(10.0 * t_s) % parts :: parts])

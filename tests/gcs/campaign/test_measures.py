@@ -33,6 +33,10 @@ def flown(folder: Path, service: dict[str, Any], near_s: float) -> Any:
         "planner": {"separation_m": 0.8},
         "radio": {"ground_blackouts": [SILENCE]},
         "goal": {"duration_s": 60},
+        "traffic": [
+            {"callsign": "BY", "path_m": [[-10, -1.5, -10], [40, -1.5, -10]], "speed_m_s": 1},
+            {"callsign": "BAIT", "path_m": [[0, 0.2, -10], [0.1, 0.2, -10]], "speed_m_s": 1, "attracts": True},
+        ],
     }
     path = folder / "scenario.yaml"
     path.write_text(yaml.safe_dump(text))
@@ -65,3 +69,10 @@ def test_partners_may_be_near_until_they_have_parted_and_no_longer(
     service = {"tanker": 201, "receiver": 1, "decided_at_s": decided_at_s, "end_s": end_s}
     spare, _ = SHIPPED["spare_m"]
     assert spare(flown(tmp_path, service, near_s)) == pytest.approx(0.5 - 0.8 if counts else 3.0 - 0.8)
+
+
+def test_the_distance_to_aircraft_is_to_where_their_paths_lead(tmp_path: Path) -> None:
+    """One passes the receiver at 1.5 m, another one that attracts does not count."""
+    aircraft, _ = SHIPPED["aircraft_m"]
+    service = {"tanker": 201, "receiver": 1, "decided_at_s": 1.0, "end_s": None}
+    assert aircraft(flown(tmp_path, service, 5.0)) == pytest.approx(1.5 - 0.8)

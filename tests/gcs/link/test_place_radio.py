@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.impairment import Impairment
 from gcs.link.peers.place_radio import MOST_BYTES, PlaceRadio, is_place
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
+from gcs.mavlink.ids import TRAFFIC
 from gcs.scenario.parts.radio import RadioSplit
 
 REFERENCE, LEADER = 0b1001_1100_0000, 0b1000_0000_0000
@@ -88,6 +90,21 @@ def test_a_split_parts_the_two_sides_and_lets_those_that_are_led_listen_before()
     radio.begin({1, 2, 3}, {1, 2, 3})
     assert received(radio, 1, led=True) == [(2, 32)]
     assert received(radio, 3, led=True) == []
+
+
+def aircraft(icao: int) -> Frame:
+    maker = mav.MAVLink(None, *TRAFFIC)
+    raw = maker.adsb_vehicle_encode(icao, 474000000, 85000000, 1, 500000, 0, 0, 0, b"TURN", 14, 0, 0, 0).pack(maker)
+    return codec.split(bytes(raw)).frames[0]
+
+
+@pytest.mark.parametrize("splits", [(), (RadioSplit(sysids=(1,), from_s=0.0, to_s=1.0),)])
+def test_aircraft_are_received_on_both_sides_of_a_split(splits: tuple[RadioSplit, ...]) -> None:
+    radio = PlaceRadio([1, 2], Impairment(), splits=splits, traffic=True)
+    radio.send({1: [place(1)], 2: [place(2)], TRAFFIC[0]: [heartbeat(TRAFFIC[0]), aircraft(1), aircraft(2)]})
+    radio.begin({1, 2}, ())
+    for sysid in (1, 2):
+        assert [one for one in received(radio, sysid) if one[0] == TRAFFIC[0]] == [(TRAFFIC[0], 246)] * 2
 
 
 def test_what_the_station_sends_is_no_place() -> None:

@@ -15,7 +15,7 @@ from gcs.telemetry.health import ACT, HealthIssue, health_issues
 from gcs.telemetry.plausibility import DOUBTED_S, FASTEST_M_S, JUMP_M
 from gcs.telemetry.state import VehicleView
 from gcs.telemetry.track import Member
-from gcs.telemetry.traffic import MOST_TRAFFIC, TRAFFIC_FORGOTTEN_S
+from skytender.safety.traffic import MOST_TRAFFIC, TRAFFIC_FORGOTTEN_S
 
 ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 HERE = {"latitude": 473977420, "longitude": 85455940, "altitude": 488000}

@@ -27,9 +27,11 @@ from simvehicle.fleet.separation_rules import SeparationRules, SeparationRulesEr
 from simvehicle.mavlink.codec import ReceivedFrame, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
+from simvehicle.sitl.traffic import Aircraft, Traffic
 
 FRAME = LocalFrame(47.0, 8.0, 400.0)
 PERIOD_MS, SEPARATION_M = 100, 0.8
+AIR = Connection(255, 156)
 PLAN = {"level_after_s": 8.0, "down_after_s": 16.0, "again_after_s": 40.0, "descend_m": 5.0}
 
 
@@ -81,6 +83,10 @@ class Swarm:
                 continue
             vehicle.trigger(Trigger.ARM)
             vehicle.take_off(3.0)
+
+    def receive(self, sysid: int, frame: ReceivedFrame) -> None:
+        """Hand a vehicle a frame, of a sender that is no vehicle."""
+        self._services[sysid].receive(frame, self._connections[sysid])
 
     def fly(self, until_s: float, each: Callable[[float], None] = lambda _: None) -> None:
         """Up to a time; `each` is called before every tick."""
@@ -177,6 +183,29 @@ def test_they_do_not_without_either() -> None:
     """The circle is one in which something has to keep them apart."""
     swarm = returned(8, dict.fromkeys(range(1, 9), 6.0), lambda *_: False)
     assert swarm.least_m < SEPARATION_M
+
+
+@pytest.mark.parametrize(("receives", "keeps_off"), [(True, True), (False, False)])
+def test_an_aircraft_that_turns_among_silent_vehicles_is_kept_off(receives: bool, keeps_off: bool) -> None:
+    """To and fro at 2 m/s along a line of four that hover, and then return; without its ADSB_VEHICLE it comes near."""
+    places = {sysid: (3.0 * sysid, 0.0, -6.0) for sysid in range(1, 5)}
+    swarm = Swarm(places, rules_of(places, dict.fromkeys(places, 6.0)), lambda *_: True, up=True)
+    path = Aircraft("TURN", ((-9.0, 0.3, -6.2), (20.0, -0.3, -5.8)), 2.0, closed=False, start_s=0.0)
+    aircraft = Traffic(FRAME, [path], [AIR])
+    nearest_m = math.inf
+
+    def passes(now_s: float) -> None:
+        nonlocal nearest_m
+        aircraft.advance(round(1e3 * now_s))
+        frames = split(b"".join(AIR.frames()))
+        for sysid, vehicle in swarm.vehicles.items():
+            nearest_m = min(nearest_m, math.dist(vehicle.true_motion_ned[:3], path.at(now_s)[0]))
+            for frame in frames if receives else ():
+                swarm.receive(sysid, frame)
+
+    swarm.fly(40.0, passes)
+    assert (nearest_m >= SEPARATION_M) is keeps_off
+    assert swarm.least_m >= SEPARATION_M
 
 
 def test_a_vehicle_whose_set_points_stay_away_brakes_as_the_filter_presumes() -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcs.campaign.python import Campaign
+    from gcs.environments.parallel import parallel_env
     from gcs.extras import MissingExtra
     from gcs.planner.request import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
@@ -49,6 +50,7 @@ __all__ = [
     "VehicleView",
     "load",
     "open",
+    "parallel_env",
 ]
 
 check("skytender")
@@ -75,6 +77,7 @@ _HOME = {
     "VehicleView": "telemetry.state",
     "load": "scenario.file",
     "open": "report.opened",
+    "parallel_env": "environments.parallel",
 }
 
 

@@ -35,7 +35,7 @@ PACKAGES = {
         "session",
         "web",
         "console report",
-        "campaign",
+        "campaign environments",
         "cli",
         "__init__ __main__ pytest_plugin",
     ],

@@ -189,31 +189,7 @@ def image(scenario: Scenario, path: Path) -> None:
     axes.set_ylabel("north (m)")
     axes.set_aspect("equal")
     axes.grid(alpha=0.3)
-    range_m = scenario.planner.repulsion_range_m
-    for shape in scenario.obstacles:
-        _draw_obstacle(axes, shape, 0.0, fill=True, color="0.35")
-        _draw_obstacle(axes, shape, range_m, fill=False, color="0.7", linestyle=":")
-    styles = {
-        ROUTE: (INK, "--", "target's path"),
-        COURSE: ("0.5", "-", "way points"),
-        TRAFFIC: ("#b07300", ":", "traffic"),
-    }
-    labelled = set()
-    for mark, border in _fence(scenario):
-        color, label = ("#1a7f37", "fence: stay in") if mark == KEPT_IN else ("#b3261e", "fence: stay out")
-        name = "" if label in labelled else label
-        labelled.add(label)
-        ring = [*border, border[0]]
-        axes.plot([p[1] for p in ring], [p[0] for p in ring], "-.", color=color, linewidth=1.2, label=name or None)
-    if scenario.rally_m:
-        norths_m, easts_m = zip(*scenario.rally_m, strict=True)
-        axes.plot(easts_m, norths_m, "v", color="#1a7f37", label="rally point")
-    for mark, route, closed in _routes(scenario):
-        points = [*route, *(route[:1] if closed else ())]
-        color, style, label = styles[mark]
-        name = "" if label in labelled else label
-        labelled.add(label)
-        axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0, label=name or None)
+    draw_surroundings(axes, scenario)
     place = {vehicle.sysid: at for at, vehicle in enumerate(scenario.vehicles.all)}
     drawn = _drawn(scenario)
     for role, marker in {"pursuer": "o", "target": "*", "tanker": "s"}.items():
@@ -247,6 +223,35 @@ def image(scenario: Scenario, path: Path) -> None:
         axes.plot([], [], "--", color="0.4", label="ring")
     figure.legend(loc="outside lower center", ncols=4, fontsize=8)
     figure.savefig(path, dpi=150)
+
+
+def draw_surroundings(axes: Any, scenario: Scenario) -> None:
+    """Draw on axes of Matplotlib, east to the right, what stands or is to be flown: obstacles, fence, routes."""
+    range_m = scenario.planner.repulsion_range_m
+    for shape in scenario.obstacles:
+        _draw_obstacle(axes, shape, 0.0, fill=True, color="0.35")
+        _draw_obstacle(axes, shape, range_m, fill=False, color="0.7", linestyle=":")
+    styles = {
+        ROUTE: (INK, "--", "target's path"),
+        COURSE: ("0.5", "-", "way points"),
+        TRAFFIC: ("#b07300", ":", "traffic"),
+    }
+    labelled = set()
+    for mark, border in _fence(scenario):
+        color, label = ("#1a7f37", "fence: stay in") if mark == KEPT_IN else ("#b3261e", "fence: stay out")
+        name = "" if label in labelled else label
+        labelled.add(label)
+        ring = [*border, border[0]]
+        axes.plot([p[1] for p in ring], [p[0] for p in ring], "-.", color=color, linewidth=1.2, label=name or None)
+    if scenario.rally_m:
+        norths_m, easts_m = zip(*scenario.rally_m, strict=True)
+        axes.plot(easts_m, norths_m, "v", color="#1a7f37", label="rally point")
+    for mark, route, closed in _routes(scenario):
+        points = [*route, *(route[:1] if closed else ())]
+        color, style, label = styles[mark]
+        name = "" if label in labelled else label
+        labelled.add(label)
+        axes.plot([p[1] for p in points], [p[0] for p in points], style, color=color, linewidth=1.0, label=name or None)
 
 
 def _circle(axes: Any, p_ned: Sequence[float], radius_m: float, **style: Any) -> None:

@@ -17,6 +17,7 @@ import autopilots_in_lockstep
 import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
+import environment_steps
 import laws
 import page_shown
 import planned_and_filtered
@@ -52,6 +53,7 @@ def main() -> None:
         13: page_shown.figures,
         14: lambda: autopilots_in_lockstep.figures(scale),
         15: lambda: steps_from_python.figures(scale),
+        16: environment_steps.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcs.campaign.python import Campaign
-    from gcs.environments.parallel import parallel_env
     from gcs.extras import MissingExtra
+    from gcs.learning import parallel_env
     from gcs.planner.request import PursuerPlanner, Situation
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
@@ -77,7 +77,7 @@ _HOME = {
     "VehicleView": "telemetry.state",
     "load": "scenario.file",
     "open": "report.opened",
-    "parallel_env": "environments.parallel",
+    "parallel_env": "learning",
 }
 
 

@@ -36,7 +36,7 @@ PACKAGES = {
         "web",
         "console report",
         "campaign environments",
-        "cli",
+        "cli learning",
         "__init__ __main__ pytest_plugin",
     ],
 }

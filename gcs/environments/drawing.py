@@ -20,7 +20,7 @@ TRAIL = 100
 MARKERS = {"pursuer": "o", "target": "*", "tanker": "s"}
 
 
-class Drawing:
+class FleetDrawing:
     """Vehicles, their ways of late and their set points on the scenario's plan; north is up."""
 
     def __init__(self, scenario: Scenario) -> None:

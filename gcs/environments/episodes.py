@@ -12,7 +12,7 @@ from typing import Any, Unpack
 import numpy as np
 from gymnasium import Space
 
-from gcs.environments.drawing import Drawing
+from gcs.environments.drawing import FleetDrawing
 from gcs.environments.options import Options
 from gcs.environments.spaces import Observation, VelocityAction
 from gcs.environments.transition import Transition, is_lost, nearness
@@ -57,8 +57,8 @@ class Episodes:
         mode = options.get("render_mode")
         if mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode is {mode!r}; sessions are drawn as 'rgb_array', or not at all (None)")
-        self._drawing = None if mode is None else Drawing(self.scenario)
-        self._flown = 0
+        self._drawing = None if mode is None else FleetDrawing(self.scenario)
+        self._flown, self._flies = 0, False
         self._stack = contextlib.ExitStack()
         self._session: Session | None = None
         self._snapshot: Snapshot | None = None
@@ -84,7 +84,8 @@ class Episodes:
 
     def action_space(self) -> Space[Any]:
         """Space of what an agent does."""
-        return self._options.get("action_space") or self._action.space
+        space = self._options.get("action_space")
+        return self._action.space if space is None else space
 
     def begin(self, seed: int) -> Snapshot:
         """End the present session, and fly the next one until every agent's vehicle is steered. Raises SessionError."""
@@ -115,7 +116,7 @@ class Episodes:
                         "goal.duration_s, or let fewer vehicles be agents"
                     )
                 snapshot = session.step()
-            self._stack = stack.pop_all()
+            self._stack, self._flies = stack.pop_all(), True
         if self._drawing is not None:
             self._drawing.begin(session.scenario)
             self._drawing.add(snapshot)
@@ -132,14 +133,16 @@ class Episodes:
         return snapshot.time_s + self.step_s > self.session.scenario.goal.duration_s + _ROUNDING_S
 
     def observe(self, sysid: int) -> Any:
-        """What an agent sees now."""
+        """The view that an agent has now."""
         observe = self._options.get("observation")
         return self._observations[sysid](self.snapshot) if observe is None else observe(self.snapshot, sysid)
 
     def step(self, actions: Mapping[int, Any]) -> tuple[dict[int, Transition], bool]:
         """Fly a step of these agents' actions: the transition of each, and whether the session has ended with it.
-        Raises ValueError for an action outside its space."""
+        Raises ValueError for an action outside its space, SessionError where no episode flies."""
         session, before = self.session, self.snapshot
+        if not self._flies:
+            raise SessionError("the episode has ended and cannot be stepped any more: call reset for the next one")
         set_points, act = {}, self._options.get("action", self._action)
         for sysid, action in actions.items():
             if not self.action_space().contains(action):
@@ -172,7 +175,7 @@ class Episodes:
 
     def digest(self) -> str | None:
         """End the session, at its scenario's end or now, and return its digest. Raises SessionError where it broke."""
-        session = self.session
+        session, self._flies = self.session, False
         return (session.finish() if self._is_last(self.snapshot) else session.stop()).digest
 
     def render(self) -> Any:
@@ -181,7 +184,7 @@ class Episodes:
 
     def end(self) -> None:
         """End the present session; its folder is removed where none was asked for."""
-        stack, self._stack = self._stack, contextlib.ExitStack()
+        stack, self._stack, self._flies = self._stack, contextlib.ExitStack(), False
         stack.close()
 
 

@@ -1,4 +1,4 @@
-"""What environments take beside their scenario; all of it may be left out."""
+"""Keywords of environments beside their scenario; all of them may be left out."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Options(TypedDict, total=False):
     """whether an agent's episode ends with a step; by default once its vehicle is lost,
     `gcs.environments.transition.is_lost`"""
     observation: Callable[[Snapshot, int], Any]
-    """what the agent of a system id sees at a snapshot, an element of `observation_space`; by default
+    """view of the agent of a system id sees at a snapshot, an element of `observation_space`; by default
     `gcs.environments.spaces.Observation`"""
     observation_space: Space[Any]
     """of all agents; goes with `observation`"""

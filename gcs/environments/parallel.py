@@ -21,20 +21,6 @@ from gcs.session.python import Session
 LARGEST_DRAWN_SEED = 2**31 - 1
 
 
-def parallel_env(
-    scenario: str | os.PathLike[str] | Scenario, agents: Iterable[int] | None = None, **options: Unpack[Options]
-) -> ParallelSessionEnv:
-    """Sessions in lockstep as an environment of many agents, PettingZoo's ParallelEnv.
-
-    scenario: a file, the name of a shipped one, or a `Scenario`. agents: system ids of vehicles that are agents; every
-    pursuer without it, and all other vehicles are the planner's. options: `gcs.environments.options.Options`.
-
-    Raises ValueError and TypeError for options, MissingExtra without the extra `learn`, and what `gcs.Session` raises
-    of the scenario.
-    """
-    return ParallelSessionEnv(scenario, agents, **options)
-
-
 class ParallelSessionEnv(ParallelEnv[str, Any, Any]):  # type: ignore[misc]  # it has no types
     """Sessions in lockstep as PettingZoo's ParallelEnv; `gcs.parallel_env` makes it.
 

@@ -1,4 +1,4 @@
-"""What an agent sees and does by default, and the spaces of both, made from the scenario.
+"""Views and actions of agents by default, and the spaces of both, made from the scenario.
 
 Numbers are in SI, places and velocities in the common NED frame; Gymnasium's wrappers scale them where a policy wants
 that.
@@ -24,7 +24,7 @@ FASTEST_SHARE = 3.0
 
 
 class Observation:
-    """What a vehicle's agent sees, as one vector of float32, in this order:
+    """View of a vehicle's agent, as one vector of float32, in this order:
 
     place (3, m), velocity (3, m/s), roll, pitch and yaw (3, rad), battery (1, share of its capacity);
     where it pursues a target: place and velocity of that, from its own (6);
@@ -120,7 +120,7 @@ class _Surfaces:
 
 
 class VelocityAction:
-    """What a vehicle's agent does: three shares, -1 to 1, of the planner's `cruise_m_s`, along north, east and down.
+    """Action of a vehicle's agent: three shares, -1 to 1, of the planner's `cruise_m_s`, along north, east and down.
 
     The set point that was sent last, or the vehicle's place where none was, moves with that velocity for one step; it
     stays within the planner's `leash_m` of the vehicle. Vectors longer than 1 are shortened.

@@ -14,7 +14,7 @@ from skytender import elementary
 
 @dataclass(frozen=True, slots=True)
 class Transition:
-    """What an agent did in a step, and what came of it."""
+    """An agent's action in a step, and what came of it."""
 
     scenario: Scenario
     sysid: int

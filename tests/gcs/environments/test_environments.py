@@ -20,9 +20,11 @@ from sessions import merged, small
 
 import gcs
 from gcs.environments.parallel import ParallelSessionEnv
+from gcs.environments.single import SessionEnv
 from gcs.environments.transition import Transition
 from gcs.scenario.document import Document
 from gcs.scenario.file import resolve
+from gcs.scenario.model import Obstacle
 
 ID = "gcs.environments:skytender/Session-v0"
 STILL = np.zeros(3, np.float32)
@@ -73,11 +75,13 @@ def fly(env: ParallelSessionEnv, seed: int | None = None) -> list[Any]:
     return given
 
 
+@pytest.mark.timeout(900)  # it flies a dozen sessions
 def test_it_passes_pettingzoos_tests(make: Callable[..., ParallelSessionEnv]) -> None:
     parallel_api_test(make(), num_cycles=30)
     parallel_seed_test(make, num_cycles=30)
 
 
+@pytest.mark.timeout(900)  # it flies a dozen sessions
 def test_it_passes_gymnasiums_test() -> None:
     env = gymnasium.make(ID, scenario=scenario(), agent=2)
     check_env(env.unwrapped)
@@ -201,7 +205,7 @@ def test_what_is_varied_is_flown_and_repeats(make: Callable[..., ParallelSession
     with pytest.raises(ValueError, match="vary has changed which vehicles there are"):
         fewer.reset(seed=1)
     walled = make(
-        vary=lambda base, _: base.model_copy(update={"obstacles": [{"point_m": (9.0, 9.0, -3.0)}]}),
+        vary=lambda base, _: base.model_copy(update={"obstacles": (Obstacle(point_m=(9.0, 9.0, -3.0)),)}),
     )
     with pytest.raises(ValueError, match="vary has changed what vehicle 1 sees from 23 numbers to 26"):
         walled.reset(seed=1)
@@ -270,19 +274,29 @@ def test_wrong_calls_are_refused_in_a_sentence(make: Callable[..., ParallelSessi
     env.reset(seed=1)
     with pytest.raises(ValueError, match="of vehicle 1 is not in Box"):
         env.step({"pursuer_1": np.full(3, 2.0, np.float32)})
+    env.close()
+    env.close()
+    assert env.step({}) == ({}, {}, {}, {}, {})
+    alone = SessionEnv(scenario(goal={"duration_s": 0.1}))
+    alone.reset(seed=1)
+    assert alone.step(STILL)[2:4] == (False, True)
+    with pytest.raises(gcs.SessionError, match="the episode has ended and cannot be stepped any more: call reset"):
+        alone.step(STILL)
+    alone.close()
     with pytest.raises(ValueError, match="there is no agent: small has no pursuer"):
         make(scenario(vehicles={"pursuers": []}))
 
 
 def test_nothing_of_it_is_imported_unless_asked_for() -> None:
-    code = "import sys, gcs; gcs.Session; print({'gymnasium', 'pettingzoo', 'gcs.environments'} & set(sys.modules))"
+    code = "import sys, gcs; gcs.parallel_env, gcs.Session; "
+    code += "print({'gymnasium', 'pettingzoo', 'gcs.environments'} & set(sys.modules))"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert said.stdout == "set()\n"
 
 
 def test_without_the_extra_a_sentence_says_what_to_install() -> None:
     code = "import sys; sys.modules['pettingzoo'] = None\nimport gcs\n"
-    code += "try: gcs.parallel_env\nexcept gcs.MissingExtra as error: print(error)"
+    code += "try: gcs.parallel_env('demo')\nexcept gcs.MissingExtra as error: print(error)"
     said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert said.stdout == (
         "gcs.environments needs PettingZoo, which is not installed: pip install '.[learn]' in Skytender's checkout\n"

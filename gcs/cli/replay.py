@@ -187,6 +187,8 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
         raise click.UsageError(f"{error.filename or session}: {error.strerror}.") from None
     for problem in verdict.problems:
         click.echo(f"gcs: {problem}", err=True)
+    if verdict.objects:
+        click.echo(f"gcs: {verdict.objects}", err=True)
     if verdict.acts:
         click.echo(f"gcs: {_acts_text(verdict)}", err=True)
     if not verdict.compared:
@@ -204,6 +206,7 @@ def _acts_text(verdict: Comparison) -> str:
             ("steered", "tick", " with set points"),
             ("command", "command", ""),
             ("inject", "fault", ""),
+            ("world", "change", " of the world"),
         )
         if acts[act]
     ]

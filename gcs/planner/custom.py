@@ -1,4 +1,4 @@
-"""A user's planner for the pursuers, in a process of its own; targets and tankers stay with the shipped one."""
+"""A user's planner for the pursuers, in another process; targets and tankers stay with the shipped one."""
 
 from __future__ import annotations
 
@@ -35,6 +35,11 @@ class OwnPlanner(TickPlanner):
         """As `Planner.anchor`; a user's planner keeps its points."""
         self._shipped.anchor(sysids, p_ned)
 
+    def surround(self, scenario: Scenario) -> None:
+        """As `TickPlanner.surround`; the user's planner sees the obstacles in its next situation."""
+        self._shipped.surround(scenario)
+        self._scenario, self.obstacles = scenario, self._shipped.obstacles
+
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """As `Planner.plan`, which also leads the pursuers that have a station, while the user's planner plans."""
         snapshot, steered = request.snapshot, request.steered
@@ -58,15 +63,12 @@ class OwnPlanner(TickPlanner):
         return SetPoints.of(sorted(points, key=lambda point: point.sysid))
 
 
-def make_planner(scenario: Scenario, plugins: PluginClient | None) -> TickPlanner:
-    """The planner that a scenario names, behind the safety filter unless the scenario leaves that out.
+def make_planner(scenario: Scenario, own: PluginClient | None) -> TickPlanner:
+    """The shipped planner, or the user's `own`, behind the safety filter unless the scenario leaves that out.
 
-    `plugins`: the process of a user's planner, which must be there where the scenario names one. Raises ScenarioError.
+    Raises ScenarioError.
     """
-    if ":" not in scenario.planner.method:
-        return behind_filter(scenario, Planner(scenario))
-    assert plugins is not None
-    return behind_filter(scenario, OwnPlanner(scenario, plugins))
+    return behind_filter(scenario, Planner(scenario) if own is None else OwnPlanner(scenario, own))
 
 
 def behind_filter(scenario: Scenario, planner: TickPlanner) -> TickPlanner:

@@ -165,13 +165,11 @@ class Planner(TickPlanner):
         brake_m_s2 = BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else math.inf
         self._limits = SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
         self._guides: dict[str, RouteFollower] | None = None
-        clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M + widest_m(scenario)[1])
-        self._fence = FenceBorder(scenario, clearance_m)
-        solid = np.concatenate([self.obstacles, self._fence.walls])
-        if rules.safety and rules.guide and len(solid):
-            router = Router(solid, clearance_m, floor_m=FLOOR_M if len(self._floors.rows) else None)
+        self._clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M + widest_m(scenario)[1])
+        """of routes"""
+        self._fence = FenceBorder(scenario, self._clearance_m)
+        if (router := self._router()) is not None:
             router.prepare()
-            self._guides = {role: RouteFollower(router) for role in ROLES}
         self._exempted: dict[str, _Exempted] = {}
         """by role"""
         self._slots = np.zeros((n, 3))
@@ -214,6 +212,30 @@ class Planner(TickPlanner):
                 self._take(part, request.given, period_s)
         values = leaders.begin_and_v
         return SetPoints(team.sysids, values.copy() if len(team.rows) == len(values) else values[team.rows])
+
+    def _router(self) -> Router | None:
+        """Routes around what stands, from now on those of all roles; None where nothing is to be flown around."""
+        rules, solid = self._rules, np.concatenate([self.obstacles, self._fence.walls])
+        self._guides = None
+        if not (rules.safety and rules.guide and len(solid)):
+            return None
+        router = Router(solid, self._clearance_m, floor_m=FLOOR_M if len(self._floors.rows) else None)
+        self._guides = {role: RouteFollower(router) for role in ROLES}
+        return router
+
+    def surround(self, scenario: Scenario) -> None:
+        """As `TickPlanner.surround`. A target that is given another path begins it at its first corner."""
+        before, self._scenario = self._scenario, scenario
+        if scenario.obstacles != before.obstacles:
+            self.obstacles = geometry.of_scenario(scenario.obstacles)
+            if self._router() is None:
+                self._leaders.route_m.fill(math.nan)
+                self._leaders.obstacle_range_m.fill(self._field.repulsion_range_m)
+        for target in scenario.vehicles.targets:
+            if target != self._targets[target.sysid]:
+                self._targets[target.sysid] = target
+                path = goals.ConstantSpeedPath(target.path_m, closed=target.closed, laps=target.laps)
+                self._paths[target.sysid], self._way_m[target.sysid] = path, 0.0
 
     def _look_who_is_led(self, steered: frozenset[int], columns: FleetColumns) -> None:
         """And where their grounds are."""

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.mavlink.setpoints import SetPoint
 from gcs.scenario.guard import Guard, Nonsense
-from gcs.scenario.model import Obstacle
+from gcs.scenario.model import Obstacle, Scenario
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 _NONE: Mapping[int, Any] = MappingProxyType({})
@@ -67,6 +67,10 @@ class TickPlanner(Protocol):
 
     def anchor(self, sysids: Sequence[int], p_ned: NDArray[np.float64]) -> None:
         """Go on planning from here: where the safety filter takes these k vehicles' planned points to, (k, 3) m NED."""
+
+    def surround(self, scenario: Scenario) -> None:
+        """Go on planning in a changed world: with the obstacles, attractors and targets' paths of this scenario, which
+        differs in nothing else from the last one."""
 
 
 @dataclass(frozen=True, slots=True)

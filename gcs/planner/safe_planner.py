@@ -109,6 +109,12 @@ class SafePlanner(TickPlanner):
         """Same as the planner's."""
         self._planner.anchor(sysids, p_ned)
 
+    def surround(self, scenario: Scenario) -> None:
+        """As `TickPlanner.surround`. Vehicles' failsafes stay as they were launched."""
+        self._planner.surround(scenario)
+        self._scenario, self.obstacles = scenario, self._planner.obstacles
+        self._solid = np.concatenate([self.obstacles, self._fence.walls])
+
     def plan(self, request: PlanRequest) -> Sequence[SetPoint]:
         """The planner's set points, filtered, as `SetPoints`."""
         snapshot, period_s = request.snapshot, request.period_s

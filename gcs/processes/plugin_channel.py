@@ -75,15 +75,17 @@ def _views(rows: Iterable[Sequence[Any]]) -> tuple[VehicleView, ...]:
     return tuple([make((*r[:_PROFILE], PROFILES[r[_PROFILE]], _MODES[r[_MODE]], *r[_MODE + 1 :])) for r in rows])
 
 
-def question(key: str, asked: Any) -> bytes:
-    """The frame of a question, as `gcs.scenario.plugins.PluginClient.ask` is given it."""
+def question(key: str, asked: Any, scenario: Scenario) -> bytes:
+    """The frame of a question, as `gcs.scenario.plugins.PluginClient.ask` is given it; the other end has the same
+    scenario."""
     content: tuple[Any, ...]
     if key == PLANNER:
         sysids, situation = asked
         snapshot = situation.snapshot
         traffic = [(one.callsign, one.p_ned, one.v_ned, one.age_s) for one in snapshot.traffic]
         views = _rows(snapshot.vehicles)
-        content = (sysids, situation.time_s, situation.period_s, dict(situation.pursuing), views, traffic)
+        obstacles = None if situation.obstacles == scenario.obstacles else situation.obstacles
+        content = (sysids, situation.time_s, situation.period_s, dict(situation.pursuing), views, traffic, obstacles)
     else:
         content = (
             asked.time_s,
@@ -98,9 +100,10 @@ def question(key: str, asked: Any) -> bytes:
 
 def planner_question(content: tuple[Any, ...], scenario: Scenario) -> tuple[list[VehicleView], Situation]:
     """Vehicles to plan for, and the situation, of a planner's question."""
-    sysids, time_s, period_s, pursuing, rows, traffic = content
+    sysids, time_s, period_s, pursuing, rows, traffic, obstacles = content
     snapshot = FleetSnapshot(time_s, _views(rows), tuple(TrafficView(*one) for one in traffic))
-    situation = Situation(time_s, period_s, snapshot, pursuing, scenario.obstacles)
+    there = scenario.obstacles if obstacles is None else obstacles
+    situation = Situation(time_s, period_s, snapshot, pursuing, there)
     return [snapshot.vehicle(sysid) for sysid in sysids], situation
 
 

@@ -16,6 +16,7 @@ import signal
 import socket
 import sys
 import time
+from collections.abc import Mapping
 from typing import Any
 
 from setproctitle import setproctitle
@@ -36,15 +37,13 @@ WORD_EVERY_S = 0.5
 
 
 class PluginHost:
-    """The planner and the policy that a scenario names, made and asked."""
+    """A planner and a policy that are asked."""
 
-    def __init__(self, scenario: Scenario, channel: PluginChannel) -> None:
-        """Raises ScenarioError where something cannot be made."""
+    def __init__(self, scenario: Scenario, channel: PluginChannel, given: Mapping[str, tuple[Any, Guard]]) -> None:
+        """given: by key the implementation, and what guards its calls."""
         self._scenario, self._channel = scenario, channel
         self._made: dict[str, Any] = {}
-        for key, name, method in plugins.named(scenario):
-            made = plugins.make(key, name, method, scenario)
-            guard = Guard(plugins.policy_of(key, name))
+        for key, (made, guard) in given.items():
             if key == PLANNER:
                 self._made[key] = GuardedPlanner(made, guard)
             else:
@@ -81,6 +80,14 @@ class PluginHost:
         self._channel.send(answer(key, pairs.items(), policy.pop_faults(), last=True))
 
 
+def _given(scenario: Scenario) -> dict[str, tuple[Any, Guard]]:
+    """What a scenario names, made. Raises ScenarioError where something cannot be made."""
+    return {
+        key: (plugins.make(key, name, method, scenario), Guard(plugins.policy_of(key, name)))
+        for key, name, method in plugins.named(scenario)
+    }
+
+
 def serve(channel: PluginChannel) -> None:
     """Make what the first question names, or only look for it, and answer all others, until there are no more. Raises
     OSError."""
@@ -98,7 +105,7 @@ def serve(channel: PluginChannel) -> None:
             channel.send(json.dumps({"missing": plugins.missing(scenario)}).encode())
             return
         try:
-            host = PluginHost(scenario, channel)
+            host = PluginHost(scenario, channel, _given(scenario))
         except ScenarioError as error:
             channel.send(json.dumps({"error": error.problems[0].message}).encode())
             return

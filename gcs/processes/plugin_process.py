@@ -147,7 +147,7 @@ class PluginProcess(PluginClient):
 
     def ask(self, key: str, asked: Any) -> None:
         if not self._ended:
-            self._send(question(key, asked))
+            self._send(question(key, asked, self._scenario))
 
     def answers(self, key: str) -> list[Any]:
         rows: list[Any] = []

@@ -54,6 +54,7 @@ _KINDS: dict[str, type[msgspec.Struct] | dict[str, Any]] = {
     "violation": {"part": str, "at_s": float, "sysids": list[SysId], "text": str},
     "unable": {"receiver": SysId, "reason": str},
     "command": {"sysid": SysId, "mav_cmd": int},
+    "world": {"change": str},
     "operator": {"command": str, "taken": bool, "text": str},
     "fault": {"sysid": Annotated[int, msgspec.Meta(ge=0, le=255)], "state": str, "text": str},
 }

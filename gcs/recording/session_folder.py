@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.scenario.world import Worlds
 
 SCENARIO = "scenario.yaml"
 WANTED = {
@@ -77,6 +79,11 @@ class Recorded:
     """length of those bins: doubled as often as it takes for MOST_BINS to hold all"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
+
+    @cached_property
+    def worlds(self) -> Worlds | None:
+        """Obstacles, attractors and targets' paths, as they changed in flight; None without a scenario."""
+        return None if self.scenario is None else Worlds.recorded(self.scenario, self.decisions)
 
 
 def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:

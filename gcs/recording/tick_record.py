@@ -21,6 +21,10 @@ if TYPE_CHECKING:  # readers of records need not load their makers
     from gcs.telemetry.battery_account import Fact
 
 
+QUIET = frozenset({"competition", "set_point", "steered", "inject", "program", "planned", "chosen"})
+"""Kinds of decision that are no event."""
+
+
 @dataclass
 class TickRecord:
     """Records of one tick, kept until the grants are out."""
@@ -82,6 +86,11 @@ def records_of_tick(
     return records, events
 
 
+def is_event(record: Mapping[str, Any]) -> bool:
+    """Whether a decision is one for people; an obstacle may be moved in every tick."""
+    return record["kind"] not in QUIET and not (record["kind"] == "world" and record.get("change") == "moved")
+
+
 def event_of(record: Mapping[str, Any]) -> Event:
     """Event for people of a decision, as a line of decisions.jsonl holds it."""
     t_s, kind = float(record["t_s"]), record["kind"]
@@ -99,6 +108,8 @@ def event_of(record: Mapping[str, Any]) -> Event:
     if kind == "command":
         text = f"A program sends it MAV_CMD_{command_name(int(record['mav_cmd']))}"
         return Event(t_s, int(record["sysid"]), "info", text, "operator")
+    if kind == "world":
+        return Event(t_s, int(record.get("sysid", 0)), "info", str(record["text"]), "operator")
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
     if kind == "safety":

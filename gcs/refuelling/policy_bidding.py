@@ -116,7 +116,7 @@ class PolicyBidding(BiddingRule):
 
 
 class PluginPolicy(PolicyCalls):
-    """A user's policy, in a process of its own. Once that has ended, urgency alone decides: a vehicle that would not
+    """A user's policy, in another process. Once that has ended, urgency alone decides: a vehicle that would not
     last until a later rendezvous is served. See `PolicyCalls` for the methods."""
 
     def __init__(self, plugins: PluginClient) -> None:
@@ -144,19 +144,16 @@ def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> Bi
     return TimeBidding(rules, refuelling)
 
 
-def make_bidding(scenario: Scenario, plugins: PluginClient | None) -> tuple[BiddingRule, PolicyCalls | None]:
-    """The bidding that a scenario names, and the policy in it where it is not the competition.
-
-    `plugins`: the process of a user's policy, which must be there where the scenario names one. Raises ScenarioError.
-    """
+def make_bidding(scenario: Scenario, own: PluginClient | None) -> tuple[BiddingRule, PolicyCalls | None]:
+    """The bidding that a scenario names, or by the user's `own` policy; and the policy in it where it is not the
+    competition. Raises ScenarioError."""
     name, rules = scenario.competition.policy, scenario.competition
-    if name == WINNER_TAKE_ALL:
-        return make_competition(rules, scenario.refuelling), None
     policy: PolicyCalls
-    if name in SHIPPED:
-        policy = GuardedPolicy(SHIPPED[name](scenario), Guard(f"policy {name}"))
+    if own is not None:
+        policy = PluginPolicy(own)
+    elif name == WINNER_TAKE_ALL:
+        return make_competition(rules, scenario.refuelling), None
     else:
-        assert plugins is not None
-        policy = PluginPolicy(plugins)
+        policy = GuardedPolicy(SHIPPED[name](scenario), Guard(f"policy {name}"))
     speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, scenario.goal.duration_s), policy

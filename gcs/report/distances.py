@@ -7,7 +7,7 @@ summary's `believed_` figures (gcs/telemetry/proximity.py measures with the same
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,6 +22,7 @@ from gcs.telemetry.metrics import PLAN_MEMORY
 from skytender import geometry
 
 BLOCK_TICKS = 2000
+ROUNDING_S = 1e-6
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,8 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
     pair = np.zeros((ticks, 2), dtype=np.int64)
     draws = {mover.callsign for mover in scenario.traffic if mover.attracts} if scenario else set()
     aircraft = [track for name, track in others.items() if name not in draws]
-    shapes = geometry.of_scenario(scenario.obstacles) if scenario else np.empty((0, geometry.COLUMNS))
+    worlds = [] if recorded.worlds is None else list(recorded.worlds)
+    tables = [(since_s, geometry.of_scenario(world.obstacles)) for since_s, world in worlds]
     partners = _partners(recorded, rows)
     whom = pursued(recorded, t_s)
     to_target = {sysid: np.full(ticks, np.nan) for sysid in whom if sysid in rows}
@@ -69,9 +71,7 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         fill_separations(ways, t_s[with_lead], partners, separation[with_lead], pair[with_lead])
         if lead:
             separation[begin - 1], pair[begin - 1] = first[0][0], first[1][0]
-        if len(shapes):
-            near = geometry.clearance(shapes, np.nan_to_num(at.reshape(-1, 3))).reshape(at.shape[:2])
-            clearance[some] = _least(np.where(np.isnan(at[:, :, 0]), np.nan, near))
+        _fill_clearances(tables, t_s[some], at, clearance[some])
         for other in aircraft:
             there = other.at(t_s[some])[:, np.newaxis]
             traffic[some] = np.fmin(traffic[some], _least(np.linalg.norm(at - there, axis=2)))
@@ -90,6 +90,19 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
         {sysid: Series(t_s, values) for sysid, values in to_target.items()},
         held_by(recorded, flown)[1] if flown else {},
     )
+
+
+def _fill_clearances(tables: Sequence[tuple[float, Floats]], t_s: Floats, at: Floats, least: Floats) -> None:
+    """Write into least (k,) the least clearance at each of the times t_s (k,), of n vehicles at (k, n, 3); tables of
+    obstacles, each from its time on. At the time of a change both count: the way to there was flown in the first."""
+    until = [since_s for since_s, _ in tables[1:]] + [math.inf]
+    for (since_s, shapes), until_s in zip(tables, until, strict=True):
+        first, end = np.searchsorted(t_s, since_s - ROUNDING_S), np.searchsorted(t_s, until_s + ROUNDING_S)
+        if len(shapes) and first < end:
+            there = at[first:end]
+            near = geometry.clearance(shapes, np.nan_to_num(there.reshape(-1, 3))).reshape(there.shape[:2])
+            found = _least(np.where(np.isnan(there[:, :, 0]), np.nan, near))
+            least[first:end] = np.fmin(least[first:end], found)
 
 
 def _least(distances: Floats) -> Floats:

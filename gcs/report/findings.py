@@ -129,18 +129,24 @@ class Findings:
 
     # the goal
 
+    @property
+    def judged(self) -> Scenario | None:
+        """Scenario by which the goal was judged: an obstacle may have been added in flight."""
+        worlds = self.recorded.worlds
+        return None if worlds is None else worlds.judged
+
     @cached_property
     def parts(self) -> list[Judgement]:
         """The goal, part by part, and what was reached: as the session judged it, or, where it left no summary, as far
         as its recording shows."""
-        if self.scenario is None:
+        if self.judged is None:
             return []
         reported = {part.part: part for part in self.summary.goal} if self.summary is not None else {}
         return [
             replace(one, wanted=part.wanted, reached=part.reached, met=part.met)
             if (part := reported.get(one.part))
             else one
-            for one in goal.judge(self.scenario, self._measured())
+            for one in goal.judge(self.judged, self._measured())
         ]
 
     def _measured(self) -> Measured:
@@ -189,7 +195,7 @@ class Findings:
     @property
     def limits(self) -> dict[str, float]:
         """Demands of the goal, by part."""
-        return goal.asked(self.scenario) if self.scenario is not None else {}
+        return goal.asked(self.judged) if self.judged is not None else {}
 
     def violations(self, part: str) -> list[tuple[float, int, str]]:
         """(when, which vehicle, what to say) of each time that a part of the goal was broken."""

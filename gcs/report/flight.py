@@ -16,11 +16,21 @@ import numpy as np
 
 from gcs.mavlink.autopilots import profile_of
 from gcs.recording.series import GAP_S, Floats, Series, Track, by_vehicle, held
-from gcs.recording.tick_record import event_of
+from gcs.recording.tick_record import event_of, is_event
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
+from gcs.scenario.model import Obstacle
+from gcs.scenario.world import bodies
 from gcs.session.message_types import BrokenRow, MemberRow, ServedRow, SessionLine, plain
-from gcs.session.messages import event_row, first_broken, goal_of, goal_state, session_message
+from gcs.session.messages import (
+    event_row,
+    first_broken,
+    goal_of,
+    goal_state,
+    obstacle_of,
+    session_message,
+    vehicle_of,
+)
 from gcs.telemetry.events import Event, level_of
 
 MANY = 16
@@ -28,8 +38,8 @@ MOST_SAMPLES, MOST_SAMPLES_OF_MANY = 1500, 600
 """Of a vehicle's places; between them the page goes straight on."""
 EVERY_S = 0.1
 MOST_EVENTS = 4000
-QUIET = ("competition", "set_point", "steered", "inject")
-"""Kinds of decision that are no event."""
+MOST_WORLDS = 600
+"""Of changes of obstacles and paths: of more, those at even times are shown."""
 
 
 def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
@@ -52,7 +62,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         {"callsign": name, "p": [pack.column(column) for column in _places(track, t_s).T]}
         for name, track in found.traffic.items()
     ]
-    rules = found.scenario
+    rules = found.judged
     return {
         "count": len(t_s),
         "end_s": end_s,
@@ -64,6 +74,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
         "goal": msgspec.to_builtins(goal_state(rules, None, _broken(found))),
+        **_worlds(found),
     }
 
 
@@ -100,6 +111,25 @@ def _session(found: Findings) -> dict[str, Any]:
     return plain(
         SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)
     )
+
+
+def _worlds(found: Findings) -> dict[str, Any]:
+    """Obstacles and targets' paths where they changed in flight: `solids`, each once, and `worlds`, which of them are
+    there from a time on, with the paths by system id. Nothing where nothing changed."""
+    worlds = found.recorded.worlds
+    if worlds is None or len(worlds) < 2:
+        return {}
+    entries = list(worlds)
+    entries = entries[:: math.ceil(len(entries) / MOST_WORLDS)]
+    if entries[-1][1] is not worlds.now:
+        entries.append(list(worlds)[-1])
+    solids: dict[Obstacle, int] = {}
+    listed = []
+    for since_s, world in entries:
+        there = [solids.setdefault(one, len(solids)) for one in bodies(world, "obstacle")]
+        paths = {str(target.sysid): vehicle_of(target, 0).path_ned for target in world.vehicles.targets}
+        listed.append((max(since_s, 0.0), there, paths))
+    return {"solids": [msgspec.to_builtins(obstacle_of(one, "")) for one in solids], "worlds": listed}
 
 
 def _words(found: Findings) -> dict[str, list[list[Any]]]:
@@ -139,7 +169,7 @@ def _events(found: Findings) -> list[Event]:
 
 def _decided(found: Findings) -> Iterator[Event]:
     for record in found.recorded.decisions:
-        if record["kind"] not in QUIET:
+        if is_event(record):
             try:
                 yield event_of(record)
             except (KeyError, TypeError, ValueError):

@@ -78,6 +78,8 @@ class Topics:
         self._log = channels.LogChannel("/log", context=self.context)
         self._channels: dict[str, Any] = {}
         self._session: Mapping[str, Any] = {}
+        self._drawn: set[str] = set()
+        """names of what stands"""
 
     def session(self, line: Mapping[str, Any], t_s: float) -> None:
         """Draw what stands, and name the vehicles."""
@@ -110,7 +112,15 @@ class Topics:
                 path = self._line(vehicle["path_ned"], GREY)
                 bodies.append(m.SceneEntity(frame_id=FRAME, id=f"path {vehicle['sysid']}", lines=[path]))
             bodies.append(self._body(vehicle))
-        self._entities.log(m.SceneUpdate(entities=bodies), log_time=self._ns(t_s))
+        drawn = {body.id for body in bodies}
+        gone = [self._deletion(name, t_s) for name in sorted(self._drawn - drawn)]
+        self._drawn = drawn
+        self._entities.log(m.SceneUpdate(entities=bodies, deletions=gone), log_time=self._ns(t_s))
+
+    def _deletion(self, name: str, t_s: float) -> Any:
+        m = self._messages
+        kind = m.SceneEntityDeletionType.MatchingId
+        return m.SceneEntityDeletion(timestamp=self._stamp(self._ns(t_s)), type=kind, id=name)
 
     def snapshot(self, line: Mapping[str, Any]) -> None:
         """One instant."""

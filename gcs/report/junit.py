@@ -16,8 +16,9 @@ NO_XML = dict.fromkeys((*range(9), 11, 12, *range(14, 32), 0xFFFE, 0xFFFF), "\uf
 
 def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | None, folder: Path) -> str:
     """The XML. `summary` is summary.json's content, None where none was written; `error` is why the session failed."""
-    parts = [(one.part, one.wanted) for one in judge(scenario, Measured())]
     judged = {part["part"]: part for part in (summary or {}).get("goal", ())}
+    wanted_of = {one.part: one.wanted for one in judge(scenario, Measured())}
+    parts = list({**wanted_of, **{part: one["wanted"] for part, one in judged.items()}}.items())
     suite = ET.Element("testsuite", name=scenario.name, tests=str(len(parts)))
     counts = dict.fromkeys(("failures", "errors", "skipped"), 0)
     wall_s = summary["wall_time_s"] if summary else 0.0

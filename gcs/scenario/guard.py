@@ -64,7 +64,10 @@ class Guard:
     """Calls one implementation on behalf of vehicles, and remembers which are held, and why."""
 
     def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
+        """limit_s: of wall time, after which a call is cut off; inf: none is."""
         self.policy = policy
+        self.raised: Exception | None = None
+        """by the last call that failed; for its caller to take"""
         self._limit_s = limit_s
         self._reported: dict[int, str] = {}
         self._cut: set[int] = set()
@@ -96,6 +99,7 @@ class Guard:
         except (Exception, SystemExit, KeyboardInterrupt) as error:
             if isinstance(error, KeyboardInterrupt) and signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
                 raise  # a person's, not the code's own
+            self.raised = error if isinstance(error, Exception) else None
             self._blame(sysid, f"raised {_described(error)}")
         else:
             self._reported.pop(sysid, None)
@@ -133,7 +137,7 @@ def _cut(_: int, __: FrameType | None) -> None:
 @contextmanager
 def _cut_off_after(limit_s: float) -> Iterator[None]:
     """Raise _Overrun in the body once the time is up. Without effect outside the main thread, which has the signals."""
-    if threading.current_thread() is not threading.main_thread():
+    if math.isinf(limit_s) or threading.current_thread() is not threading.main_thread():
         yield
         return
     handler = signal.signal(signal.SIGALRM, _cut)

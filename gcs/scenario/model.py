@@ -290,7 +290,7 @@ def _conflicts(s: Scenario) -> Iterator[Conflict]:
     for i, obstacle in enumerate(s.obstacles):
         rules.append((obstacle.fault(), ("obstacles", i), obstacle.fault()))
     for i, mover in enumerate(s.traffic):
-        yield from _route_conflicts(("traffic", i, "path_m"), mover)
+        yield from route_conflicts(("traffic", i, "path_m"), mover)
     yield from repeats("callsign", [(("traffic", i, "callsign"), mover.callsign) for i, mover in enumerate(s.traffic)])
     yield from (Conflict(path, sentence) for broken, path, sentence in rules if broken)
 
@@ -368,9 +368,7 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
         if isinstance(vehicle, Tanker) and vehicle.reserve_j >= vehicle.battery.capacity_j:
             yield Conflict((*path, "reserve_j"), f"{vehicle.label} has a reserve_j above its capacity_j")
         if isinstance(vehicle, Target):
-            yield from _route_conflicts((*path, "path_m"), vehicle)
-            if vehicle.laps > 1 and not vehicle.closed:
-                yield Conflict((*path, "laps"), "more than one lap needs 'closed: true'")
+            yield from route_conflicts((*path, "path_m"), vehicle)
         yield from _plant_conflicts(path, vehicle)
         if vehicle.external is None:
             yield from _start_conflicts(s, path, vehicle, placed[:i], solids)
@@ -439,10 +437,13 @@ def repeats(key: str, values: Iterable[tuple[KeyPath, object]]) -> Iterator[Conf
             yield Conflict(path, f"the {key} {value} is given twice", first[value])
 
 
-def _route_conflicts(path: KeyPath, flier: Target | Mover) -> Iterator[Conflict]:
+def route_conflicts(path: KeyPath, flier: Target | Mover) -> Iterator[Conflict]:
+    """Paths that cannot be flown; `path` is where path_m stands."""
     points = flier.path_m
     if flier.closed and len(points) < 2:
         yield Conflict(path, "a closed path needs at least 2 points")
     for i in range(1, len(points)):
         if points[i] == points[i - 1] or (flier.closed and 1 < i == len(points) - 1 and points[i] == points[0]):
             yield Conflict((*path, i), "path_m repeats a point here and would stand still; leave the point out")
+    if isinstance(flier, Target) and flier.laps > 1 and not flier.closed:
+        yield Conflict((*path[:-1], "laps"), "more than one lap needs 'closed: true'")

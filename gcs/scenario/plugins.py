@@ -21,6 +21,8 @@ from gcs.scenario.model import Scenario
 
 PLANNER, POLICY = "planner.method", "competition.policy"
 """Keys that may name an implementation that is not Skytender's own."""
+METHODS = {PLANNER: "plan", POLICY: "choose"}
+"""Methods that an implementation must have, by key."""
 
 
 class PluginClient(Protocol):
@@ -45,13 +47,22 @@ class PluginClient(Protocol):
     def pop_faults(self) -> list[PluginFault]:
         """The problems since the last call."""
 
+    def pop_records(self) -> list[dict[str, Any]]:
+        """Answers since the last call as decisions, where they cannot be had again from the recording alone."""
+        return []
+
 
 def named(scenario: Scenario) -> Iterator[tuple[str, str, str]]:
     """(key, MODULE:CLASS, method that it must have) of each implementation that is not Skytender's own."""
     if ":" in scenario.planner.method:
-        yield PLANNER, scenario.planner.method, "plan"
+        yield PLANNER, scenario.planner.method, METHODS[PLANNER]
     if ":" in scenario.competition.policy:
-        yield POLICY, scenario.competition.policy, "choose"
+        yield POLICY, scenario.competition.policy, METHODS[POLICY]
+
+
+def clients(scenario: Scenario, process: PluginClient | None) -> dict[str, PluginClient]:
+    """By key, the process that answers for what a scenario names."""
+    return {} if process is None else dict.fromkeys((key for key, _, _ in named(scenario)), process)
 
 
 def policy_of(key: str, name: str) -> str:

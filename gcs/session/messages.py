@@ -177,7 +177,7 @@ def snapshot_message(
             bases=[StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
             refuelled=refuelled,
             goal=goal_state(
-                scenario,
+                supervisor.worlds.judged,
                 supervisor.metrics.pursuit_held_s,
                 [BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
             ),

@@ -7,6 +7,7 @@ closes. stdout carries two JSON lines: {"listening": true}, and {"exit", "outcom
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 from collections.abc import Sequence
@@ -18,6 +19,7 @@ from gcs.processes import plugin_process
 from gcs.processes.fork_server import ForkServer
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario
+from gcs.scenario.plugins import clients
 from gcs.session.own_vehicles import OwnVehicles
 from skytender.exit import INTERNAL_ERROR, leave
 
@@ -28,15 +30,17 @@ from skytender.exit import INTERNAL_ERROR, leave
 @click.option("--modules", multiple=True)
 @click.option("--program", type=int, default=None)
 @click.option("--every-ms", type=int, default=None)
+@click.option("--objects", type=int, default=None)
 def main(
     folder: Path,
     drop_datagrams: float,
     modules: tuple[str, ...],
     program: int | None,
     every_ms: int | None,
+    objects: int | None,
 ) -> None:
     """Run the session in FOLDER (scenario.yaml is there); started by `gcs run`."""
-    leave(fly(folder, drop=drop_datagrams, modules=modules, program=program, every_ms=every_ms))
+    leave(fly(folder, drop=drop_datagrams, modules=modules, program=program, every_ms=every_ms, objects=objects))
 
 
 def fly(
@@ -46,12 +50,15 @@ def fly(
     modules: Sequence[str] = (),
     program: int | None = None,
     every_ms: int | None = None,
+    objects: int | None = None,
     scenario: Scenario | None = None,
     server: ForkServer | None = None,
 ) -> int:
     """Fly the session in `folder` in this process and say its last word; the exit status.
 
-    scenario: instead of what the folder's scenario.yaml says. server: the vehicles' fork server, where one runs.
+    program, every_ms: descriptor of the channel of a program that steps the session, and how often it wants snapshots.
+    objects: descriptor on which its own planner and policy are asked. scenario: instead of what the folder's
+    scenario.yaml says. server: the vehicles' fork server, where one runs.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
@@ -62,7 +69,13 @@ def fly(
         vehicles = OwnVehicles(scenario, folder, drop, server)
         from gcs.session.session_process import SessionProcess  # noqa: PLC0415 - the vehicles come up meanwhile
 
-        with plugin_process.started(scenario, modules, folder, parent=0) as plugins:
+        with plugin_process.started(scenario, modules, folder, parent=0) as process, contextlib.ExitStack() as stack:
+            plugins = clients(scenario, process)
+            if objects is not None:
+                from gcs.session.program.object_client import ObjectClient  # noqa: PLC0415 - most sessions have none
+
+                own = stack.enter_context(contextlib.closing(ObjectClient(objects, scenario)))
+                plugins.update(dict.fromkeys(own.keys, own))
             session = SessionProcess(folder, scenario, vehicles, plugins=plugins)
             signal.signal(signal.SIGTERM, session.terminate)
             if program is not None:

@@ -21,32 +21,35 @@ from __future__ import annotations
 
 import contextlib
 import os
-import select
 import socket
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Self
 
-import msgspec
 from numpy.typing import ArrayLike
 
 from gcs.html_table import html_table
+from gcs.planner.request import PursuerPlanner
 from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
+from gcs.refuelling.policies import RefuellingPolicy
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import reached
+from gcs.scenario.parts.surroundings import Attractor, Obstacle
 from gcs.scenario.parts.trust import digest_of, require
+from gcs.scenario.plugins import PLANNER, POLICY
+from gcs.scenario.world import Change, changed, new_path
 from gcs.session.arrays import SentCommand, Snapshot, from_message
-from gcs.session.client import READ_BYTES
 from gcs.session.message_types import Reply
 from gcs.session.program import acting
-from gcs.session.program.messages import INJECT, NEXT, SEND, STOP, FleetMessage
+from gcs.session.program.messages import CHANGE, INJECT, NEXT, SEND, STOP, FleetMessage
+from gcs.session.program.objects import Objects, without
+from gcs.session.program.session_channel import SessionChannel
 from gcs.session.program.truth_tail import Truth, TruthTails
+from gcs.session.program.world import Bodies
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
-
-_LINES: msgspec.json.Decoder[FleetMessage | Reply] = msgspec.json.Decoder(FleetMessage | Reply)
 
 
 class SessionError(RuntimeError):
@@ -67,6 +70,11 @@ class Session:
     In lockstep a program may also act: `step`, `command` and `inject`. What it does stands in decisions.jsonl, and the
     same acts make the same session, byte for byte (docs/protocol/socket.md#programs-that-act).
 
+    planner, policy: instead of the scenario's, a class that is made as CLASS(scenario) when the context begins, or an
+    object with the method `plan`, or `choose` or `assign`; also one that a notebook defines. In lockstep only: they are
+    called in this process while it waits for the session, without a deadline (docs/how-to/own-planner.md). What one
+    raises holds the vehicle that it was asked about, and is raised again by `step` as the cause of a SessionError.
+
     trust: let the scenario use the code, programs, key files, devices and addresses that it names, which for a file is
     remembered until it changes, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError,
     ValueError for options, SessionError.
@@ -81,6 +89,8 @@ class Session:
         seed: int | None = None,
         out: str | os.PathLike[str] | None = None,
         every_s: float | None = None,
+        planner: Callable[[Scenario], PursuerPlanner] | PursuerPlanner | None = None,
+        policy: Callable[[Scenario], RefuellingPolicy] | RefuellingPolicy | None = None,
         trust: bool = False,
     ) -> None:
         if lockstep and speed is not None:
@@ -92,9 +102,15 @@ class Session:
             file = find(os.fspath(scenario))
             loaded, key = load(file), digest_of(file)
             folders.insert(0, file.parent)
+        given = {PLANNER: planner, POLICY: policy}
+        self._given = {part: one for part, one in given.items() if one is not None}
+        loaded = without(loaded, self._given)
         require(loaded.name if file is None else str(scenario), reached(loaded), key, trust=trust)
         plugin_process.check(loaded, file, folders)
         self.scenario = loaded.flown(lockstep=lockstep, speed=speed, seed=seed)
+        if self._given and self.scenario.clock.mode != "lockstep":
+            raise ValueError("planner and policy as objects need lockstep=True: else the fleet does not wait for them")
+        self._objects: Objects | None = None
         period_ms = round(1e3 * self.scenario.clock.period_s)
         self._every_ms = period_ms if every_s is None else round(1e3 * every_s)
         if self._every_ms <= 0 or self._every_ms % period_ms:
@@ -105,8 +121,7 @@ class Session:
         self._out = None if out is None else Path(out)
         self._folder: Path | None = None
         self._process: Supervised | None = None
-        self._channel: socket.socket | None = None
-        self._pending = b""
+        self._channel: SessionChannel | None = None
         self._sysids = {vehicle.sysid for vehicle in self.scenario.vehicles.all}
         self._time_s: float | None = None
         """of the last snapshot"""
@@ -114,6 +129,8 @@ class Session:
         """commands without an outcome, by number"""
         self._commands = 0
         self._truth: TruthTails | None = None
+        self._world = self.scenario
+        """with what the program has changed"""
         self._summary: Summary | None = None
 
     @property
@@ -133,16 +150,21 @@ class Session:
     def __enter__(self) -> Self:
         if self._folder is not None:
             raise SessionError("a session flies once; make another one")
+        self._objects = Objects(self._given, self.scenario) if self._given else None
         try:
             self._folder = make_folder(self._out, self.scenario.name)
             write_scenario(self._folder, self.scenario)
         except RunError as error:
             raise SessionError(error.message) from None
         ours, theirs = socket.socketpair()
-        with theirs:
+        with theirs, contextlib.nullcontext() if self._objects is None else self._objects.theirs as asks:
+            passed = [theirs.fileno()]
             arguments = ["--program", str(theirs.fileno()), "--every-ms", str(self._every_ms), *self._arguments]
-            self._channel = ours
-            self._process = Supervised(self._folder, arguments, (theirs.fileno(),))
+            if asks is not None:
+                passed.append(asks.fileno())
+                arguments += ["--objects", str(asks.fileno())]
+            self._channel = SessionChannel(ours, self._objects)
+            self._process = Supervised(self._folder, arguments, tuple(passed))
         return self
 
     def __iter__(self) -> Iterator[Snapshot]:
@@ -213,6 +235,37 @@ class Session:
         self._ask({"command": INJECT, "fault": dict(fault) if isinstance(fault, Mapping) else repr(fault)})
 
     @property
+    def obstacles(self) -> Bodies[Obstacle]:
+        """Obstacles, which can be changed in flight: `session.obstacles.move("pillar", (4, 0, -5))`, `add`, `remove`.
+
+        Planner, safety filter and goal heed them where they are from the next tick on, and so do page, report and
+        replay. Vehicles that fly by themselves keep to those that they were launched with.
+        """
+        return Bodies("obstacle", lambda: self._world, self._change)
+
+    @property
+    def attractors(self) -> Bodies[Attractor]:
+        """Points that draw pursuers, which can be changed as `obstacles` can."""
+        return Bodies("attractor", lambda: self._world, self._change)
+
+    def set_path(
+        self, sysid: int, path_m: ArrayLike, *, closed: bool = False, laps: int = 1, speed_m_s: float | None = None
+    ) -> None:
+        """Let a target fly another path from the next tick on, from its first corner; it flies there straight.
+
+        path_m: (k, 3) corners, common NED frame, m. closed, laps: as a scenario's. speed_m_s: along the path; as it was
+        without it. Raises ValueError where the path cannot be flown, or the vehicle is no target.
+        """
+        self._change(new_path(self._world, acting.known(sysid, self._sysids), path_m, closed=closed, laps=laps,
+                              speed_m_s=speed_m_s))  # fmt: skip
+
+    def _change(self, change: Change) -> None:
+        self._check_acts()
+        world = changed(self._world, change)
+        self._ask({"command": CHANGE, "change": change})
+        self._world = world
+
+    @property
     def truth(self) -> Truth:
         """Motion and energy of the vehicles at the last snapshot's time, by their own records, whatever they report.
 
@@ -225,7 +278,7 @@ class Session:
         if self._truth is None:
             self._truth = TruthTails(self.folder, sorted(self._sysids))
         truth = self._truth.at(self._time_s)
-        if self._channel is None:
+        if not self._open:
             self._truth.close()
         return truth
 
@@ -242,20 +295,32 @@ class Session:
     def _check_flies(self) -> None:
         if self._summary is not None:
             raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: make another one")
-        if self._channel is None:
+        if not self._open:
             raise SessionError("the session does not fly; use it as `with Session(...) as session:`")
 
     def _check_acts(self) -> None:
         if self.scenario.clock.mode != "lockstep":
             raise SessionError(
-                "step, command and inject need Session(..., lockstep=True): else the fleet does not wait"
+                "step, command, inject and changes need Session(..., lockstep=True): else the fleet does not wait"
             )
         self._check_flies()
 
+    @property
+    def _open(self) -> bool:
+        """Whether the session flies, as far as is known."""
+        return self._channel is not None and not self._channel.closed
+
+    def _exchange(self, content: Mapping[str, Any]) -> FleetMessage | Reply | None:
+        """What the session answers; None where it has ended, and its summary is there then."""
+        assert self._channel is not None
+        self._channel.say(content)
+        if (line := self._channel.receive()) is None:
+            self._end()
+        return line
+
     def _next(self, points: Mapping[int, list[float]]) -> Snapshot | None:
         """The next snapshot; None at the end."""
-        self._say({"command": NEXT, "set_points": points} if points else {"command": NEXT})
-        message = self._receive()
+        message = self._exchange({"command": NEXT, "set_points": points} if points else {"command": NEXT})
         if message is None:
             return None
         assert isinstance(message, FleetMessage)
@@ -265,37 +330,19 @@ class Session:
             if (sent := self._sent.pop(row.number, None)) is not None:
                 sent.outcome, sent.result = row.outcome, row.result
                 ended.append(sent)
+        if self._objects is not None and (failed := self._objects.pop_raised()) is not None:
+            raise SessionError(f"{failed[0]} failed at {message.t_s:g} s: {failed[1]!r}") from failed[1]
         return from_message(message, tuple(ended))
 
     def _ask(self, content: Mapping[str, Any]) -> str:
         """The session's answer to a request. Raises SessionError where it refuses, or has ended."""
-        self._say(content)
-        reply = self._receive()
+        reply = self._exchange(content)
         if reply is None:
             raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: nothing can be asked of it any more")
         assert isinstance(reply, Reply)
         if not reply.ok:
             raise SessionError(reply.text)
         return reply.text
-
-    def _say(self, content: Mapping[str, Any]) -> None:
-        if self._channel is not None:
-            with contextlib.suppress(OSError):
-                self._channel.sendall(msgspec.json.encode(content) + b"\n")
-
-    def _receive(self) -> FleetMessage | Reply | None:
-        """The next line; None once the session has ended, whose summary is there then."""
-        while b"\n" not in self._pending:
-            try:
-                chunk = self._channel.recv(READ_BYTES) if self._channel is not None else b""
-            except OSError:
-                chunk = b""
-            if not chunk:
-                self._end()
-                return None
-            self._pending += chunk
-        line, _, self._pending = self._pending.partition(b"\n")
-        return _LINES.decode(line)
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""
@@ -304,40 +351,38 @@ class Session:
 
     def stop(self) -> Summary:
         """End the session now, save what was flown, and return the summary; its outcome is `interrupted`."""
-        if self._channel is not None and self._summary is None:
-            self._say({"command": STOP})
+        if self._open and self._channel is not None and self._summary is None:
+            self._channel.say({"command": STOP})
             self._end(time.monotonic() + PATIENCE_S[0])
         return self.summary
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         assert self._process is not None
         try:
-            if self._channel is not None:
+            if self._open:
                 with contextlib.suppress(SessionError) if kind is not None else contextlib.nullcontext():
                     self.stop()
         finally:
-            self._close()
+            if self._channel is not None:
+                self._channel.close()
+            if self._objects is not None:
+                self._objects.close()
             self._process.__exit__()
             if self._truth is not None:
                 self._truth.close()
 
-    def _close(self) -> None:
-        if self._channel is not None:
-            self._channel.close()
-            self._channel = None
-
     def _end(self, deadline_s: float = float("inf")) -> None:
         """Wait for the supervisor's last word and read the summary. Raises SessionError where there is none."""
-        process = self._process
-        if process is None or self._summary is not None:
+        process, channel = self._process, self._channel
+        if process is None or channel is None or self._summary is not None:
             return
         if deadline_s == float("inf"):
-            self._close()
+            channel.close()
         while not process.ended and time.monotonic() < deadline_s:
-            select.select([process.death], [], [], 0.2)
+            channel.await_word(process.death)
             process.read()
         process.read()
-        self._close()
+        channel.close()
         verdict = process.verdict
         if verdict is None:
             how = "was stopped" if process.status is None else f"ended with status {process.status}"

@@ -137,6 +137,8 @@ class Replay:
                 return False
         self.t_s = max(self.t_s, min(t_s, self.to_s))
         self._see_what_happened(self.t_s)
+        if self._timeline is not None and (world := self._timeline.worlds.at(self.t_s)) is not self.observer.scenario:
+            self.observer.scenario, self.observer.changed = world, True
         return True
 
     def _take(self, recorded: RecordedFrame, *, counted: bool = True) -> None:

@@ -133,6 +133,13 @@ class Publisher:
                 earlier = {"events": list(self._events), "told": self._event_count, "contest": list(self._contest)}
                 self._send(client, _line({**self._greeting, **earlier}))
 
+    def greet(self, greeting: Mapping[str, Any]) -> None:
+        """Send every client, and later ones, a session that has changed."""
+        self._greeting = greeting
+        line = _line({**greeting, "events": [], "told": self._event_count})
+        for client in list(self._clients):
+            self._send(client, line)
+
     def publish(self, content: Mapping[str, Any]) -> None:
         """Send one line to every client; a client that cannot take it whole is dropped. Later clients are sent some of
         it."""

@@ -7,9 +7,10 @@ import math
 import os
 import signal
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from gcs.link.link import Link
@@ -64,10 +65,10 @@ class SessionProcess:
         scenario: Scenario,
         vehicles: OwnVehicles,
         *,
-        plugins: PluginClient | None = None,
+        plugins: Mapping[str, PluginClient] = MappingProxyType({}),
     ) -> None:
-        """vehicles: those that the scenario launches, which are coming up. plugins: the process of what it names as its
-        planner and policy. Raises ScenarioError."""
+        """vehicles: those that the scenario launches, which are coming up. plugins: by key the processes of a planner
+        and policy that are not Skytender's. Raises ScenarioError."""
         self._vehicles = vehicles
         self._folder = folder
         self._scenario = scenario
@@ -99,6 +100,8 @@ class SessionProcess:
             changes_only=record.decisions == "changes",
         )
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
+        self._shown = scenario
+        """world that clients are shown"""
         self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder, plugins=plugins)
         self._supervisor.faults.signal_process = self._signal
@@ -365,6 +368,9 @@ class SessionProcess:
     def _publish(self) -> None:
         """Send clients a snapshot, with the events since the last one; where there are none, these are kept."""
         self._gather_events()
+        if self._supervisor.worlds.now is not self._shown:
+            self._shown = self._supervisor.worlds.now
+            self._publisher.greet(session_message(self._shown, str(self._folder.resolve())))
         events, self._unpublished = self._unpublished, []
         if self._publisher.watched:
             self._publisher.publish(self._snapshot(events))

@@ -15,11 +15,12 @@ from typing import Any, NamedTuple
 from gcs.mavlink.autopilots import End
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
 from gcs.recording.summary import GoalPartSummary
-from gcs.recording.tick_record import event_of
+from gcs.recording.tick_record import event_of, is_event
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
+from gcs.scenario.world import WORLD, Worlds
 from gcs.session.message_types import BrokenRow, CompetitionRow, ServedRow, SnapshotMessage
 from gcs.session.messages import (
     CONTEST_EVERY_S,
@@ -94,6 +95,8 @@ class Timeline:
         """the goal's parts that were broken, in the order of their times"""
         self.unmet: Sequence[GoalPartSummary] | None = None
         """what the session's summary says of them; None where there is none"""
+        self.worlds = Worlds(scenario)
+        """obstacles, attractors and targets' paths, as they changed"""
         self.broken = 0
         lines = DecisionLines(path, progress)
         for _, others in lines.blocks(set_points=False):
@@ -136,7 +139,7 @@ class Timeline:
         line.services = services_of(is_open, snapshot, scenario)
         line.history = [ServedRow(**row) for row in explain.history_of(services)]
         line.refuelled = sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services)
-        line.goal = goal_state(scenario, pursue_held_s, self._broken_at(t_s))
+        line.goal = goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s))
         if pursue_held_s is None:
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
         states, notes = states_of(snapshot, competition_state, is_open), explain.notes_of(is_open, (), {})
@@ -214,7 +217,10 @@ class Timeline:
             if record["kind"] == "violation" and record["by"] == "truth":
                 t_s = float(record["at_s"])
                 record["t_s"] = t_s
-            self._shown.append((t_s, record))
+            if record["kind"] == WORLD:
+                self.worlds.change(t_s, record)
+            if is_event(record):
+                self._shown.append((t_s, record))
         except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
             self.broken += 1
 

@@ -24,6 +24,7 @@ from gcs.recording import truth
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
+from gcs.scenario.world import Worlds
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.telemetry import approach
@@ -51,7 +52,9 @@ class GoalWatch:
 
     def __init__(self, scenario: Scenario, shapes: Floats, arming: FleetArming) -> None:
         self._scenario = scenario
-        self._shapes = shapes
+        """by which the goal is judged"""
+        self._worlds = [(-math.inf, scenario, shapes)]
+        """(since when, with which obstacles, their table)"""
         self._fleet_arming, self._arming = arming, arming.sequences
         self._asked = goal.asked(scenario)
         self._vehicles = scenario.vehicles.all
@@ -94,6 +97,13 @@ class GoalWatch:
         """when a planner or policy of the user's did not answer in time or its process ended, and how"""
 
     # in flight
+
+    def surround(self, now_s: float, worlds: Worlds, shapes: Floats) -> None:
+        """Measure from now on in the last of the worlds; `shapes`: table of its obstacles."""
+        self._scenario = worlds.judged
+        self._asked = goal.asked(self._scenario)
+        self._worlds.append((now_s, worlds.now, shapes))
+        self.believed.surround(worlds.now, shapes)
 
     def update(self, snapshot: FleetSnapshot, partners: Collection[tuple[int, int]]) -> Notices:
         """Count one tick; records and events of what has just been broken."""
@@ -270,7 +280,8 @@ class GoalWatch:
         if not tables or any(table is None for table in tables.values()):
             return [], []
         ticks = np.array([t_s for t_s, _ in self._log])
-        judged, waypoints = Proximity(self._scenario, self._shapes), WayPoints(self._scenario)
+        (_, first, shapes), *later = self._worlds
+        judged, waypoints = Proximity(first, shapes), WayPoints(first)
         breaches: list[Breach] = []
         shape = (len(ticks), len(self._vehicles), 3)
         p_ned, v_ned = np.full(shape, np.nan), np.zeros(shape)
@@ -291,6 +302,8 @@ class GoalWatch:
                 p_ned[tick], height_m, self._true_traffic(t_s), v_ned[tick] if curved else approach.STRAIGHT
             )
             breaches += judged.update(t_s, airspace, places)
+            while later and later[0][0] <= t_s:
+                judged.surround(*later.pop(0)[1:])
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
         return self._notices_of(now_s, breaches, "truth")
 

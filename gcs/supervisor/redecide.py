@@ -2,8 +2,8 @@
 
 The recorded answers of each tick go to a supervisor in place of a link's, its grants go nowhere, and its decisions are
 held against the recorded ones instead of being written. Frames were recorded after the radio, which is therefore clear
-here. Deaths, operators' orders and what a program in Python did (set points, commands, faults) are no decisions: they
-are taken from the recording as they happened.
+here. Deaths, operators' orders and what a program in Python did (set points, commands, faults, changes of the world)
+are no decisions: they are taken from the recording as they happened.
 """
 
 from __future__ import annotations
@@ -29,15 +29,17 @@ from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
-from gcs.scenario.plugins import PluginClient
+from gcs.scenario.plugins import PluginClient, clients
+from gcs.scenario.world import WORLD
 from gcs.supervisor import script
 from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS
+from gcs.supervisor.recorded_objects import ANSWERS, FAILED, PROGRAM, RecordedObjects
 from gcs.supervisor.supervisor import Supervisor
 
 KEPT = 1000
 """Differences that are remembered one by one; all are counted."""
-INPUTS = frozenset({"death", "operator", *script.KINDS})
+INPUTS = frozenset({"death", "operator", PROGRAM, *ANSWERS, *script.KINDS})
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _ABOUT = ("sysid", "receiver", "tanker", "base", "giver", "target")
 
@@ -106,8 +108,10 @@ class Comparison:
     subjects: dict[tuple[Any, ...], Subject] = field(default_factory=dict)
     """the same by kind and vehicles, in the order in which they begin"""
     problems: list[str] = field(default_factory=list)
+    objects: str = ""
+    """what of planner and policy was a program's own and is not asked again, as a sentence"""
     acts: Counter[str] = field(default_factory=Counter)
-    """what a program in Python did, by its kind: ticks with set points, commands, faults"""
+    """what a program in Python did, by its kind: ticks with set points, commands, faults, changes of the world"""
 
     @property
     def agrees(self) -> bool:
@@ -238,7 +242,8 @@ class _Recorded:
 
 
 def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginClient | None = None) -> Comparison:
-    """Decide a recorded session again; `plugins`: the process of what its scenario names, if anything.
+    """Decide a recorded session again; `plugins`: the process of what its scenario names, if anything. What was its
+    program's own is not asked: its answers are those of the recording.
 
     Raises RedecideError, ScenarioError, OSError.
     """
@@ -261,9 +266,11 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
     keys = [(vehicle.sysid, AUTOPILOT) for vehicle in scenario.vehicles.all]
     link = RecordedLink([*keys, TRAFFIC] if scenario.traffic else keys)
     comparer = Comparer(changes_only=scenario.record.decisions == "changes")
+    objects = RecordedObjects(DecisionLines(folder / DECISIONS))
+    answering = {**clients(scenario, plugins), **dict.fromkeys(objects.objects, objects)}
     # The supervisor asks of link and recorder only what these two have.
-    supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False, plugins=plugins)
-    verdict = Comparison()
+    supervisor = Supervisor(scenario, link, cast(Recorder, comparer), impaired=False, plugins=answering)
+    verdict = Comparison(objects=objects.text)
     whole = (folder / SUMMARY).exists()
     supervisor.begin()
     end_s = scenario.goal.duration_s
@@ -273,7 +280,7 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
     def relive(t_s: float) -> None:
         """Let acts, orders and deaths up to a time happen again."""
         for line in recorded.until(t_s):
-            _relive(supervisor, line, folder)
+            _relive(supervisor, objects, line, folder)
             if line["kind"] in script.KINDS:
                 verdict.acts[line["kind"]] += 1
             lines.append(line)
@@ -328,16 +335,19 @@ def redecide(folder: Path, progress: Progress = lambda _: None, plugins: PluginC
     return verdict
 
 
-def _relive(supervisor: Supervisor, line: Mapping[str, Any], folder: Path) -> None:
+def _relive(supervisor: Supervisor, objects: RecordedObjects, line: Mapping[str, Any], folder: Path) -> None:
     """Let an operator's order, a death or a program's act happen again. Raises RedecideError."""
     if line["kind"] == "operator" and line.get("command") in COMMANDS:
         supervisor.obey({key: line[key] for key in ("command", "sysid", "target") if key in line})
     elif line["kind"] == "death" and not str(line.get("text", "")).endswith(INJECTED):  # that it does by itself
         sysid = int(line["sysid"])
         supervisor.lose(TRAFFIC if sysid == TRAFFIC[0] else (sysid, AUTOPILOT), str(line.get("text", "")))
-    elif line["kind"] in script.KINDS:
+    elif line["kind"] in script.KINDS | ANSWERS | {FAILED}:
         try:
-            _act(supervisor, line)
+            if line["kind"] in script.KINDS:
+                _act(supervisor, line)
+            else:
+                objects.take(line)
         except (KeyError, TypeError, ValueError):
             raise RedecideError(
                 f"{folder / DECISIONS} holds an act of a program at {line['t_s']:.3f} s that cannot be read: only a "
@@ -351,6 +361,8 @@ def _act(supervisor: Supervisor, line: Mapping[str, Any]) -> None:
         supervisor.script.steer(script.steered_of(line))
     elif line["kind"] == script.COMMAND:
         supervisor.command(int(line["number"]), int(line["sysid"]), int(line["mav_cmd"]), line["params"])
+    elif line["kind"] == WORLD:
+        supervisor.surround(line)
     else:
         supervisor.inject(script.fault_of(line))
 

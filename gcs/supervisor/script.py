@@ -1,5 +1,5 @@
-"""Acts of a program in Python in the session that it steps: set points, commands and faults, and what came of them
-(docs/protocol/socket.md#programs-that-act).
+"""Acts of a program in Python in the session that it steps (set points, commands, faults, changes of the world), and
+what came of them (docs/protocol/socket.md#programs-that-act).
 
 All of it happens between two ticks, and stands in decisions.jsonl with the next one's time: the same acts at the same
 ticks make the same session, and a recording can be decided again with them.
@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink.command_protocol import OPERATOR, CommandRequest, CommandResult, Outcome, result_name
 from gcs.scenario.faults import Fault, Injection
+from gcs.scenario.world import WORLD, Change, sentence
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.state import Vec3
 
 STEERED, COMMAND, INJECT = "steered", "command", "inject"
 """Kinds of decisions that say what a program did."""
-KINDS = frozenset({STEERED, COMMAND, INJECT})
+KINDS = frozenset({STEERED, COMMAND, INJECT, WORLD})
 AXES = ("n", "e", "d", "vn", "ve", "vd")
 """Numbers of a set point: m and m/s, common NED frame."""
 _TOKEN = "program"
@@ -90,6 +91,10 @@ class Script:
         """A fault will happen, or happens at the next tick, that no scenario has."""
         self._record(now_s, INJECT, {"number": one.number, **one.fault.model_dump(mode="json", exclude_defaults=True)})
 
+    def changed(self, now_s: float, change: Change) -> dict[str, Any]:
+        """The world is another from the next tick on; the decision."""
+        return self._record(now_s, WORLD, {**change, "text": sentence(change)})
+
     def acknowledge(self, sysid: int, result: CommandResult) -> None:
         """Take in the end of a command, which may be another's."""
         if self._awaited and (number := self._awaited.pop((sysid, str(result.token)), None)) is not None:
@@ -106,8 +111,10 @@ class Script:
         taken, self._records = self._records, []
         return taken
 
-    def _record(self, t_s: float, kind: str, content: Mapping[str, Any]) -> None:
-        self._records.append({"t_s": t_s, "kind": kind, **content})
+    def _record(self, t_s: float, kind: str, content: Mapping[str, Any]) -> dict[str, Any]:
+        record = {"t_s": t_s, "kind": kind, **content}
+        self._records.append(record)
+        return record
 
 
 def steered_of(record: Mapping[str, Any]) -> Given:

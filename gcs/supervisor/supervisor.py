@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from gcs.link.impairment import Impairment
@@ -26,9 +27,10 @@ from gcs.planner.request import PlanRequest
 from gcs.recording.decision_lines import TickSetPoints
 from gcs.recording.digest import Digest
 from gcs.recording.recorder import Recorder
-from gcs.recording.tick_record import TickRecord, event_of, records_of_tick
+from gcs.recording.tick_record import TickRecord, event_of, is_event, records_of_tick
 from gcs.refuelling.base_service import giver_messages
 from gcs.refuelling.explain import acknowledged
+from gcs.refuelling.policies import PolicyCalls
 from gcs.refuelling.policy_bidding import make_bidding
 from gcs.refuelling.relay import Relay, relayed
 from gcs.refuelling.service import Decision
@@ -38,7 +40,8 @@ from gcs.scenario.faults import Fault, Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
-from gcs.scenario.plugins import PluginClient
+from gcs.scenario.plugins import PLANNER, POLICY, PluginClient
+from gcs.scenario.world import Change, Worlds, meets
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import (
@@ -63,7 +66,7 @@ from gcs.supervisor.script import COMMAND, Script
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
 if TYPE_CHECKING:  # most sessions have none
     from gcs.link.forwarder import Forwarder
@@ -87,11 +90,12 @@ class Supervisor:
         *,
         impaired: bool = True,
         forwarder: Forwarder | None = None,
-        plugins: PluginClient | None = None,
+        plugins: Mapping[str, PluginClient] = MappingProxyType({}),
     ) -> None:
         """`impaired`: the radio does what the scenario says; not where frames come from a recording of it.
-        `forwarder`: other ground stations that hear what vehicles say. `plugins`: the process of the planner and policy
-        that are the user's own, where the scenario names some. Raises ScenarioError where they cannot be made."""
+        `forwarder`: other ground stations that hear what vehicles say. `plugins`: by key (gcs/scenario/plugins.py) the
+        processes of a planner and policy that are the user's own, where the scenario names some or its program brings
+        them. Raises ScenarioError where they cannot be made."""
         self.scenario = scenario
         self.period_ms = round(1e3 * scenario.clock.period_s)
         self.epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
@@ -100,9 +104,10 @@ class Supervisor:
         self._forwarder = forwarder
         self.digest = Digest()
         self.fleet = make_fleet(scenario)
-        self.planner = make_planner(scenario, plugins)
-        bidding, policy = make_bidding(scenario, plugins)
-        self._fallible = [one for one in (plugins, policy) if one is not None]
+        self.planner = make_planner(scenario, plugins.get(PLANNER))
+        bidding, policy = make_bidding(scenario, plugins.get(POLICY))
+        self._plugins = list(dict.fromkeys(plugins.values()))
+        self._fallible: list[PluginClient | PolicyCalls] = [*self._plugins, *([] if policy is None else [policy])]
         self.schedule = make_schedule(scenario, bidding)
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
@@ -126,6 +131,10 @@ class Supervisor:
         self.hung: set[int] = set()
         """whose process has been stopped by a fault"""
         self.script = Script()
+        self.worlds = Worlds(scenario)
+        """obstacles, attractors and targets' paths, each from a tick on"""
+        self._surrounded = True
+        """whether the goal is measured in the last of the worlds"""
         self._impaired = impaired
         self._radio = make_radio(scenario, injections) if impaired else Impairment()
         self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
@@ -201,6 +210,9 @@ class Supervisor:
         decisions = self._records(now_s, decision, set_points)
         self.metrics.update(snapshot, self._flown(set_points), pursuing)
         recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.rendezvous.items())]
+        if not self._surrounded:  # the way to here was flown in the world before
+            self._surrounded = True
+            self.goal_watch.surround(now_s, self.worlds, self.planner.obstacles)
         self._record(recording)
 
     def finish(self, idle: Callable[[], None]) -> None:
@@ -224,7 +236,7 @@ class Supervisor:
         measured = self.goal_watch.measured(
             self.snapshot, time_s=self.time_s, pursuit_held_s=held_s, refuelled=refuelled
         )
-        return judge(self.scenario, measured)
+        return judge(self.worlds.judged, measured)
 
     def fault_outcomes(self) -> list[dict[str, Any]]:
         """Faults that were injected so far, and what came of each."""
@@ -275,6 +287,29 @@ class Supervisor:
         event = event_of({"t_s": self.time_s, "kind": COMMAND, "sysid": sysid, "mav_cmd": command})
         self.events.append(event)
         return OperatorReply(True, event.text)
+
+    def change(self, change: Change) -> OperatorReply:
+        """Change an obstacle, an attractor or a target's path with the next tick, or say why not."""
+        try:
+            if problem := meets(self.worlds.now, change, self._places()):
+                raise ValueError(problem)
+            self.surround(change)
+        except ValueError as error:
+            return OperatorReply(False, f"The change is refused: {error}.")
+        record = self.script.changed(self.time_s, change)
+        if is_event(record):
+            self.events.append(event_of(record))
+        return OperatorReply(True, record["text"])
+
+    def surround(self, change: Change) -> None:
+        """Let the world be another from the next tick on. Raises ValueError where the change makes none."""
+        self.planner.surround(self.worlds.change(self.time_s, change))
+        self._surrounded = False
+
+    def _places(self) -> dict[str, Vec3]:
+        """Where vehicles are that live, by their labels."""
+        views = self.fleet.snapshot(self.time_s).vehicles
+        return {view.label: view.p_now_ned() for view in views if view.alive and view.p_ned is not None}
 
     def inject(self, fault: Fault) -> None:
         """Let a fault happen that the scenario does not have."""
@@ -607,9 +642,10 @@ class Supervisor:
         return faults
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Records of a program's acts, of faults, of deaths and of operators' commands since the last call."""
+        """Records of a program's answers and acts, faults, deaths and operators' commands since the last call."""
         deaths, self._deaths = self._deaths, []
-        return self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
+        answered = [record for one in self._plugins for record in one.pop_records()]
+        return answered + self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

@@ -64,12 +64,9 @@ class Proximity:
         self.separation, self.clearance = Nearest(), Nearest()
         self.traffic, self.ground = Nearest(), Nearest()
         self._sysids = [vehicle.sysid for vehicle in scenario.vehicles.all]
-        self._shapes = shapes
-        self._names = [shape.name or f"{shape.kind} {k + 1}" for k, shape in enumerate(scenario.obstacles)]
         self._draws = {mover.callsign for mover in scenario.traffic if mover.attracts}
         asked = goal.asked(scenario)
-        self._separation_m = asked.get("separation", 0.0)
-        self._clearance_m, self._traffic_m = asked.get("clearance", -math.inf), asked.get("traffic", 0.0)
+        self._separation_m, self._traffic_m = asked.get("separation", 0.0), asked.get("traffic", 0.0)
         self._ground = "ground" in asked
         self._reported: set[tuple[object, ...]] = set()
         count = len(self._sysids)
@@ -78,9 +75,16 @@ class Proximity:
         self._of_last[0] = np.nan
         ways = self._ways = np.empty((count, approach.WAY))
         self._before, self._clear_m, self._clear_at = ways[:, :3], ways[:, approach.CLEAR_M], ways[:, approach.CLEAR_AT]
-        self._watch = approach.FleetWatch(self._of_last, shapes, ways, self._found)
+        self.surround(scenario, shapes)
         self._last: tuple[float, Mapping[str, Vec3]] | None = None
         """time, and places of the traffic"""
+
+    def surround(self, scenario: Scenario, shapes: Floats) -> None:
+        """Let a scenario's obstacles, of which `shapes` is the table, be there from now on."""
+        self._shapes = shapes
+        self._names = [shape.name or f"{shape.kind} {k + 1}" for k, shape in enumerate(scenario.obstacles)]
+        self._clearance_m = goal.asked(scenario).get("clearance", -math.inf)
+        self._watch = approach.FleetWatch(self._of_last, shapes, self._ways, self._found)
 
     def update(self, t_s: float, airspace: Airspace, places: Places) -> list[Breach]:
         """Count the interval since the last tick; what has come too near in it, each pair once in a session."""

@@ -18,7 +18,7 @@ import msgspec
 from gcs.scenario.faults import in_flight
 from gcs.session.message_types import Reply
 from gcs.session.program.fleet_message import fleet_message
-from gcs.session.program.messages import INJECT, NEXT, SEND, STOP, FleetMessage
+from gcs.session.program.messages import CHANGE, INJECT, NEXT, SEND, STOP, FleetMessage
 from gcs.supervisor.operator import COMMANDS, OperatorReply
 from gcs.supervisor.script import as_points
 from gcs.supervisor.supervisor import Supervisor
@@ -97,7 +97,7 @@ class Program:
 
 
 def _obey(request: Mapping[str, Any], supervisor: Supervisor, blocks: Iterable[Sequence[int]]) -> OperatorReply:
-    """Carry out a command or inject a fault, or say why not."""
+    """Carry out a command, inject a fault or change the world, or say why not."""
     command = request.get("command")
     if command in COMMANDS:
         answer = supervisor.obey(request)
@@ -108,6 +108,8 @@ def _obey(request: Mapping[str, Any], supervisor: Supervisor, blocks: Iterable[S
         return supervisor.command(request["id"], request["sysid"], request["mav_cmd"], request["params"])
     if command == INJECT:
         return _inject(request["fault"], supervisor, blocks)
+    if command == CHANGE:
+        return supervisor.change(request["change"])
     return OperatorReply(False, f"There is no request {command!r} of a program.")
 
 

@@ -13,8 +13,8 @@ from msgspec import Struct
 
 from gcs.session.message_types import EventRow, ServiceRow
 
-NEXT, STOP, SEND, INJECT = "next", "stop", "send", "inject"
-"""The next snapshot, with set points until then; the session's end; a MAV_CMD; a fault."""
+NEXT, STOP, SEND, INJECT, CHANGE = "next", "stop", "send", "inject", "change"
+"""The next snapshot, with set points until then; the session's end; a MAV_CMD; a fault; a change of the world."""
 
 Number = float | None
 Numbers = list[Number]

@@ -17,6 +17,7 @@ const MOST_SAMPLES = 4000;
 const MOST_NUMBERS = 6e6; // of all columns together: 24 MB
 const FIRST_SPACING_S = 0.09;
 const MOST_EVENTS = 6000;
+const MOST_WORLDS = 600;
 
 /** The numbers of one vehicle at one time, in the channels' order. @param {VehicleRow} row */
 function numbersOf(row) {
@@ -70,6 +71,8 @@ export function last(times, t_s, count = times.length) {
 export class Flight {
   /** @type {SessionLine | null} */
   session = null;
+  /** @type {{t_s: number, session: SessionLine}[]} where obstacles and paths have changed: the session from each time on */
+  worlds = [];
   /** @type {Snapshot | null} */
   newest = null;
   /** @type {EventRow[]} */
@@ -99,6 +102,22 @@ export class Flight {
 
   get last_s() {
     return this.count ? this.t_s[this.count - 1] : 0;
+  }
+
+  /** The session is this from now on; that of a replay is of the time at which it is. @param {SessionLine} session */
+  begin(session) {
+    this.session = session;
+    if (session.source === "replay") return;
+    const t_s = this.worlds.length ? (this.newest?.t_s ?? 0) : -Infinity;
+    while (this.worlds.length && this.worlds[this.worlds.length - 1].t_s >= t_s) this.worlds.pop();
+    this.worlds.push({ t_s, session });
+    if (this.worlds.length > MOST_WORLDS) this.worlds = this.worlds.filter((_, k) => k % 2 === 0);
+  }
+
+  /** The session with the obstacles and paths of a time. @param {number} t_s */
+  sessionAt(t_s) {
+    const k = last(this.worlds.map((one) => one.t_s), t_s);
+    return this.worlds[Math.max(k, 0)]?.session ?? this.session;
   }
 
   /** @param {EventRow[]} events */

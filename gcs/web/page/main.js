@@ -122,7 +122,7 @@ function served(config) {
 
   const live = new Live((line) => {
     if (line.type === "session") {
-      app.flight.session = line;
+      app.flight.begin(line);
       app.flight.tell(line.events ?? []);
       replaying = line.source === "replay";
       const linked_s = linkedTime();

@@ -9,6 +9,7 @@ import { covered as covered_by_plans, drawPlans } from "./plans.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
+/** @typedef {import("./messages").SessionLine} SessionLine */
 /** @typedef {[number, number]} Plane */
 
 const MARGIN = 0.08;
@@ -50,12 +51,13 @@ function covered(flight) {
     for (let k = 0; k < flight.count; k += step) add(columns.n[k], columns.e[k]);
     if (flight.count) add(columns.n[flight.count - 1], columns.e[flight.count - 1]);
   }
-  for (const one of flight.session?.obstacles ?? []) {
+  const sessions = flight.worlds.length ? flight.worlds.map((one) => one.session) : [flight.session];
+  for (const one of sessions.flatMap((session) => session?.obstacles ?? [])) {
     add(one.centre_ned[0], one.centre_ned[1]);
     for (const [n, e] of one.outline_ne) add(n, e);
   }
   for (const one of flight.session?.bases ?? []) add(one.p_ned[0], one.p_ned[1]);
-  for (const one of flight.session?.vehicles ?? []) for (const [n, e] of one.path_ned) add(n, e);
+  for (const one of sessions.flatMap((session) => session?.vehicles ?? [])) for (const [n, e] of one.path_ned) add(n, e);
   for (const [n, e] of covered_by_plans(flight.session)) add(n, e);
   if (n0 > n1) return null;
   return [[n0, n1], [e0, e1]];
@@ -183,7 +185,7 @@ export class MapView {
     const origin = flight.session?.origin;
     if (this.tiles && origin) this.tiles.draw(context, origin, this.frame, X, Y, colours);
     this.#grid(context, X, Y, perMetre, width, height);
-    this.#ground(context, flight, X, Y, perMetre);
+    this.#ground(context, flight.sessionAt(snapshot.t_s), X, Y, perMetre);
     drawPlans(context, flight.session, snapshot, X, Y);
     if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
@@ -240,10 +242,9 @@ export class MapView {
     for (let n = south; Y(n) > 24; n += step) if (Y(n) < height - 24) context.fillText(`N ${number(n, digits)}`, 5, Y(n) - 3);
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Flight} flight @param {Axis} X @param {Axis} Y @param {number} perMetre */
-  #ground(context, flight, X, Y, perMetre) {
+  /** @param {CanvasRenderingContext2D} context @param {SessionLine | null} session @param {Axis} X @param {Axis} Y @param {number} perMetre */
+  #ground(context, session, X, Y, perMetre) {
     const { solid, soft, crowd } = look();
-    const session = flight.session;
     context.strokeStyle = solid;
     context.fillStyle = crowd;
     context.lineWidth = 1.2;

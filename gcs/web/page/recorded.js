@@ -16,7 +16,8 @@ import { linkedTime } from "./timeline.js";
  *   vehicles: {sysid: number, p: Packed[], heading?: Packed, roll?: Packed, pitch?: Packed}[],
  *   traffic: {callsign: string, p: Packed[]}[], words: Record<string, [number, string, boolean, boolean][]>,
  *   events: import("./messages").EventRow[], history: import("./messages").ServedRow[], threshold: number,
- *   goal: import("./messages").GoalStateRow}} Recording
+ *   goal: import("./messages").GoalStateRow, solids?: import("./messages").ObstacleRow[],
+ *   worlds?: [number, number[], Record<string, [number, number, number][]>][]}} Recording
  * @typedef {{end_s: number, many: boolean, vehicles: {id: number, role: string, label: string, colour: number}[], chosen: number[],
  *   figures: Record<string, any>, flight: Recording | null}} Model
  */
@@ -280,6 +281,14 @@ function play(root, model, told, column) {
 /** @param {Flight} flight @param {Model} model @param {Recording} told @param {(packed: Packed) => Float32Array} column */
 function fillFlight(flight, model, told, column) {
   flight.session = told.session;
+  const solids = told.solids ?? [];
+  flight.worlds = (told.worlds ?? []).map(([t_s, there, paths]) => ({
+    t_s,
+    session: {
+      ...told.session, obstacles: there.map((k) => solids[k]),
+      vehicles: told.session.vehicles.map((one) => ({ ...one, path_ned: paths[String(one.sysid)] ?? one.path_ned })),
+    },
+  }));
   flight.events = told.events;
   flight.count = flight.capacity = told.count;
   flight.t_s = Float64Array.from({ length: told.count }, (_, k) => (k * told.end_s) / (told.count - 1));

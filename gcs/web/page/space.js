@@ -93,6 +93,7 @@ export class SpaceView {
     this.scene.add(this.fixed);
     /** what the fixed part was made of */
     this.madeOf = /** @type {unknown} */ (null);
+    this.world = /** @type {unknown} */ (null);
     this.pathsOf = { version: -1, until_s: NaN, chosen: /** @type {number | null} */ (null), dark: false, at: 0 };
     this.size = 1;
     /** @type {{sysid: number, x: number, y: number}[]} */
@@ -176,12 +177,13 @@ export class SpaceView {
     segments.geometry.setDrawRange(0, positions.length / 3);
   }
 
-  /** Obstacles, bases, planned paths, the ground: made again only where they have changed. @param {Flight} flight */
-  #fix(flight) {
-    const wind = flight.session?.wind;
-    const key = `${JSON.stringify(wind ?? 0)} ${JSON.stringify(flight.session?.plans ?? 0)} ${flight.session?.obstacles.length ?? 0} ${flight.session?.vehicles.length} ${look().dark}`;
-    if (this.madeOf === key && this.fixed.children.length) return;
-    this.madeOf = key;
+  /** Obstacles, bases, planned paths, the ground: made again only where they have changed. @param {Flight} flight @param {number} t_s */
+  #fix(flight, t_s) {
+    const session = flight.sessionAt(t_s);
+    const wind = session?.wind;
+    const key = `${JSON.stringify(wind ?? 0)} ${JSON.stringify(flight.session?.plans ?? 0)} ${flight.session?.vehicles.length} ${look().dark}`;
+    if (this.madeOf === key && this.world === session && this.fixed.children.length) return;
+    [this.madeOf, this.world] = [key, session];
     for (const old of this.fixed.children) if (old instanceof Mesh || old instanceof LineSegments) old.geometry.dispose();
     this.fixed.clear();
     const colours = look();
@@ -194,7 +196,7 @@ export class SpaceView {
     ground.position.set(middle(all[1]), 0, -middle(all[0]));
     this.fixed.add(ground);
     const solid = new MeshLambertMaterial({ color: colours.solid, transparent: true, opacity: 0.6, side: DoubleSide });
-    for (const one of flight.session?.obstacles ?? []) {
+    for (const one of session?.obstacles ?? []) {
       const [n, e, d] = one.centre_ned;
       const high = Math.max(one.bottom_d - one.top_d, 0.05);
       let mesh;
@@ -227,7 +229,7 @@ export class SpaceView {
         tints.push(...tint.toArray(), ...tint.toArray());
       }
     });
-    for (const member of flight.session?.vehicles ?? []) dashed(member.path_ned, new Color(colours.soft), 0.8);
+    for (const member of session?.vehicles ?? []) dashed(member.path_ned, new Color(colours.soft), 0.8);
     for (const { points, colour } of linesOfPlans(flight.session)) dashed(points, new Color(colour), Math.max(span / 150, 0.8));
     if (wind) {
       const towards = ((wind.from_deg + 180) * Math.PI) / 180;
@@ -287,7 +289,7 @@ export class SpaceView {
       this.camera.aspect = box.width / box.height;
       this.camera.updateProjectionMatrix();
     }
-    this.#fix(flight);
+    this.#fix(flight, snapshot.t_s);
     const grown = this.#far(flight) > 1.15 * this.framedFar;
     if (!this.framed || (grown && !this.touched)) this.#frame(flight);
     this.#bodies(snapshot, chosen);

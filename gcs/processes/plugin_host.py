@@ -81,7 +81,7 @@ class PluginHost:
 
 
 def _given(scenario: Scenario) -> dict[str, tuple[Any, Guard]]:
-    """What a scenario names, made. Raises ScenarioError where something cannot be made."""
+    """The implementations that a scenario names, made. Raises ScenarioError where something cannot be made."""
     return {
         key: (plugins.make(key, name, method, scenario), Guard(plugins.policy_of(key, name)))
         for key, name, method in plugins.named(scenario)

@@ -23,7 +23,7 @@ from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
-from gcs.scenario.world import Worlds
+from gcs.scenario.parts.world import Worlds
 
 SCENARIO = "scenario.yaml"
 WANTED = {

@@ -20,7 +20,7 @@ from gcs.recording.tick_record import event_of, is_event
 from gcs.report.findings import Findings
 from gcs.report.pack import Pack
 from gcs.scenario.model import Obstacle
-from gcs.scenario.world import bodies
+from gcs.scenario.parts.world import bodies
 from gcs.session.message_types import BrokenRow, MemberRow, ServedRow, SessionLine, plain
 from gcs.session.messages import (
     event_row,

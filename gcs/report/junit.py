@@ -18,7 +18,8 @@ def document(scenario: Scenario, summary: dict[str, Any] | None, error: str | No
     """The XML. `summary` is summary.json's content, None where none was written; `error` is why the session failed."""
     judged = {part["part"]: part for part in (summary or {}).get("goal", ())}
     wanted_of = {one.part: one.wanted for one in judge(scenario, Measured())}
-    parts = list({**wanted_of, **{part: one["wanted"] for part, one in judged.items()}}.items())
+    added = {part: str(one["wanted"]) for part, one in judged.items() if part not in wanted_of}  # in flight
+    parts = list((wanted_of | added).items())
     suite = ET.Element("testsuite", name=scenario.name, tests=str(len(parts)))
     counts = dict.fromkeys(("failures", "errors", "skipped"), 0)
     wall_s = summary["wall_time_s"] if summary else 0.0

@@ -39,8 +39,8 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import reached
 from gcs.scenario.parts.surroundings import Attractor, Obstacle
 from gcs.scenario.parts.trust import digest_of, require
+from gcs.scenario.parts.world import Change, changed, new_path
 from gcs.scenario.plugins import PLANNER, POLICY
-from gcs.scenario.world import Change, changed, new_path
 from gcs.session.arrays import SentCommand, Snapshot, from_message
 from gcs.session.message_types import Reply
 from gcs.session.program import acting
@@ -311,7 +311,7 @@ class Session:
         return self._channel is not None and not self._channel.closed
 
     def _exchange(self, content: Mapping[str, Any]) -> FleetMessage | Reply | None:
-        """What the session answers; None where it has ended, and its summary is there then."""
+        """The session's answer; None where it has ended, and its summary is there then."""
         assert self._channel is not None
         self._channel.say(content)
         if (line := self._channel.receive()) is None:

@@ -20,7 +20,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
-from gcs.scenario.world import WORLD, Worlds
+from gcs.scenario.parts.world import WORLD, Worlds
 from gcs.session.message_types import BrokenRow, CompetitionRow, ServedRow, SnapshotMessage
 from gcs.session.messages import (
     CONTEST_EVERY_S,

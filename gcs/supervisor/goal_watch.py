@@ -24,7 +24,7 @@ from gcs.recording import truth
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
-from gcs.scenario.world import Worlds
+from gcs.scenario.parts.world import Worlds
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.telemetry import approach

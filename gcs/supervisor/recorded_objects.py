@@ -1,4 +1,4 @@
-"""What a program's own planner and policy answered, as decisions: written by the session that asked them, and read when
+"""Answers of a program's own planner and policy, as decisions: written by the session that asked them, and read when
 it is decided again, since they cannot be asked then (docs/protocol.md#programs-that-act)."""
 
 from __future__ import annotations

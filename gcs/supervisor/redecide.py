@@ -29,8 +29,8 @@ from gcs.recording.missing import passed_over
 from gcs.recording.recorder import DECISIONS, TLOG, Recorder
 from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario.file import load
+from gcs.scenario.parts.world import WORLD
 from gcs.scenario.plugins import PluginClient, clients
-from gcs.scenario.world import WORLD
 from gcs.supervisor import script
 from gcs.supervisor.faults import INJECTED
 from gcs.supervisor.operator import COMMANDS

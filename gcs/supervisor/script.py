@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink.command_protocol import OPERATOR, CommandRequest, CommandResult, Outcome, result_name
 from gcs.scenario.faults import Fault, Injection
-from gcs.scenario.world import WORLD, Change, sentence
+from gcs.scenario.parts.world import WORLD, Change, sentence
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.state import Vec3
 

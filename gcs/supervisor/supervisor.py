@@ -40,8 +40,8 @@ from gcs.scenario.faults import Fault, Injection, drawn
 from gcs.scenario.goal import NAMED, Judgement, judge
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.world import Change, Worlds, meets
 from gcs.scenario.plugins import PLANNER, POLICY, PluginClient
-from gcs.scenario.world import Change, Worlds, meets
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import (

@@ -1,7 +1,8 @@
-"""The notebook of the docs: every cell runs, and a browser shows what came of it."""
+"""The notebooks of the docs: every cell runs, and a browser shows what came of it."""
 
 from __future__ import annotations
 
+from ast import literal_eval
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,23 +13,36 @@ from patience import PATIENCE_S
 from playwright.sync_api import Browser, expect
 from web import CHROMIUM, MISSING, Watched, chromium
 
-NOTEBOOK = Path(__file__).resolve().parents[2] / "docs" / "notebooks" / "flight.ipynb"
+NOTEBOOKS = Path(__file__).resolve().parents[2] / "docs" / "notebooks"
 pytestmark = pytest.mark.filterwarnings("default")  # Jupyter's own
 
 
-@pytest.fixture(scope="module")
-def outputs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]]:
-    """What each cell shows, by the last line of its source: content by MIME type."""
-    notebook = nbformat.read(NOTEBOOK, as_version=4)
+def run(name: str, folder: Path) -> dict[str, dict[str, str]]:
+    """What each cell of a notebook shows, by the last line of its source: content by MIME type."""
+    notebook = nbformat.read(NOTEBOOKS / name, as_version=4)
     assert all(not cell.get("outputs") for cell in notebook.cells), "kept without outputs"
-    folder = str(tmp_path_factory.mktemp("notebook"))
-    NotebookClient(notebook, timeout=PATIENCE_S, resources={"metadata": {"path": folder}}).execute()
+    NotebookClient(notebook, timeout=PATIENCE_S, resources={"metadata": {"path": str(folder)}}).execute()
     return {
         cell.source.splitlines()[-1]: dict(output["data"])
         for cell in notebook.cells
         for output in cell.get("outputs", [])
         if "data" in output
     }
+
+
+@pytest.fixture(scope="module")
+def outputs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str]]:
+    return run("flight.ipynb", tmp_path_factory.mktemp("notebook"))
+
+
+def test_a_planner_of_a_cell_flies_and_repeats(tmp_path: Path) -> None:
+    shown = run("act.ipynb", tmp_path)
+    said = shown["home.outcome, snapshot.trouble[2], round(min(clear_m), 2)"]["text/plain"]
+    outcome, trouble, clear_m = literal_eval(said)
+    assert (outcome, len(trouble) > 0) == ("accepted", True)
+    assert 0.1 <= clear_m < 2.0, "they keep clear of the pillar that is put in their way"
+    assert shown["session.summary.digest == again.summary.digest"]["text/plain"] == "True"
+    assert shown["snapshot"]["text/html"].count("<tr>") == 1 + 5
 
 
 def test_snapshot_summary_and_tables_are_shown(outputs: dict[str, dict[str, str]]) -> None:

@@ -2,7 +2,7 @@
 the frames of gcs/processes/plugin_channel.py.
 
 The program makes and calls them in its own process while it waits for the next snapshot, however long that takes. What
-they answer is recorded, since nobody else can ask them again.
+they answer is recorded, since they cannot be asked again.
 
 | frame | content |
 |---|---|
@@ -41,7 +41,7 @@ class ObjectClient(PluginClient):
 
     @property
     def keys(self) -> list[str]:
-        """What the program brings."""
+        """The parts that the program brings."""
         return list(self._policies)
 
     @property

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 from numpy.typing import ArrayLike
 
-from gcs.scenario import world
+from gcs.scenario.parts import world
 from gcs.scenario.parts.surroundings import Attractor, Obstacle
 
 if TYPE_CHECKING:

@@ -112,7 +112,7 @@ class Topics:
                 path = self._line(vehicle["path_ned"], GREY)
                 bodies.append(m.SceneEntity(frame_id=FRAME, id=f"path {vehicle['sysid']}", lines=[path]))
             bodies.append(self._body(vehicle))
-        drawn = {body.id for body in bodies}
+        drawn = {f"obstacle {shape['label']}" for shape in line["obstacles"]}
         gone = [self._deletion(name, t_s) for name in sorted(self._drawn - drawn)]
         self._drawn = drawn
         self._entities.log(m.SceneUpdate(entities=bodies, deletions=gone), log_time=self._ns(t_s))

@@ -1,5 +1,5 @@
 """Answers of a program's own planner and policy, as decisions: written by the session that asked them, and read when
-it is decided again, since they cannot be asked then (docs/protocol.md#programs-that-act)."""
+it is decided again, since they cannot be asked then (docs/protocol/socket.md#programs-that-act)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Obstacles, attractors and targets' paths that change in flight (docs/protocol.md#programs-that-act).
+"""Obstacles, attractors and targets' paths that change in flight (docs/protocol/socket.md#programs-that-act).
 
 A change is plain data, as its decision holds it: what an obstacle or attractor is from now on, by its place in the
 list, or the path that a target flies. The changed world is a scenario that differs in that alone. NED, m.

@@ -93,7 +93,8 @@ STATION_OPTION = click.option(
     show_default=True,
     callback=_station,
     metavar="SYSID[/COMPID]",
-    help="Our own id, for vehicles that obey one ground station alone; QGroundControl's and MAVProxy's system is 255.",
+    help="MAVLink id to send as, for vehicles that obey one ground station alone; QGroundControl's and MAVProxy's "
+    "system is 255.",
 )
 
 

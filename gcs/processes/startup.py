@@ -77,7 +77,7 @@ class Arrivals:
             )
         if late:
             names = ", ".join(self._labels[sysid] for sysid in late)
-            return f"no word from {names} within {self._patience_s(late[0]):.0f} s of their start"
+            return f"no answer from {names} within {self._patience_s(late[0]):.0f} s of their start"
         return None
 
     def _patience_s(self, sysid: int) -> float:

@@ -193,7 +193,7 @@ class Summary(SummaryPart):
     """null with external vehicles and real PX4s: their flight never repeats"""
     versions: dict[str, str]
     min_separation_m: float | None
-    """least distance of two vehicles in flight, partners of a transfer aside, between ticks too; null without a pair"""
+    """least distance of two vehicles in flight, except during a transfer, between ticks too; null without a pair"""
     min_clearance_m: float | None
     """least distance to an obstacle's surface (a point's is its centre); null without obstacles"""
     min_traffic_m: float | None = None

@@ -82,9 +82,7 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
     if service.by == "competition" and competition.bids == "time":
-        reason = (
-            f"it has least time left of those that compete, clear of the next for {competition.dwell_s:g} s ({need})"
-        )
+        reason = f"it has the least flight time left, and has led for {competition.dwell_s:g} s ({need})"
     elif service.by == "competition" and competition.bids == "effort":
         reason = (
             "of those that compete it had used most control effort since it last received energy, and held "
@@ -95,7 +93,7 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
         reason = f"{need} {largest} and it held {100.0 * service.share:.0f} % of the competition"
         reason += f" for {competition.dwell_s:g} s"
     elif service.by == "unopposed":
-        reason = f"no other vehicle waits for a tanker or base that it would take ({need})"
+        reason = f"it is the only candidate ({need})"
     elif service.by == "timeout":
         reason = f"no vehicle held {100.0 * competition.share:.0f} % of the competition within"
         reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"

@@ -198,7 +198,7 @@ class ServiceRequests:
 def unfit(view: VehicleView) -> str | None:
     """Why a vehicle cannot keep formation any more."""
     if not view.fresh:
-        return f"no word from {view.label}"
+        return f"no answer from {view.label}"
     if not view.flying or view.mode not in STEERABLE:
         return f"{view.label} left formation flight"
     return None

@@ -254,7 +254,7 @@ class Findings:
                 yield SessionProblem("bad", f"{decision['text']} ({decision['t_s']:.1f} s)")
         for fault in self.summary.faults if self.summary is not None else ():
             came = "survived" if fault.survived else "not survived"
-            yield SessionProblem("note", f"Fault, {came}: {fault.text}.")
+            yield SessionProblem("note", f"Injected fault, {came}: {fault.text}.")
         for what, times in failed.items():
             yield SessionProblem("warn", f"{what} ({_times(len(times), times[0]['t_s'])}).")
         yield from self._of_the_link()
@@ -291,7 +291,7 @@ class Findings:
         if broken:
             who = sorted({d["receiver"] for d in broken})
             yield SessionProblem(
-                "warn", f"Transfers to {few(who)} were broken off ({_times(len(broken), broken[0]['t_s'])})."
+                "warn", f"Refuelling of {few(who)} was interrupted ({_times(len(broken), broken[0]['t_s'])})."
             )
         for s in self.services:
             if s.energy_j <= 0 and s.reason != "not ended":

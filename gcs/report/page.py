@@ -240,7 +240,7 @@ def _cards(found: Findings) -> str:
     pursuers = {v.sysid for v in found.vehicles if v.role != "tanker"}
     error = found.greatest({s: line for s, line in found.errors.items() if s in pursuers})
     if error:
-        cards.append(("greatest tracking error", f"{error[0]:.2f} m", f"vehicle {error[1]}, tankers apart"))
+        cards.append(("greatest tracking error", f"{error[0]:.2f} m", f"vehicle {error[1]} (tankers excluded)"))
     lowest = {s: float(b.values.min()) for s, b in found.battery_percent.items() if len(b.values)}
     if lowest:
         whose = min(lowest, key=lambda sysid: lowest[sysid])
@@ -298,7 +298,7 @@ def _sections(found: Findings, figures: set[str]) -> Iterable[tuple[str, str, st
         figure("target", "How far each pursuer was from its target."),
         figure(
             "error",
-            "How far each vehicle was from the path of its latest set points. Of tankers it is large where they hasten "
+            "How far each vehicle was from the path of its latest set points. Tankers show large errors while flying "
             "to a rendezvous.",
         ),
     )

@@ -95,8 +95,9 @@ class Judgement:
 
 
 class GoalPart(NamedTuple):
-    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it;
-    `judge` is called with what of the measures it is judged by, where that is known, the limit and the scenario."""
+    """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it, and
+    `wanted_0` of a limit of 0; `judge` is called with what of the measures it is judged by, where that is known, the
+    limit and the scenario."""
 
     name: str
     unit: str
@@ -104,6 +105,7 @@ class GoalPart(NamedTuple):
     wanted: str
     of: Callable[[Measured], Any]
     judge: Callable[[Any, float, Scenario], _Found]
+    wanted_0: str = ""
 
 
 class _Found(NamedTuple):
@@ -229,19 +231,19 @@ def _judge_plugins(late: Sequence[tuple[float, str]], _: float, __: Scenario) ->
     return _Found(False, f"failed ({'; '.join(listed)}{more})", float(len(late)), t_s=late[0][0])
 
 
-_SEPARATION = "no two vehicles nearer than {limit:g} m, partners of a transfer aside"
+_SEPARATION = "separation at least {limit:g} m, except during a transfer"
 _PURSUE = "every pursuer within {within_m:g} m of its target for {limit:g} s"
 _WAYPOINTS = "every pursuer passes all its way points"
 _PLUGINS = "planner and policy of the user's own answer in time, to the end"
 PARTS: tuple[GoalPart, ...] = (
-    GoalPart("lost", "1", _lost, "at most {limit:g} vehicles lost", lambda m: m.lost, _judge_lost),
+    GoalPart("lost", "1", _lost, "at most {limit:g} vehicles lost", lambda m: m.lost, _judge_lost, "no vehicle lost"),
     GoalPart(
         "duration", "s", lambda s: s.goal.duration_s, "{limit:g} s are flown", lambda m: m.time_s, _judge_duration
     ),
     GoalPart("separation", "m", separation_m, _SEPARATION, lambda m: m.separation, _judge_near),
     GoalPart("clearance", "m", clearance_m, "no obstacle nearer than {limit:g} m", lambda m: m.clearance, _judge_near),
     GoalPart("traffic", "m", traffic_m, "no traffic nearer than {limit:g} m", lambda m: m.traffic, _judge_near),
-    GoalPart("ground", "m", _has_ground, "no vehicle in flight touches the ground", lambda m: m.ground, _judge_ground),
+    GoalPart("ground", "m", _has_ground, "no ground contact in flight", lambda m: m.ground, _judge_ground),
     GoalPart("waypoints", "1", _waypoints, _WAYPOINTS, lambda m: m.missed, _judge_waypoints),
     GoalPart("pursue", "s", _pursue_s, _PURSUE, lambda m: m.pursuit_held_s, _judge_pursue),
     GoalPart("refuelled", "1", _refuelled, "at least {limit:g} refuelled", lambda m: m.refuelled, _judge_refuelled),
@@ -265,7 +267,7 @@ def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:
         part = BY_NAME[name]
         about = part.of(measured)
         met, reached, value, sysids, what, t_s = _UNKNOWN if about is None else part.judge(about, limit, scenario)
-        wanted = part.wanted.format(limit=limit, within_m=within_m)
+        wanted = (part.wanted if limit else part.wanted_0 or part.wanted).format(limit=limit, within_m=within_m)
         found.append(Judgement(name, wanted, reached, met, limit, part.unit, value, sysids, what, t_s))
     return found
 

@@ -98,7 +98,9 @@ class ExternalFleet:
             elif now_s - self._last_received_s[sysid] >= LOST_S and sysid not in self.lost:
                 self.lost.add(sysid)
                 fleet.lost(sysid)
-                self._note(sysid, "critical", f"No word for {LOST_S:.0f} s: it is counted as lost until it is heard")
+                self._note(
+                    sysid, "critical", f"No telemetry for {LOST_S:.0f} s: it is counted as lost until it is heard"
+                )
 
     def _watch_pace(self, sysid: int, offset_s: float) -> None:
         if self._speed == 1.0:

@@ -85,7 +85,7 @@ class ChangeDetector:
         silent = view.alive and STALE_S < silent_s < math.inf
         if silent and view.sysid not in self._silent:
             self._silent.add(view.sysid)
-            events.append(Event(now_s, view.sysid, "warning", f"No word for {silent_s:.1f} s", "link"))
+            events.append(Event(now_s, view.sysid, "warning", f"No telemetry for {silent_s:.1f} s", "link"))
         elif not silent and view.sysid in self._silent:
             self._silent.discard(view.sysid)
             if view.alive:

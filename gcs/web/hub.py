@@ -21,7 +21,7 @@ PAST_EVERY_S = 0.5
 MOST_EVENTS = 4000
 MOST_WAITING = 400
 """Lines that may wait for one page, without those that are left out."""
-READ_ONLY = "This link shows the session and takes no commands: open the link with the token of command."
+READ_ONLY = "View-only link: commands are disabled; open the link with the token of command."
 Message = Mapping[str, Any]
 
 

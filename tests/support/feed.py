@@ -34,7 +34,7 @@ EVENTS = (
     (38.0, 5, "info", "decision", "Refuelling of 5 by 201 decided by competition"),
     (40.0, 3, "warning", "failsafe", "Failsafe: battery low, return"),
     (44.0, 3, "critical", "text", "Battery 8 %"),
-    (46.0, 1, "warning", "link", "No word for 1.5 s"),
+    (46.0, 1, "warning", "link", "No telemetry for 1.5 s"),
     (47.5, 1, "info", "link", "Heard again"),
 )
 """(session time in s, system id, level, kind, text)"""

@@ -86,7 +86,7 @@ def test_what_it_gave_and_what_was_received_agree_to_the_joule(flown: Flown) -> 
 
 def test_one_that_is_silent_is_lost_and_taken_back_when_it_is_heard(flown: Flown) -> None:
     told = [
-        f"pursuer {LOST}: No word for 10 s: it is counted as lost until it is heard",
+        f"pursuer {LOST}: No telemetry for 10 s: it is counted as lost until it is heard",
         f"pursuer {LOST}: Heard again: it is not lost",
     ]
     places = [flown.said.index(text) for text in told]

@@ -107,4 +107,6 @@ def test_a_session_with_faults_is_decided_again_alike(flown: Outcome) -> None:
 def test_the_report_draws_the_faults(flown: Outcome) -> None:
     found = Findings(session_folder.read(flown.folder))
     assert len(found.faults) == 7
-    assert any("Fault, not survived: the process of target 101 is killed" in one.text for one in found.problems)
+    assert any(
+        "Injected fault, not survived: the process of target 101 is killed" in one.text for one in found.problems
+    )

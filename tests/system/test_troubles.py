@@ -63,7 +63,7 @@ def test_separation_is_not_measured_from_places_that_nobody_told(tmp_path: Path)
         for b in names[:i]
     )
     assert least >= 0.6
-    assert "No word for" in outcome.stdout
+    assert "No telemetry for" in outcome.stdout
     assert "Heard again" in outcome.stdout
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy": "MAVProxy"}
 
 
-@click.command(short_help="Check what a vehicle would make its ground stations miss, or a scenario's check list.")
+@click.command(short_help="Check a vehicle's MAVLink support, or a scenario's check list.")
 @click.argument("scenario", required=False)
 @connect_option(
     "Where the vehicle is heard (udpin, tcpin), listens (udpout, tcp) or is plugged in (serial:/dev/ttyUSB0:57600).",

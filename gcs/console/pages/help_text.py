@@ -19,7 +19,7 @@ EXIT_KEYS: Keys = (
     ("q", "close the console; the session goes on"),
     ("ctrl-z", "suspend the console; the session flies on, fg comes back"),
 )
-STOPPING = ("ctrl-c", "stop the session and save it: asks first, a second one is a yes")
+STOPPING = ("ctrl-c", "stop the session and save it: asks first; press again to confirm")
 REPLAY_EXIT_KEYS: Keys = (("q", "close the replay"), ("ctrl-z", "suspend the console; fg comes back"))
 PAGE_KEYS: dict[str, Keys] = {
     "fleet": (

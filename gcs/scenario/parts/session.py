@@ -65,7 +65,7 @@ class Goal(Part):
     duration_s: Annotated[float, Exact(gt=0, le=604_800)]
     """length of the session, s of session time"""
     separation_m: Limit = None
-    """least distance of two vehicles in flight, m, partners of a transfer aside; by default planner.separation_m where
+    """least distance of two vehicles in flight, m, except during a transfer; by default planner.separation_m where
     planner.vehicles_repel; `false` or 0 demands none"""
     traffic_m: Limit = None
     """least distance of a vehicle in flight to traffic, m, except traffic that attracts; by default

@@ -37,7 +37,11 @@ def test_each_has_its_own_patience() -> None:
     assert why is not None
     assert why.startswith(f"no HEARTBEAT of pursuer 2 at {AT} within 10 s: is it switched on")
     assert waiting.too_late({101}, HELLO_WITHIN_S, {}, {}) is None
-    assert waiting.too_late({101}, HELLO_WITHIN_S + 0.1, {}, {}) == "no word from target 101 within 60 s of their start"
+    assert (
+        waiting.too_late({101}, HELLO_WITHIN_S + 0.1, {}, {}) == "no answer from target 101 within 60 s of their start"
+    )
     booting = Arrivals(LABELS, {}, [1])
     assert booting.too_late({1}, BOOTED_WITHIN_S, {}, {}) is None
-    assert booting.too_late({1}, BOOTED_WITHIN_S + 0.1, {}, {}) == "no word from pursuer 1 within 300 s of their start"
+    assert (
+        booting.too_late({1}, BOOTED_WITHIN_S + 0.1, {}, {}) == "no answer from pursuer 1 within 300 s of their start"
+    )

@@ -114,7 +114,7 @@ def test_services_that_moved_nothing_and_broke_off_are_told() -> None:
     ]
     told = sentences(found(decisions=decisions))
     assert ("bad", "vehicle 2 has died (9.5 s)") in told
-    assert ("warn", "Transfers to 2 were broken off (at 7.0 s).") in told
+    assert ("warn", "Refuelling of 2 was interrupted (at 7.0 s).") in told
     assert ("warn", "Refuelling of 2 by tanker 201 moved no energy: too far (decided at 5.0 s).") in told
 
 

@@ -395,7 +395,11 @@ def test_seldom_positions_of_a_vehicle_that_is_heard_are_no_silence(observer: Ob
         (row,) = snapshot["vehicles"]
         troubles |= {(text, t_s < 12.0, t_s < 18.0) for text in map(str.rstrip, (t[:8] for t in row["trouble"]))}
         assert row["heard_s"] == pytest.approx(0.2 + max(0.0, t_s - 17.5))
-    assert texts == ["First heard of: px4 autopilot", "No position for 1.7 s, though it is heard", "No word for 1.7 s"]
+    assert texts == [
+        "First heard of: px4 autopilot",
+        "No position for 1.7 s, though it is heard",
+        "No telemetry for 1.7 s",
+    ]
     assert troubles == {
         ("position", True, True), ("position", False, True), ("no HEART", False, True),
         ("no HEART", False, False), ("position", False, False), ("no telem", False, False),

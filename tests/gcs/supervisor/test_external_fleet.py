@@ -73,7 +73,7 @@ def test_ten_seconds_of_silence_count_as_lost_until_it_is_heard() -> None:
     tower.hear(LOST_S)
     assert tower.externals.lost == {3}
     assert not tower.fleet.snapshot(LOST_S).vehicle(3).alive
-    assert tower.said() == [("critical", "No word for 10 s: it is counted as lost until it is heard")]
+    assert tower.said() == [("critical", "No telemetry for 10 s: it is counted as lost until it is heard")]
     assert tower.decide(LOST_S) == {}
     tower.hear(LOST_S + 3.0, heartbeat())
     assert tower.externals.lost == set()

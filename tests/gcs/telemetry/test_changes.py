@@ -77,19 +77,19 @@ def heard(*times_s: tuple[float, float, float]) -> list[str]:
 
 def test_silence_and_its_end_are_told_once() -> None:
     times = [(0.0, 0.0, 0.0), (1.6, 1.6, 1.6), (3.0, 3.0, 3.0), (4.0, 0.0, 0.0), (10.0, 0.0, 0.0)]
-    assert heard(*times) == ["No word for 1.6 s", "Heard again"]
+    assert heard(*times) == ["No telemetry for 1.6 s", "Heard again"]
 
 
 def test_of_a_vehicle_without_a_place_silence_is_told_too() -> None:
-    assert heard((0.0, 0.0, math.inf), (1.6, 1.6, math.inf)) == ["No word for 1.6 s"]
+    assert heard((0.0, 0.0, math.inf), (1.6, 1.6, math.inf)) == ["No telemetry for 1.6 s"]
 
 
 def test_positions_that_stop_are_told_apart_from_silence_and_so_are_those_that_come_again() -> None:
     late, again = "No position for 1.6 s, though it is heard", "Its positions come again"
     assert heard((0.0, 0.0, 0.0), (1.6, 0.1, 1.6), (4.0, 0.1, 4.0)) == [late]
     assert heard((1.6, 0.1, 1.6), (2.0, 0.1, 0.1), (1.6 + REGULAR_S, 0.1, 0.1), (9.0, 0.1, 0.1)) == [late, again]
-    assert heard((1.6, 0.1, 1.6), (5.0, 3.5, 5.0), (6.0, 0.0, 6.0)) == [late, "No word for 3.5 s", "Heard again"]
-    assert heard((2.0, 2.0, 2.0), (3.0, 0.0, 1.6)) == ["No word for 2.0 s", "Heard again", late]
+    assert heard((1.6, 0.1, 1.6), (5.0, 3.5, 5.0), (6.0, 0.0, 6.0)) == [late, "No telemetry for 3.5 s", "Heard again"]
+    assert heard((2.0, 2.0, 2.0), (3.0, 0.0, 1.6)) == ["No telemetry for 2.0 s", "Heard again", late]
 
 
 @given(st.floats(0.02, 8.0), st.floats(0.02, 8.0))
@@ -110,11 +110,11 @@ def test_for_any_two_periods_each_fact_is_what_its_own_clock_says(message_s: flo
         for event in watch.look(snapshot(one, time_s=now_s), {}):
             words = event.text.split(" for ")[0]
             texts.add(words)
-            assert silent or words != "No word"
+            assert silent or words != "No telemetry"
             assert not silent or words != "Heard again"
             assert old or words != "No position"
             assert not old or words != "Its positions come again"
-    assert ("No word" in texts) == (longest_silent_s > STALE_S)
+    assert ("No telemetry" in texts) == (longest_silent_s > STALE_S)
     assert ("No position" in texts) == (longest_old_s > STALE_S)
 
 

@@ -95,8 +95,8 @@ def measure(recorded: Recorded, flown: Mapping[int, Track], others: Mapping[str,
 def _fill_clearances(tables: Sequence[tuple[float, Floats]], t_s: Floats, at: Floats, least: Floats) -> None:
     """Write into least (k,) the least clearance at each of the times t_s (k,), of n vehicles at (k, n, 3); tables of
     obstacles, each from its time on. At the time of a change both count: the way to there was flown in the first."""
-    until = [since_s for since_s, _ in tables[1:]] + [math.inf]
-    for (since_s, shapes), until_s in zip(tables, until, strict=True):
+    for k, (since_s, shapes) in enumerate(tables):
+        until_s = tables[k + 1][0] if k + 1 < len(tables) else math.inf
         first, end = np.searchsorted(t_s, since_s - ROUNDING_S), np.searchsorted(t_s, until_s + ROUNDING_S)
         if len(shapes) and first < end:
             there = at[first:end]

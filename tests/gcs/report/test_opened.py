@@ -37,6 +37,7 @@ def messages(path: Path) -> list[Any]:
     while (message := log.recv_match()) is not None:
         if message.get_type() != "BAD_DATA":
             found.append(message)
+    log.close()
     return found
 
 

@@ -14,19 +14,21 @@ from screens import ALTERNATE, MAIN, Screen
 from sessions import GCS, all_gone, fly, small
 
 CONSOLE = "gcs.console"
-GOAL = {"duration_s": 90.0, "refuelled_at_least": 0}
+DURATION_S, LONG_S = 90.0, 900.0
+"""Of sessions that end by themselves, and of those that are stopped."""
 SPEED = 3.0  # there has to be time to look, whatever else the machine does
 
 
-def content(**changes: Any) -> dict[str, Any]:
-    return small(goal=GOAL, **changes)
+def content(duration_s: float = DURATION_S, **changes: Any) -> dict[str, Any]:
+    return small(goal={"duration_s": duration_s, "refuelled_at_least": 0}, **changes)
 
 
-def run(folder: Path, *options: str) -> list[str]:
+def run(folder: Path, *options: str, duration_s: float = DURATION_S) -> list[str]:
     """`gcs run` of the small session, paced so that there is time to look at it."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / "scenario.yaml"
-    path.write_text(yaml.safe_dump(content(clock={"mode": "real", "speed": SPEED}), sort_keys=False), encoding="utf-8")
+    paced = content(duration_s, clock={"mode": "real", "speed": SPEED})
+    path.write_text(yaml.safe_dump(paced, sort_keys=False), encoding="utf-8")
     return [*GCS, "run", str(path), "--out", str(folder / "session"), *options]
 
 
@@ -72,14 +74,14 @@ def test_resized_suspended_watched_by_others_and_killed_it_changes_nothing_in_fl
 
 
 def test_orders_are_obeyed_q_leaves_lines_and_ctrl_c_stops_them(tmp_path: Path) -> None:
-    with Screen(run(tmp_path)) as screen:
+    with Screen(run(tmp_path, duration_s=LONG_S)) as screen:
         screen.until("flying", "offboard")
         screen.press("h")
         screen.until("Let pursuer 1 hold its position?")
         screen.press("y")
         screen.until("hold pursuer 1:", "operator")
         screen.press("q")
-        screen.until(MAIN.decode(), "the console was closed; the session goes on", " of 90 s | ")
+        screen.until(MAIN.decode(), "the console was closed; the session goes on", " of 900 s | ")
         assert screen.cooked
         family = screen.family()
         assert not [p for p in family if CONSOLE in p.cmdline()]
@@ -93,7 +95,7 @@ def test_orders_are_obeyed_q_leaves_lines_and_ctrl_c_stops_them(tmp_path: Path) 
 
 
 def test_ctrl_c_twice_stops_the_session_from_inside_the_console_in_ascii_where_the_locale_is_c(tmp_path: Path) -> None:
-    with Screen(run(tmp_path), LC_ALL="", LC_CTYPE="", LANG="C") as screen:
+    with Screen(run(tmp_path, duration_s=LONG_S), LC_ALL="", LC_CTYPE="", LANG="C") as screen:
         screen.until("flying")
         screen.press("\x03")
         screen.until("Stop the session?")
@@ -105,7 +107,7 @@ def test_ctrl_c_twice_stops_the_session_from_inside_the_console_in_ascii_where_t
 
 
 def test_ctrl_c_while_the_vehicles_start_leaves_nothing_behind(tmp_path: Path) -> None:
-    with Screen(run(tmp_path)) as screen:
+    with Screen(run(tmp_path, duration_s=LONG_S)) as screen:
         screen.until(ALTERNATE.decode(), "starting")
         family = screen.family()
         screen.press("\x03")
@@ -116,7 +118,7 @@ def test_ctrl_c_while_the_vehicles_start_leaves_nothing_behind(tmp_path: Path) -
 
 
 def test_everything_ends_when_gcs_run_is_killed(tmp_path: Path) -> None:
-    with Screen(run(tmp_path)) as screen:
+    with Screen(run(tmp_path, duration_s=LONG_S)) as screen:
         screen.until("flying")
         family = screen.family()
         assert [p for p in family if CONSOLE in p.cmdline()]
@@ -130,7 +132,7 @@ def test_a_shell_takes_the_terminal_back_on_ctrl_z_while_the_session_flies_on(tm
     recording = tmp_path / "session" / "session.tlog"
     with Screen(["bash", "--norc", "-i"], PS1="READY> ") as screen:
         screen.until("READY> ")
-        screen.press(" ".join(run(tmp_path)) + "\n")
+        screen.press(" ".join(run(tmp_path, duration_s=LONG_S)) + "\n")
         screen.until("flying")
         screen.press("\x1a")
         screen.until(MAIN.decode(), "`fg` shows it again", "Stopped", "READY> ")

@@ -141,7 +141,7 @@ def test_a_command_is_passed_on_and_answered_and_who_may_look_is_refused(links: 
         assert said(looking)["control"] is False
         looking.send('{"command": "stop", "id": 1}')
         refused = said(looking)
-        assert (refused["ok"], "takes no commands" in refused["text"]) == (False, True)
+        assert (refused["ok"], "commands are disabled" in refused["text"]) == (False, True)
         socket.send('{"command": "hold", "sysid": 3, "id": 7}')
         assert said(socket) == {"type": "reply", "id": "7", "ok": True, "text": "hold is taken."}
         assert [(one["command"], one["sysid"]) for one in source.sent] == [("hold", 3)], "only who may command"

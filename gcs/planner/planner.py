@@ -317,10 +317,11 @@ class Planner(TickPlanner):
                 self._follow_path(self._targets[sysid], row, moves=request.targets_move, period_s=request.period_s)
         elif part.role == "tanker":
             leaders.goal_ned[rows], leaders.speed_m_s[rows] = self._waits_ned[rows], self._tanker_m_s[rows]
+            height_m = self._scenario.refuelling.height_m
             for tanker, receiver in request.rendezvous.items():
                 if tanker in self._row and self._led[row := self._row[tanker]]:
                     (north, east, down), v_ned = self._formed_on(self._row[receiver], request.snapshot.columns)
-                    leaders.goal_ned[row] = (north, east, down - self._scenario.refuelling.height_m)
+                    leaders.goal_ned[row] = (north, east, down - request.stand_off_m.get(tanker, height_m))
                     leaders.goal_v_ned[row] = v_ned
         for sysid, place in request.stations.items():
             row = self._row[sysid]

@@ -31,10 +31,12 @@ class PlanRequest(NamedTuple):
     """One tick of planning; positions are in the common NED frame, m.
 
     steered: system ids of the vehicles that fly set points. rendezvous: the receiver above which each tanker is to
-    stand; the two may come near each other. targets_move: whether targets fly on along their paths. period_s: until the
+    stand; the two may come near each other, but for tankers in approaches, which stay away from it until they are to
+    serve it. targets_move: whether targets fly on along their paths. period_s: until the
     next request. pursuing: the target of each pursuer while all others hold; None: each pursues its own. stations:
     vehicles that are to be at a place instead. given: position and velocity of vehicles that a program steers, in place
-    of a planner's.
+    of a planner's. stand_off_m: how far above their receivers tankers in approaches are to stand; without it, as the
+    others.
     """
 
     snapshot: FleetSnapshot
@@ -42,9 +44,11 @@ class PlanRequest(NamedTuple):
     period_s: float
     targets_move: bool = True
     rendezvous: Mapping[int, int] = _NONE
+    approaches: frozenset[int] = frozenset()
     pursuing: Mapping[int, int] | None = None
     stations: Mapping[int, Vec3] = _NONE
     given: Mapping[int, tuple[Vec3, Vec3]] = _NONE
+    stand_off_m: Mapping[int, float] = _NONE
 
 
 class TickPlanner(Protocol):

@@ -121,6 +121,8 @@ class SafePlanner(TickPlanner):
         columns = snapshot.columns
         self._link_age.receive(columns.age_s, period_s)
         self._follow(request, columns)
+        if request.approaches and self._scenario.planner.vehicles_repel:
+            request = request._replace(stand_off_m=self._stand_off_m(request))
         points = SetPoints.of(self._planner.plan(request))
         self._keep(points, columns)
         if not points.sysids:
@@ -216,9 +218,18 @@ class SafePlanner(TickPlanner):
 
     def _partners(self, request: PlanRequest) -> list[tuple[int, int, float]]:
         """Least distance of partners of a transfer, by pair."""
-        near_m, separation_m = PARTNERS_SHARE * self._scenario.refuelling.height_m, self._scenario.planner.separation_m
-        pairs = request.rendezvous.items()
-        return [(a, b, min(near_m, separation_m + self.margin_m(a) + self.margin_m(b))) for a, b in pairs]
+        near_m = PARTNERS_SHARE * self._scenario.refuelling.height_m
+        pairs = [pair for pair in request.rendezvous.items() if pair[0] not in request.approaches]
+        return [(a, b, min(near_m, self._apart_m(a, b))) for a, b in pairs]
+
+    def _stand_off_m(self, request: PlanRequest) -> dict[int, float]:
+        """How far above its receiver a tanker stands that is not to serve it yet, by tanker."""
+        height_m, rendezvous = self._scenario.refuelling.height_m, request.rendezvous
+        return {tanker: max(height_m, self._apart_m(tanker, rendezvous[tanker])) for tanker in request.approaches}
+
+    def _apart_m(self, one: int, other: int) -> float:
+        """Distance that the filter keeps between two vehicles."""
+        return self._scenario.planner.separation_m + self.margin_m(one) + self.margin_m(other)
 
     def _others(self, request: PlanRequest, columns: FleetColumns) -> list[Intruder]:
         """Vehicles that give no way, where they will be when vehicles fly where their leaders are now."""

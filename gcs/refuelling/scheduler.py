@@ -161,6 +161,7 @@ class Scheduler:
         at_base = [service for service in self.open_services if service.base is not None]
         return Decision(
             rendezvous={**self._approaches, **{tanker: service.receiver for tanker, service in in_air.items()}},
+            approaches=frozenset(self._approaches.keys() - in_air.keys()),
             requests=tuple(self._requests.requests),
             relays=tuple(
                 (tanker, service.receiver)

@@ -131,7 +131,9 @@ class Decision:
     """Result of one tick of the scheduler: rendezvous, command requests, and records."""
 
     rendezvous: dict[int, int] = field(default_factory=dict)
-    """receiver by tanker; the two need not keep their distance from each other"""
+    """receiver by tanker; the two need not keep their distance from each other once a service has been decided"""
+    approaches: frozenset[int] = frozenset()
+    """tankers of these for which none has been decided yet"""
     requests: tuple[CommandRequest, ...] = ()
     relays: tuple[tuple[int, int], ...] = ()
     """(giver, receiver) pairs between which frames are relayed"""
@@ -143,6 +145,11 @@ class Decision:
     booked: dict[int, int] = field(default_factory=dict)
     """joules that a base gave in this tick to vehicles that cannot count them"""
     records: tuple[dict[str, Any], ...] = ()
+
+    @property
+    def partners(self) -> list[tuple[int, int]]:
+        """(tanker, receiver) of each service in the air."""
+        return [pair for pair in self.rendezvous.items() if pair[0] not in self.approaches]
 
 
 NOTHING_DECIDED = Decision()

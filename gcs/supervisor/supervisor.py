@@ -209,7 +209,7 @@ class Supervisor:
         self._grant_all(set_points, snapshot, relays, recording)
         decisions = self._records(now_s, decision, set_points)
         self.metrics.update(snapshot, self._flown(set_points), pursuing)
-        recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.rendezvous.items())]
+        recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.partners)]
         if not self._surrounded:  # the way to here was flown in the world before
             self._surrounded = True
             self.goal_watch.surround(now_s, self.worlds, self.planner.obstacles)
@@ -508,6 +508,7 @@ class Supervisor:
                 self._periods * self.scenario.clock.period_s,
                 self.targets_move,
                 decision.rendezvous,
+                decision.approaches,
                 pursuing,
                 decision.stations,
                 self.script.given(self.time_s),

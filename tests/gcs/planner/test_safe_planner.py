@@ -3,6 +3,8 @@
 import math
 from typing import Any
 
+import pytest
+
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
@@ -57,3 +59,44 @@ def gives_way_m(mode: FlightMode) -> float:
 def test_a_silent_vehicle_is_looked_for_where_its_mode_takes_it() -> None:
     """Without set points it stops where it needs them, and flies on where it does not, as when it returns."""
     assert gives_way_m(FlightMode.RETURN) > gives_way_m(FlightMode.OFFBOARD) + 0.2
+
+
+def meets_m(approaches: frozenset[int]) -> list[float]:
+    """Distance of a tanker from its receiver in each tick, as it comes from the side, and how far the receiver has
+    moved at the end. Vehicles are where their leaders are."""
+    content = scenario().model_dump(mode="json", by_alias=True)
+    content["planner"]["separation_m"] = 2.0
+    content["vehicles"]["pursuers"] = content["vehicles"]["pursuers"][:1]
+    content["vehicles"]["tankers"] = [
+        {"sysid": 3, "start_m": (AHEAD_M + 6.0, 0.5, -5.0), "airborne": True, "battery": {"capacity_j": 1e5}}
+    ]
+    loaded = Scenario.model_validate(content)
+    planner = SafePlanner(loaded, Planner(loaded))
+    start = here = (AHEAD_M, 0.0, -5.0)
+    tanker: Vec3 = (AHEAD_M + 6.0, 0.5, -5.0)
+    v_ned, tanker_v_ned = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    away_m = []
+    for tick in range(150):
+        vehicles = (
+            view(1, here, v_ned, FlightMode.OFFBOARD, 0.0),
+            view(3, tanker, tanker_v_ned, FlightMode.OFFBOARD, 0.0)._replace(role="tanker"),
+        )
+        request = PlanRequest(FleetSnapshot(20.0 + tick * PERIOD_S, vehicles, ()), frozenset({1, 3}), PERIOD_S)
+        own, other = planner.plan(request._replace(rendezvous={3: 1}, approaches=approaches))
+        (here, v_ned), (tanker, tanker_v_ned) = (own.p_ned, own.v_ned), (other.p_ned, other.v_ned)
+        away_m.append(math.dist(here, tanker))
+    return [*away_m, math.dist(here, start)]
+
+
+def test_a_tanker_keeps_its_distance_until_it_is_to_serve() -> None:
+    *away_m, moved_m = meets_m(frozenset({3}))
+    assert min(away_m) >= 2.0
+    assert away_m[-1] < 2.5
+    assert moved_m < 0.5
+
+
+def test_a_tanker_that_serves_stands_at_its_height() -> None:
+    *away_m, moved_m = meets_m(frozenset())
+    assert away_m[-1] == pytest.approx(1.2, abs=0.1)
+    assert min(away_m) >= 0.6
+    assert moved_m < 0.5

@@ -305,6 +305,23 @@ def test_joules_that_are_told_late_are_booked_on_their_service() -> None:
     assert first.energy_j + second.energy_j == game.fleet.views[1].received_j
 
 
+def test_a_tanker_is_no_partner_of_the_vehicle_that_leads_before_it_has_won() -> None:
+    fleet = Fleet({k: view(k, "pursuer", (6.0 * k, 0.0, -4.8), 4_000.0 - 400.0 * k, 10_000.0) for k in (1, 2)})
+    for sysid in (1, 2):
+        fleet.set(sysid, power_w=100.0)
+    fleet.views[201] = view(201, "tanker", (0.0, 0.0, -6.0), 150_000.0, 150_000.0)
+    game = Play(Scheduler(CompetitionRules(), RefuellingRules(rate_w=RATE_W), (tanker(201),)), fleet)
+    approached = 0
+    while not game.schedule.open_services:
+        decision = game.tick()
+        if decision.rendezvous and not game.schedule.open_services:
+            approached += 1
+            assert (set(decision.approaches), decision.partners) == ({201}, [])
+    assert approached > 1
+    decision = game.tick()
+    assert (set(decision.approaches), decision.partners) == (set(), list(decision.rendezvous.items()))
+
+
 def test_several_tankers_never_share_a_receiver_and_serve_by_need() -> None:
     fleet = Fleet({k: view(k, "pursuer", (6.0 * k, 0.0, -4.8), 4_500.0 - 500.0 * k, 10_000.0) for k in range(1, 6)})
     for sysid in (201, 202):

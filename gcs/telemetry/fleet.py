@@ -275,7 +275,7 @@ class Fleet:
         frames = facts[:, OFFSET_N : TURN + 1]
         columns = FleetColumns(self._sysids, self._rows, self._number, changed, flags, places, figures, frames)
         instant = Instant(time_s, tuple(self._statuses), self._readings.copy(), facts, columns)
-        return FleetSnapshot.of_columns(time_s, columns, instant.view, self._traffic.at(time_s))
+        return FleetSnapshot.of_columns(time_s, columns, instant.views, self._traffic.at(time_s))
 
     def _global_origin(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):

@@ -141,8 +141,9 @@ def _energy(view: VehicleView) -> list[HealthIssue]:
     if view.energy_source == "none":
         return []
     found = []
-    lasts_s = max(view.endurance_s, 0.0) if view.flying else math.inf
-    percent = 100.0 * max(view.remaining_j / view.capacity_j, 0.0)
+    left_j = max(view.remaining_j, 0.0)
+    lasts_s = left_j / view.power_w if view.flying and view.power_w > 0.0 else math.inf
+    percent = 100.0 * left_j / view.capacity_j
     if percent < 100.0 * BATTERY_LOOK:
         how = ACT if percent < 100.0 * BATTERY_ACT else LOOK
         # After those whose time left is known to be short; on the ground, or drawing nothing, by their charge.

@@ -146,19 +146,24 @@ class FleetSnapshot:
 
     @classmethod
     def of_columns(
-        cls, time_s: float, columns: FleetColumns, view: Callable[[int], VehicleView], traffic: tuple[TrafficView, ...]
+        cls,
+        time_s: float,
+        columns: FleetColumns,
+        views: Callable[[int, int], Sequence[VehicleView]],
+        traffic: tuple[TrafficView, ...],
     ) -> FleetSnapshot:
-        """A snapshot that has its columns; `view` makes the view of a row."""
+        """A snapshot that has its columns; `views` makes the views of rows from one up to another."""
         snapshot = cls.__new__(cls)
-        snapshot.__dict__.update(time_s=time_s, columns=columns, traffic=traffic, _view=view, _views={})
+        snapshot.__dict__.update(time_s=time_s, columns=columns, traffic=traffic, _made=views, _views={})
         return snapshot
 
     def __getattr__(self, name: str) -> tuple[VehicleView, ...]:
         """Makes `vehicles` where they are not there yet."""
         if name != "vehicles" or "columns" not in self.__dict__:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        views: tuple[VehicleView, ...] = tuple(map(self.vehicle, self.columns.sysids))
+        views: tuple[VehicleView, ...] = tuple(self.__dict__["_made"](0, len(self.columns.sysids)))
         self.__dict__["vehicles"] = views
+        self._views.update(zip(self.columns.sysids, views, strict=True))
         return views
 
     @cached_property
@@ -175,7 +180,7 @@ class FleetSnapshot:
         view = self._views.get(sysid)
         if view is None:
             row = self.columns.row[sysid]
-            view = self._views[sysid] = self.__dict__["_view"](row)
+            view = self._views[sysid] = self.__dict__["_made"](row, row + 1)[0]
         return view
 
     def of_role(self, role: str) -> tuple[VehicleView, ...]:

@@ -172,25 +172,46 @@ class Instant(NamedTuple):
     facts: NDArray[np.float64]
     columns: FleetColumns
 
-    def view(self, row: int) -> VehicleView:
-        """The vehicle of a row."""
-        status, now_s, columns = self.statuses[row], self.time_s, self.columns
+    def views(self, begin: int, end: int) -> list[VehicleView]:
+        """The vehicles of these rows."""
+        columns, rows = self.columns, slice(begin, end)
+        return [
+            self._view(*row)
+            for row in zip(
+                self.statuses[rows],
+                self.readings[rows].tolist(),
+                self.facts[rows, of.DOUBTED].tolist(),
+                columns.figures[:, rows].T.tolist(),
+                map(tuple, columns.places[P_NED, rows].tolist()),
+                columns.flags[IS_LANDED, rows].tolist(),
+                strict=True,
+            )
+        ]
+
+    def _view(
+        self,
+        status: VehicleStatus,
+        readings: list[float],
+        doubted_s: float,
+        figures: list[float],
+        p_ned: Vec3,
+        landed: bool,
+    ) -> VehicleView:
+        now_s = self.time_s
         (
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
             power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s,
-        ) = self.readings[row].tolist()  # fmt: skip
-        doubted_s = float(self.facts[row, of.DOUBTED])
-        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = columns.figures[:, row].tolist()
+        ) = readings  # fmt: skip
+        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = figures
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
         v_ned: Vec3 = (v_north, v_east, v_down)
-        p_ned: Vec3 | None = tuple(columns.places[P_NED, row].tolist())
         offset, turn_rad, member = status.origin_offset_ned, status.turn_rad, status.member
         doubt = status.doubt if now_s - doubted_s < plausibility.DOUBTED_S else ""
         # By place: by name it takes three times as long.
         return VehicleView(
             member.sysid, member.role, member.label, status.alive, status.profile, status.mode, status.armed,
-            bool(columns.flags[IS_LANDED, row]),
+            landed,
             received_s,
             p_ned if p_local is not None and offset is not None else None,
             turned(v_ned, turn_rad) if turn_rad else v_ned,

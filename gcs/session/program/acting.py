@@ -37,10 +37,18 @@ def checked_set_points(set_points: Mapping[int, ArrayLike], sysids: Collection[i
         raise ValueError(
             "set_points is a mapping from system id to (p_ned, v_ned), such as {1: ((0, 0, -5), (0, 0, 0))}"
         )
-    return {known(sysid, sysids): _six(sysid, pair) for sysid, pair in set_points.items()}
+    try:
+        numbers = np.array(list(set_points.values()), dtype=np.float64)
+    except (TypeError, ValueError):
+        numbers = np.empty(0)
+    if set_points and (numbers.shape != (len(set_points), 2, 3) or not np.all(np.abs(numbers) <= FARTHEST)):
+        for sysid, pair in set_points.items():
+            _check_pair(sysid, pair)
+    rows: list[list[float]] = numbers.reshape(-1, 6).tolist()
+    return {known(sysid, sysids): six for sysid, six in zip(set_points, rows, strict=True)}
 
 
-def _six(sysid: int, pair: ArrayLike) -> list[float]:
+def _check_pair(sysid: int, pair: ArrayLike) -> None:
     what = f"the set point of vehicle {sysid}"
     try:
         numbers = np.asarray(pair, dtype=np.float64)
@@ -48,12 +56,10 @@ def _six(sysid: int, pair: ArrayLike) -> list[float]:
         raise ValueError(f"{what} is not (p_ned, v_ned) of three numbers each") from None
     if numbers.shape != (2, 3):
         raise ValueError(f"{what} has the shape {numbers.shape}, not (2, 3): (p_ned, v_ned) of three numbers each")
-    six: list[float] = numbers.ravel().tolist()
-    for number in six:
+    for number in numbers.ravel().tolist():
         if not abs(number) <= FARTHEST:
             shown = "NaN" if math.isnan(number) else f"{number:g}"
             raise ValueError(f"{what} holds {shown}, which is no place or speed: m and m/s up to {FARTHEST:g}")
-    return six
 
 
 def checked_command(command: str | int, params: Sequence[float]) -> tuple[str, int | None]:

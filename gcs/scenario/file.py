@@ -5,7 +5,6 @@ Shipped ones stand in `configs/`: beside the packages in a checkout, inside `gcs
 
 from __future__ import annotations
 
-import functools
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -16,6 +15,7 @@ from pydantic import ValidationError
 from gcs.scenario import external, keys
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.grid import expand
+from gcs.scenario.json_schema import editor_schema
 from gcs.scenario.model import Scenario, repeats
 from gcs.scenario.parts import plan_file
 
@@ -108,16 +108,10 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:
-        problems = document.explain(error, _schema())
+        problems = document.explain(error, editor_schema())
         if not any(details["type"] == "conflict" for details in error.errors()):  # they were not looked for
             problems += [document.disagreement(repeated) for repeated in _repeated_ids(document.data)]
         raise ScenarioError(sorted(problems, key=lambda problem: (problem.line or 0, problem.column or 0))) from None
-
-
-@functools.cache
-def _schema() -> dict[str, Any]:
-    """The scenario's JSON Schema, to be read only: it takes longer to make than everything else that is wrong."""
-    return Scenario.model_json_schema()
 
 
 def _repeated_ids(data: dict[str, Any]) -> Iterator[Conflict]:

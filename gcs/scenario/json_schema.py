@@ -3,11 +3,17 @@
 A file may give keys once, in `vehicles.defaults`, instead of in each vehicle; so only `sysid` is
 required of a vehicle, which one that is external may give in its block.
 A vehicle or an obstacle may be a grid of many, and a planner or a policy be named in short.
+
+It is shipped as gcs/schemas/scenario.schema.json, since it takes longer to make than a scenario to read:
+
+    python -m gcs.scenario.json_schema >gcs/schemas/scenario.schema.json
 """
 
 from __future__ import annotations
 
+import json
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from gcs.scenario.model import Scenario
@@ -30,6 +36,7 @@ GRID = {
     "required": ["count", "columns", "spacing_m"],
     "additionalProperties": False,
 }
+SHIPPED = Path(__file__).resolve().parents[1] / "schemas" / "scenario.schema.json"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -37,6 +44,12 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 def editor_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of a scenario file, to be read only; values that are right one by one but not
     together are not in it."""
+    schema: dict[str, Any] = json.loads(SHIPPED.read_text(encoding="utf-8"))
+    return schema
+
+
+def of_models() -> dict[str, Any]:
+    """The same, made of `Scenario` and its parts."""
     schema = Scenario.model_json_schema()
     parts = schema["$defs"]
     keys: dict[str, Any] = {}
@@ -59,3 +72,7 @@ def editor_schema() -> dict[str, Any]:
         "additionalProperties": False,
     }
     return {"$schema": DRAFT, "title": "Skytender scenario", **{k: v for k, v in schema.items() if k != "title"}}
+
+
+if __name__ == "__main__":
+    print(json.dumps(of_models(), indent=1, ensure_ascii=False))

@@ -13,6 +13,7 @@ from sessions import Running, demo, fly, merged, small
 
 from gcs.recording import tlog_reader
 from gcs.recording.summary import Summary
+from gcs.scenario import json_schema
 from gcs.session import message_types
 from gcs.session.observer import Observer
 from gcs.session.replay import Replay, ReplaySource
@@ -26,6 +27,11 @@ def schema(name: str) -> dict[str, Any]:
 
 def test_the_shipped_summary_schema_is_the_summary() -> None:
     assert schema("summary") == Summary.model_json_schema(by_alias=True)
+
+
+def test_the_shipped_scenario_schema_is_the_scenario() -> None:
+    """`python -m gcs.scenario.json_schema >gcs/schemas/scenario.schema.json` brings it up to date."""
+    assert schema("scenario") == json_schema.of_models()
 
 
 def test_the_shipped_schema_of_messages_is_that_of_their_types() -> None:

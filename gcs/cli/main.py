@@ -17,6 +17,7 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 
 MODULES = {
+    "benchmark": "benchmark",
     "campaign": "campaign",
     "check": "check.command",
     "doctor": "author",

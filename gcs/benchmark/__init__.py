@@ -1,0 +1,1 @@
+"""A benchmark of refuelling schedules: instances, schedules, and a verifier of both (docs/refuelling-benchmark.md)."""

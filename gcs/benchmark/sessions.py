@@ -1,0 +1,176 @@
+"""From a session's start to an instance, and from a schedule back to a session.
+
+Both say the same of what an instance has: paths, batteries, tankers, bases and rules of transfers. What it has not
+(obstacles, wind, the radio, who keeps apart from whom) is left out.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any
+
+from gcs.benchmark.format import (
+    INSTANCE,
+    BenchmarkBase,
+    BenchmarkReceiver,
+    BenchmarkTanker,
+    Corner,
+    Instance,
+    Schedule,
+    ScheduledService,
+    Vec3,
+)
+from gcs.refuelling.policies import RefuellingRequest
+from gcs.scenario.model import Pursuer, Scenario
+from gcs.telemetry.state import VehicleView
+from skytender import elementary
+
+OUTSIDE_SPEED_M_S = 3.0
+"""[choice] Of a receiver off its path, where the scenario has no way points at a speed of their own."""
+SLOWEST_M_S = 0.1
+MEETS_S = 5.0
+"""Of a service in flight beside the way, `hold_s` and the flow of energy: to come to rest above the receiver, and to
+part."""
+EARLY_S = 1.0
+"""A tanker sets out so long before its schedule needs it to."""
+
+
+def instance_of(scenario: Scenario) -> Instance:
+    """The instance of a session that begins now: receivers are its pursuers, the horizon is its end."""
+    horizon_s, rules = scenario.goal.duration_s, scenario.refuelling
+    receivers = [
+        BenchmarkReceiver(
+            one.sysid, _path(one, scenario), max(scenario.planner.cruise_m_s, SLOWEST_M_S), one.battery.capacity_j,
+            one.battery.capacity_j * one.battery.initial_percent / 100.0, one.battery.hover_w + one.battery.avionics_w,
+            rules.lands_at * one.battery.capacity_j,
+        )
+        for one in scenario.vehicles.pursuers
+    ]  # fmt: skip
+    tankers = [
+        BenchmarkTanker(
+            one.sysid, one.start_m if one.airborne else _above(one.start_m, one.takeoff_m), one.speed_m_s,
+            one.battery.capacity_j, one.battery.capacity_j * one.battery.initial_percent / 100.0,
+            one.battery.hover_w + one.battery.avionics_w, one.reserve_j,
+        )
+        for one in scenario.vehicles.tankers
+    ]  # fmt: skip
+    bases = [BenchmarkBase(base.name, base.above_m, float(base.stock_j), base.rate_w) for base in scenario.bases]
+    return Instance(
+        INSTANCE, scenario.name, "session", 0.0, scenario.seed, horizon_s, MEETS_S + rules.hold_s, rules.rate_w,
+        receivers, tankers, bases,
+    )  # fmt: skip
+
+
+def _above(place: Vec3, height_m: float) -> Vec3:
+    return (place[0], place[1], place[2] - height_m)
+
+
+def _path(pursuer: Pursuer, scenario: Scenario) -> list[Corner]:
+    """Where a pursuer flies: its way points at the planner's speed, or with its target."""
+    start = pursuer.start_m if pursuer.airborne else _above(pursuer.start_m, pursuer.takeoff_m)
+    sysid = None if pursuer.waypoints_m else scenario.vehicles.target_of(pursuer)
+    if sysid is None:
+        return _corners([start, *pursuer.waypoints_m], scenario.planner.cruise_m_s)
+    target = next(one for one in scenario.vehicles.targets if one.sysid == sysid)
+    laps = [*target.path_m, *([target.path_m[0]] if target.closed and target.path_m else [])]
+    places = [
+        target.path_m[0] if target.path_m else target.start_m,
+        *(laps[1:] * (target.laps if target.closed else 1)),
+    ]
+    return _corners([_above(place, scenario.formation.height_m) for place in places], target.speed_m_s)
+
+
+def _corners(places: Sequence[Vec3], speed_m_s: float) -> list[Corner]:
+    corners: list[Corner] = [(0.0, *places[0])]
+    for before, place in pairwise(places):
+        way_m = elementary.distance(before, place)
+        if way_m > 0.0:
+            corners.append((corners[-1][0] + way_m / max(speed_m_s, SLOWEST_M_S), *place))
+    return corners
+
+
+def document_of(instance: Instance) -> dict[str, Any]:
+    """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept."""
+    legs = [
+        (b[0] - a[0], elementary.distance(a[1:], b[1:])) for one in instance.receivers for a, b in pairwise(one.path)
+    ]
+    cruise_m_s = max((way_m / s for s, way_m in legs if s > 0.0), default=1.0)
+    pursuers = [
+        {
+            "sysid": one.id, "start_m": list(one.path[0][1:]), "airborne": True,
+            "waypoints_m": [list(corner[1:]) for corner in one.path[1:]] or [list(one.path[0][1:])],
+            "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
+        }
+        for one in instance.receivers
+    ]  # fmt: skip
+    tankers = [
+        {
+            "sysid": one.id, "start_m": list(one.position_m), "airborne": True, "home_m": list(one.position_m),
+            "speed_m_s": one.speed_m_s, "reserve_j": one.reserve_j,
+            "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
+        }
+        for one in instance.tankers
+    ]  # fmt: skip
+    first = instance.receivers[0]
+    return {
+        "schema": 1, "name": instance.name, "axes": "ned", "seed": instance.seed, "clock": {"mode": "lockstep"},
+        "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0},
+        "goal": {"duration_s": instance.horizon_s},
+        "vehicles": {"pursuers": pursuers, "tankers": tankers},
+        "vehicles_per_process": len(pursuers) + len(tankers),
+        "planner": {"cruise_m_s": max(cruise_m_s, SLOWEST_M_S)},
+        "competition": {"need_from": 0.0},
+        "refuelling": {
+            "rate_w": instance.rate_w, "hold_s": max(instance.setup_s - MEETS_S, 0.0),
+            "lands_at": first.lands_at_j / first.capacity_j,
+        },
+    }  # fmt: skip
+
+
+def _battery(capacity_j: float, energy_j: float, power_w: float) -> dict[str, float]:
+    return {
+        "capacity_j": capacity_j, "initial_percent": min(100.0 * energy_j / capacity_j, 100.0),
+        "hover_w": power_w, "avionics_w": 0.0,
+    }  # fmt: skip
+
+
+class Scheduled:
+    """A refuelling policy that carries out a schedule's services in flight, each tanker its own in their order.
+
+    A tanker is sent when its way takes as long as is left until a service is to begin. How much a receiver gets is the
+    scenario's matter (`refuelling.until`, `limit_j`). Services of bases are not ordered by it.
+    """
+
+    def __init__(self, schedule: Schedule) -> None:
+        self._left: dict[int, list[ScheduledService]] = {}
+        for one in sorted(schedule.services, key=lambda one: one.start_s):
+            if one.tanker is not None and one.receiver is not None:
+                self._left.setdefault(one.tanker, []).append(one)
+
+    def choose(self, request: RefuellingRequest) -> int | None:
+        """The receiver of one tanker."""
+        return self.assign(request).get(request.tanker.sysid)
+
+    def assign(self, request: RefuellingRequest) -> dict[int, int]:
+        """Receivers by tanker."""
+        views: dict[int, VehicleView] = {view.sysid: view for view in request.candidates}
+        found: dict[int, int] = {}
+        for tanker in _by_id(request.free_tankers):
+            waiting = self._left.get(tanker.sysid, [])
+            while waiting and waiting[0].end_s < request.time_s:
+                waiting.pop(0)
+            receiver = waiting[0].receiver if waiting else None
+            if receiver is None or receiver not in views or receiver in found.values():
+                continue
+            giver = next((one for one in request.givers if one.name == tanker.sysid), None)
+            way_s = 0.0 if giver is None else giver.way_s(views[receiver])
+            if request.time_s + way_s + EARLY_S >= waiting[0].start_s or math.isinf(way_s):
+                waiting.pop(0)
+                found[tanker.sysid] = receiver
+        return found
+
+
+def _by_id(views: Iterable[VehicleView]) -> list[VehicleView]:
+    return sorted(views, key=lambda view: view.sysid)

@@ -1,0 +1,160 @@
+"""Judges a schedule of an instance: whether it can be carried out, which receivers are lost and when, energy and way.
+
+It shares no code with what makes schedules, needs Python alone, and runs by itself as well:
+
+    python verifier.py INSTANCE.json SCHEDULE.json
+
+The rules stand in docs/refuelling-benchmark.md#rules. SI, NED.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from itertools import pairwise
+from math import inf, isfinite, sqrt
+from pathlib import Path
+from typing import Any
+
+TOLERANCE = 1e-6
+"""Of times in s, places in m and, times the capacity, of energies in J: schedules are made of rounded numbers."""
+Corners = list[tuple[float, float]]
+"""(time, level) of a line that is straight between them."""
+
+
+def distance(a: list[float], b: list[float]) -> float:
+    return sqrt(sum((x - y) ** 2 for x, y in zip(a, b, strict=True)))
+
+
+def place(path: Any, t_s: float) -> list[float]:
+    """Where a path (corners t, n, e, d) is at a time; before its first corner and after its last one it stands."""
+    for (t0, *p0), (t1, *p1) in pairwise(path):
+        if t0 <= t_s <= t1 and t1 > t0:
+            return [a + (b - a) * (t_s - t0) / (t1 - t0) for a, b in zip(p0, p1, strict=True)]
+    return path[0][1:] if t_s < path[0][0] else path[-1][1:]
+
+
+def followed(path: Any, begin_s: float, end_s: float) -> tuple[float, float]:
+    """Length of a path between two times, and its greatest speed there."""
+    corners = [begin_s, *(t for t, *_ in path if begin_s < t < end_s), end_s]
+    legs = [(t1 - t0, distance(place(path, t0), place(path, t1))) for t0, t1 in pairwise(corners)]
+    return sum(way for _, way in legs), max((way / s for s, way in legs if s > TOLERANCE), default=0.0)
+
+
+def levels(energy_j: float, powers: list[tuple[float, float, float]], horizon_s: float) -> Corners:
+    """Energy at each time at which a power changes: `powers` are (begin_s, end_s, watts), added up."""
+    times = sorted({0.0, horizon_s, *(t for b, e, _ in powers for t in (b, e) if 0.0 < t < horizon_s)})
+    found = [(0.0, energy_j)]
+    for t0, t1 in pairwise(times):
+        watts = sum(w for b, e, w in powers if b <= t0 and t1 <= e)
+        found.append((t1, found[-1][1] + watts * (t1 - t0)))
+    return found
+
+
+def first_below(corners: Corners, least_j: float, slack_j: float) -> float:
+    """When a level first falls below another; infinite where it never does."""
+    for (t0, e0), (t1, e1) in pairwise(corners):
+        if e1 < least_j - slack_j:
+            return t0 if e0 <= least_j else t0 + (t1 - t0) * (e0 - least_j) / (e0 - e1)
+    return inf
+
+
+def verify(instance: Any, schedule: Any) -> dict[str, Any]:
+    """The verdict as a dict: feasible, problems, lost, delivered_j, way_m, idle_s."""
+    horizon_s, setup_s, problems = instance["horizon_s"], instance["setup_s"], []
+    receivers = {one["id"]: one for one in instance["receivers"]}
+    tankers = {one["id"]: one for one in instance["tankers"]}
+    bases = {one["name"]: one for one in instance["bases"]}
+    powers = {id_: [(0.0, horizon_s, -one["power_w"])] for id_, one in {**receivers, **tankers}.items()}
+    busy: dict[Any, list[tuple[float, float, str]]] = {id_: [] for id_ in (*receivers, *tankers, *bases)}
+    stock = {name: base["stock_j"] for name, base in bases.items()}
+    stops: dict[int, list[Any]] = {id_: [] for id_ in tankers}
+    ends = []
+
+    for k, service in enumerate(schedule["services"]):
+        receiver, tanker, base = (service.get(key) for key in ("receiver", "tanker", "base"))
+        start_s, end_s, energy_j = service["start_s"], service["end_s"], service["energy_j"]
+        what = f"service {k}"
+        parties = [one for one in (receiver, tanker, base) if one is not None]
+        if len(parties) != 2 or any(one not in busy for one in parties):
+            problems.append(f"{what} needs two of receiver, tanker and base, each of the instance")
+            continue
+        if receiver not in (None, *receivers) or tanker not in (None, *tankers):
+            problems.append(f"{what} takes a tanker for a receiver, or a receiver for a tanker")
+            continue
+        begin_s, back_s = (service["leave_s"], service["back_s"]) if tanker is None else (start_s, end_s)
+        if not 0.0 <= begin_s <= start_s <= end_s <= back_s or end_s > horizon_s + TOLERANCE or energy_j < 0.0:
+            problems.append(f"{what} has times or an energy that cannot be")
+            continue
+        rate_w = instance["rate_w"] if base is None else bases[base]["rate_w"]
+        flows_s = end_s - start_s - setup_s
+        if energy_j > rate_w * max(flows_s, 0.0) * (1.0 + TOLERANCE):
+            problems.append(f"{what} transfers {energy_j:g} J in {max(flows_s, 0.0):g} s, more than {rate_w:g} W")
+            continue
+        flow_w = energy_j / flows_s if energy_j else 0.0
+        takes, gives = (tanker, base) if receiver is None else (receiver, tanker)
+        powers[takes].append((start_s + setup_s, end_s, flow_w))
+        if base is None:
+            powers[gives].append((start_s + setup_s, end_s, -flow_w))
+        else:
+            stock[base] -= energy_j
+            powers[takes].append((start_s, end_s, (receivers | tankers)[takes]["power_w"]))  # it stands there
+        for one in parties:
+            busy[one].append((start_s, end_s, what) if one == base else (begin_s, back_s, what))
+        if tanker is not None:
+            stops[tanker].append((start_s, end_s, receivers[receiver]["path"] if base is None else None, base, what))
+        else:
+            one = receivers[receiver]
+            for s, t_s in ((start_s - begin_s, begin_s), (back_s - end_s, back_s)):
+                if distance(place(one["path"], t_s), bases[base]["position_m"]) > one["speed_m_s"] * s + TOLERANCE:
+                    problems.append(f"{what}: receiver {receiver} cannot fly between its path and {base} in {s:g} s")
+        if receiver is not None:
+            ends.append((receiver, end_s, what))
+
+    for one, times in busy.items():
+        times.sort()
+        for (_, end_s, first), (start_s, _, second) in pairwise(times):
+            if start_s < end_s - TOLERANCE:
+                problems.append(f"{second} of {one} begins at {start_s:g} s, before {first} ends")
+    for name, left_j in stock.items():
+        if left_j < -TOLERANCE * bases[name]["stock_j"]:
+            problems.append(f"{name} gives {-left_j:g} J more than it has")
+
+    way_m, idle_s = 0.0, 0.0
+    for id_, tanker in tankers.items():
+        at, free_s = tanker["position_m"], 0.0
+        for start_s, end_s, path, base, what in sorted(stops[id_], key=lambda stop: stop[:2]):
+            there = place(path, start_s) if base is None else bases[base]["position_m"]
+            leg_m = distance(at, there)
+            if leg_m > tanker["speed_m_s"] * (start_s - free_s) + TOLERANCE:
+                problems.append(f"{what}: tanker {id_} cannot fly {leg_m:.2f} m in {start_s - free_s:.2f} s")
+            along_m, speed_m_s = followed(path, start_s, end_s) if base is None else (0.0, 0.0)
+            if speed_m_s > tanker["speed_m_s"] + TOLERANCE:
+                problems.append(f"{what}: tanker {id_} cannot follow a receiver at {speed_m_s:g} m/s")
+            way_m, idle_s = way_m + leg_m + along_m, idle_s + start_s - free_s - leg_m / tanker["speed_m_s"]
+            at, free_s = place(path, end_s) if base is None else there, end_s
+        idle_s += horizon_s - free_s
+
+    lost, fell_s = [], {}
+    for id_, one in {**receivers, **tankers}.items():
+        corners, slack_j = levels(one["energy_j"], powers[id_], horizon_s), TOLERANCE * one["capacity_j"]
+        least_j = one["lands_at_j"] if id_ in receivers else one["reserve_j"]
+        fell_s[id_] = first_below(corners, least_j, slack_j)
+        if any(e > one["capacity_j"] + slack_j for t, e in corners if t <= fell_s[id_]):
+            problems.append(f"vehicle {id_} gets more than it holds")
+        if isfinite(fell_s[id_]) and id_ in receivers:
+            lost.append({"receiver": id_, "at_s": round(fell_s[id_], 6)})
+        elif isfinite(fell_s[id_]):
+            problems.append(f"tanker {id_} is below its reserve at {fell_s[id_]:.2f} s")
+    for receiver, end_s, what in ends:
+        if fell_s[receiver] < end_s - TOLERANCE:
+            problems.append(f"{what}: receiver {receiver} is lost at {fell_s[receiver]:.2f} s, before it ends")
+    delivered_j = sum(one["energy_j"] for one in schedule["services"] if one.get("receiver") is not None)
+    return {"feasible": not problems, "problems": problems, "lost": sorted(lost, key=lambda one: one["at_s"]),
+            "delivered_j": delivered_j, "way_m": way_m, "idle_s": idle_s}  # fmt: skip
+
+
+if __name__ == "__main__":
+    verdict = verify(*(json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3]))
+    print(json.dumps(verdict, indent=1))
+    sys.exit(0 if verdict["feasible"] else 1)

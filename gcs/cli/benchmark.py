@@ -1,0 +1,153 @@
+"""`gcs benchmark`: refuelling instances, and judgements of schedules."""
+
+# ruff: noqa: PLC0415 - so that `gcs --help` answers at once
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from gcs.cli.author import SET, ScenarioName, load_scenario
+from skytender.exit import BAD_INPUT, DONE, NOT_DONE
+
+FILE = click.Path(path_type=Path, dir_okay=False, exists=True)
+
+
+@click.group(short_help="Make refuelling instances, and judge schedules of them.")
+def benchmark() -> None:
+    """Refuelling schedules of any program, compared: instances, and an independent verifier.
+
+    The format, the rules and how sessions are turned into instances: docs/refuelling-benchmark.md.
+    """
+
+
+@benchmark.command(short_help="Write the 300 instances into a folder.")
+@click.argument("folder", type=click.Path(path_type=Path, file_okay=False))
+@click.option("--kind", type=click.Choice(("tankers", "reloads", "bases")), help="Only these 100.")
+def make(folder: Path, kind: str | None) -> int:
+    """Write the instances into FOLDER, a JSON file each; the same bytes on every machine.
+
+    \b
+    Examples:
+      gcs benchmark make instances
+      gcs benchmark make instances --kind reloads
+
+    \b
+    Exit status:
+      0    they were written
+      2    FOLDER cannot be written
+    """
+    from gcs.benchmark.format import raw
+    from gcs.benchmark.generator import instances
+
+    count = 0
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for one in instances():
+            if kind in (None, one.kind):
+                (folder / f"{one.name}.json").write_bytes(raw(one))
+                count += 1
+    except OSError as error:
+        raise click.UsageError(f"{error.filename or folder} cannot be written: {error.strerror}.") from None
+    click.echo(f"{count} instances in {folder}")
+    return DONE
+
+
+@benchmark.command(short_help="Say whether a schedule can be carried out, and which vehicles it loses.")
+@click.argument("instance", type=FILE)
+@click.argument("schedule", type=FILE)
+@click.option("--json", "as_json", is_flag=True, help="The verdict as one JSON object.")
+def verify(instance: Path, schedule: Path, as_json: bool) -> int:
+    """Judge SCHEDULE, which any program may have made, of INSTANCE.
+
+    \b
+    Examples:
+      gcs benchmark verify instances/tankers-042.json mine.json
+      gcs benchmark verify instances/tankers-042.json mine.json --json
+
+    \b
+    Exit status:
+      0    it can be carried out
+      1    it cannot; the reasons are printed
+      2    a file cannot be read
+    """
+    from gcs.benchmark import format, verifier
+
+    try:
+        given, made = format.read(instance, format.Instance), format.read(schedule, format.Schedule)
+    except format.FormatError as error:
+        click.echo(f"gcs: {error}", err=True)
+        return BAD_INPUT
+    if made.instance != given.name:
+        click.echo(f"gcs: {schedule} is a schedule of {made.instance!r}, and {instance} is {given.name!r}", err=True)
+        return BAD_INPUT
+    verdict = verifier.verify(format.plain(given), format.plain(made))
+    if as_json:
+        click.echo(json.dumps(verdict))
+        return DONE if verdict["feasible"] else NOT_DONE
+    for problem in verdict["problems"]:
+        click.echo(problem)
+    if verdict["feasible"]:
+        lost = ", ".join(f"{one['receiver']} at {one['at_s']:.1f} s" for one in verdict["lost"])
+        click.echo(f"feasible: lost {len(verdict['lost'])} of {len(given.receivers)}{f' ({lost})' if lost else ''}")
+        click.echo(
+            f"delivered {verdict['delivered_j'] / 1e3:.1f} kJ, tankers flew {verdict['way_m']:.1f} m, "
+            f"waited {verdict['idle_s']:.1f} s"
+        )
+    else:
+        click.echo(f"not feasible: {len(verdict['problems'])} problems")
+    return DONE if verdict["feasible"] else NOT_DONE
+
+
+@benchmark.command(short_help="The instance of a session's start.")
+@click.argument("scenario", type=ScenarioName())
+@SET
+def instance(scenario: str, settings: tuple[str, ...]) -> int:
+    """Print the instance of a session of SCENARIO that begins now, for a scheduler of yours.
+
+    \b
+    Examples:
+      gcs benchmark instance demo >demo.json
+
+    \b
+    Exit status:
+      0    it was printed
+      2    the scenario is wrong
+    """
+    from gcs.benchmark.format import raw
+    from gcs.benchmark.sessions import instance_of
+
+    click.echo(raw(instance_of(load_scenario(scenario, settings))).decode(), nl=False)
+    return DONE
+
+
+@benchmark.command(short_help="The scenario that flies an instance.")
+@click.argument("instance", type=FILE)
+def scenario(instance: Path) -> int:
+    """Print a scenario whose session flies INSTANCE in lockstep.
+
+    A program flies it by a schedule: gcs.Session("scenario.yaml", lockstep=True, policy=Scheduled(schedule)), with
+    `Scheduled` of gcs.benchmark.sessions.
+
+    \b
+    Examples:
+      gcs benchmark scenario instances/tankers-042.json >tight.yaml
+      gcs run tight.yaml --lockstep
+
+    \b
+    Exit status:
+      0    it was printed
+      2    the file cannot be read
+    """
+    from gcs.benchmark import format
+    from gcs.benchmark.sessions import document_of
+    from gcs.scenario.document import emit
+
+    try:
+        click.echo(emit(document_of(format.read(instance, format.Instance))), nl=False)
+    except format.FormatError as error:
+        click.echo(f"gcs: {error}", err=True)
+        return BAD_INPUT
+    return DONE

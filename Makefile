@@ -53,9 +53,10 @@ test: $(DEV_READY) $(PEERS_READY)
 	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
 # What a release needs, as far as it needs no network: lint, types and the fast tests; the source archive, and of it a
-# wheel that flies the demo; the recipes for other repositories; one version everywhere.
+# wheel that flies the demo; the recipes for other repositories, for containers and for conda; action, workflows and
+# container as their linters want them; what the release's last job does; one version everywhere.
 release-check: check
-	@$(VENV)/bin/python -m pytest tests/system/test_wheel.py tests/test_compiled.py
+	@$(VENV)/bin/python -m pytest tests/test_compiled.py $(addprefix tests/system/test_,wheel.py container.py release.py)
 
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks

@@ -93,7 +93,7 @@ def test_a_release_has_wheels_of_each_python_for_both_processors() -> None:
 
 @pytest.fixture
 def published(tmp_path: Path) -> Path:
-    """A folder as the release's last job has it, with what the other jobs have made; gh notes what it is called with."""
+    """A folder as the release's last job has it, with what other jobs have made; gh notes what it is called with."""
     made = {
         "skytender-0.1.0.tar.gz", "skytender-0.1.0-cp312-cp312-manylinux_2_28_x86_64.whl",
         "skytender-0.1.0-cp312-cp312-manylinux_2_28_aarch64.whl", "skytender-docs.tar.gz",

@@ -44,7 +44,7 @@ check: $(DEV_READY)
 
 # The tests are imported once before they run, and what is compiled then is kept: else each worker would compile all of
 # it. Many tests wait for real time: four workers for each of two processors keep those busy. mypy runs beside them.
-test: $(DEV_READY) $(PEERS_READY)
+test: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \
@@ -123,7 +123,7 @@ $(PEERS_READY): tests/peers/constraints.txt
 	  then touch $@; \
 	  else { echo "MAVSDK and MAVProxy could not be installed:"; tail -n 1 $(PEERS)/pip.log; } | tee $(PEERS)/missing; fi
 
-# What builds the documentation's site, which only `make docs` needs.
+# What builds the documentation's site, for `make docs` and the test that builds it.
 $(DOCS_READY): docs/.site/requirements.txt
 	@echo "[docs] installing the documentation's builder in $(DOCS)"
 	@rm -rf $(DOCS)

@@ -15,9 +15,14 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
+
+import generate
+import yaml
 
 HERE = Path(__file__).resolve().parent
 DOCS, ROOT = HERE.parent, HERE.parent.parent
+REFERENCE = "reference/"
 MISSING = """\
 The documentation's builder is not installed in {python}.
 Install it with: {python} -m pip install -r docs/.site/requirements.txt"""
@@ -36,18 +41,32 @@ def main() -> int:
     stage = options.into.resolve()
     shutil.rmtree(stage, ignore_errors=True)
     shutil.copytree(DOCS, stage / "docs", ignore=shutil.ignore_patterns(".*", "*.py"))
-    config = (HERE / "mkdocs.yml").read_text(encoding="utf-8").replace("ROOT", str(ROOT))
-    (stage / "mkdocs.yml").write_text(config, encoding="utf-8")
-    steps = (
-        [sys.executable, str(HERE / "generate.py"), str(stage / "docs" / "reference")],
-        [builder, "-m", "zensical", "build", "--strict", "--clean", "--config-file", "mkdocs.yml"],
-    )
-    for step in steps:
-        if status := subprocess.run(step, cwd=stage, check=False).returncode:
-            return status
+    generate.write(stage / "docs" / "reference")
+    config = yaml.safe_load((HERE / "mkdocs.yml").read_text(encoding="utf-8").replace("ROOT", str(ROOT)))
+    config["nav"] = with_generated(config["nav"])
+    (stage / "mkdocs.yml").write_text(yaml.safe_dump(config, sort_keys=False), encoding="utf-8")
+    step = [builder, "-m", "zensical", "build", "--strict", "--clean", "--config-file", "mkdocs.yml"]
+    if status := subprocess.run(step, cwd=stage, check=False).returncode:
+        return status
     link_citations(stage / "site" / "python-api.html")
     print(stage / "site" / "index.html")
     return 0
+
+
+def with_generated(navigation: Any) -> Any:
+    """The navigation, in which a folder of generated pages stands for all of them in their order."""
+    if isinstance(navigation, list):
+        return [with_generated(part) for part in navigation]
+    if isinstance(navigation, dict):
+        return {title: with_generated(part) for title, part in navigation.items()}
+    if not navigation.endswith("/"):
+        return navigation
+    folder = navigation.removeprefix(REFERENCE)
+    return [
+        {"Overview" if name == f"{folder}index.md" else text.partition("\n")[0].removeprefix("# "): REFERENCE + name}
+        for name, text in generate.pages().items()
+        if name.startswith(folder) and name.endswith(".md")
+    ]
 
 
 def link_citations(page: Path) -> None:

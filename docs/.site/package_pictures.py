@@ -1,11 +1,12 @@
-"""The page and the pictures of the packages: which module imports which, and what each holds, read from the code."""
+"""The pages and the pictures of the packages: which module imports which, and what each holds, read from the code."""
 
 from __future__ import annotations
 
 import ast
-import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+
+from cells import UP, cell, escaped, prose
 
 PROGRAMS = ("gcs", "simvehicle")
 SHARED = "skytender"
@@ -15,7 +16,7 @@ MOST_IN_A_ROW = 6
 
 
 def pages(root: Path) -> dict[str, str]:
-    """Text of the page and of each picture, by the file's name; `root` is the folder of the packages."""
+    """Text of each page and picture, by the file's name; `root` is the folder of the packages."""
     modules = modules_of(root, (*PROGRAMS, SHARED))
     imports = imports_by_module(modules)
     graph = imports_by_package(imports)
@@ -28,7 +29,17 @@ def pages(root: Path) -> dict[str, str]:
     for package in graph:
         if len(own := inside(imports, package)) > 1:
             pictures[picture_of(package)] = drawing(own, most_in_a_row=MOST_IN_A_ROW)
-    return {"packages.md": page(root, graph, modules, pictures), **pictures}
+    with_page = sorted(name for name in graph if modules[name].name == "__init__.py")
+    texts = {
+        page_of(name): package_page(root, name, graph, modules, drawn=picture_of(name) in pictures)
+        for name in with_page
+    }
+    return {"index.md": overview(graph, with_page), **texts, **pictures}
+
+
+def page_of(package: str) -> str:
+    """Name of a package's page."""
+    return f"{package.replace('.', '-')}.md"
 
 
 def picture_of(package: str) -> str:
@@ -98,30 +109,37 @@ def imported_modules(tree: ast.AST, modules: Iterable[str]) -> Iterator[str]:
         yield from (name for name in compiled if name in known)
 
 
-def page(root: Path, graph: Mapping[str, set[str]], modules: Mapping[str, Path], pictures: Mapping[str, str]) -> str:
-    """The pictures, and the same as tables, with what each module holds."""
+def overview(graph: Mapping[str, set[str]], with_page: Collection[str]) -> str:
+    """The page of all packages: the pictures of the programs, and the same as a table."""
     lines = [
         "# Packages",
         "",
-        "Which package imports which and what each module holds, read from the code. Each box stands above what it",
-        "imports; lines that follow from others are left out, and red ones close a circle. `gcs` and `simvehicle`",
-        "never import each other; by these two names the pictures mean their `__init__`, `__main__` and, in `gcs`, the",
-        "pytest plugin. [Architecture](../contributing/architecture.md) explains how the parts work together.",
+        "Which package imports which, read from the code; each package's own page says what its modules hold. Each box",
+        "stands above what it imports; lines that follow from others are left out, and red ones close a circle. `gcs`",
+        "and `simvehicle` never import each other; by these two names the pictures mean their `__init__`, `__main__`",
+        f"and, in `gcs`, the pytest plugin. [Architecture]({UP}contributing/architecture.md) explains how the parts",
+        "work together.",
         "",
         *(line for program in PROGRAMS for line in (f"![Packages of {program}](packages-{program}.svg)", "")),
         "| package | imports |",
         "|---|---|",
     ]
-    lines += [f"| `{name}` | {', '.join(f'`{other}`' for other in sorted(graph[name]))} |" for name in sorted(graph)]
-    for package in sorted(name for name in graph if modules[name].name == "__init__.py"):
-        lines += ["", f"## {package}", "", summary_of(modules[package]), ""]
-        if picture_of(package) in pictures:
-            lines += [f"![Modules of {package}]({picture_of(package)})", ""]
-        lines += ["| module | content |", "|---|---|"]
-        own = (name for name in modules if name != package and package_of(name) == package)
-        beside = (name for name in graph if name.rpartition(".")[0] == package and modules[name].name != "__init__.py")
-        for path in (modules[name] for name in sorted((*own, *beside))):
-            lines.append(f"| `{path.relative_to(root).as_posix()}` | {summary_of(path)} |")
+    for name in sorted(graph):
+        shown = f"[`{name}`]({page_of(name)})" if name in with_page else f"`{name}`"
+        lines.append(f"| {shown} | {', '.join(f'`{other}`' for other in sorted(graph[name]))} |")
+    return "\n".join(lines) + "\n"
+
+
+def package_page(root: Path, package: str, graph: Collection[str], modules: Mapping[str, Path], drawn: bool) -> str:
+    """A package's page: the picture of its modules, if there is one, and what each holds."""
+    lines = [f"# {package}", "", summary_of(modules[package]), ""]
+    if drawn:
+        lines += [f"![Modules of {package}]({picture_of(package)})", ""]
+    lines += ["| module | content |", "|---|---|"]
+    own = (name for name in modules if name != package and package_of(name) == package)
+    beside = (name for name in graph if name.rpartition(".")[0] == package and modules[name].name != "__init__.py")
+    for path in (modules[name] for name in sorted((*own, *beside))):
+        lines.append(f"| `{path.relative_to(root).as_posix()}` | {summary_of(path)} |")
     return "\n".join(lines) + "\n"
 
 
@@ -211,24 +229,3 @@ def implied(graph: Mapping[str, set[str]], a: str, b: str) -> bool:
             seen.add(name)
             waiting += graph[name]
     return False
-
-
-def prose(text: str) -> str:
-    """A docstring as Markdown: what it cites of docs/ becomes a link."""
-    text = " ".join(text.split())
-
-    def link(match: re.Match[str]) -> str:
-        page, anchor = match["page"], match["anchor"] or ""
-        return f"[{(anchor or page).lstrip('#').replace('-', ' ')}](../{page}.md{anchor})"
-
-    return re.sub(r"docs/(?P<page>[a-z/-]+)\.md(?P<anchor>#[a-z0-9-]+)?", link, text)
-
-
-def cell(text: str) -> str:
-    """Text that a table's cell can hold."""
-    return text.replace("|", "\\|").replace("\n", " ")
-
-
-def escaped(text: str) -> str:
-    """Text without accidental Markdown."""
-    return re.sub(r"([\[\]<>*_])", r"\\\1", text)

@@ -22,17 +22,22 @@ if TYPE_CHECKING:
     from gcs.recording.summary import Summary
     from gcs.refuelling.policies import RefuellingPolicy, RefuellingRequest
     from gcs.report.opened import Recording, RecordingError, open
+    from gcs.scenario.faults import Fault
     from gcs.scenario.file import load
     from gcs.scenario.model import Scenario, ScenarioError
+    from gcs.scenario.parts.surroundings import Attractor, Obstacle
     from gcs.scenario.parts.trust import TrustError
     from gcs.session.arrays import Snapshot
     from gcs.session.python import Session, SessionError
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
 
 __all__ = [
+    "Attractor",
     "Campaign",
+    "Fault",
     "FleetSnapshot",
     "MissingExtra",
+    "Obstacle",
     "PursuerPlanner",
     "Recording",
     "RecordingError",
@@ -57,9 +62,12 @@ check("skytender")
 check("gcs")
 
 _HOME = {
+    "Attractor": "scenario.parts.surroundings",
     "Campaign": "campaign.python",
+    "Fault": "scenario.faults",
     "FleetSnapshot": "telemetry.state",
     "MissingExtra": "extras",
+    "Obstacle": "scenario.parts.surroundings",
     "PursuerPlanner": "planner.request",
     "Recording": "report.opened",
     "RecordingError": "report.opened",

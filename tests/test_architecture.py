@@ -168,6 +168,7 @@ def test_top_level_holds_nothing_else() -> None:
         "MANIFEST.in",
         "SECURITY.md",
         "action.yml",
+        "conda",
         "setup.py",
         "skytender",
     }

@@ -34,6 +34,7 @@ from gcs.planner.request import PursuerPlanner
 from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
 from gcs.refuelling.policies import RefuellingPolicy
+from gcs.scenario.faults import Fault
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import reached
@@ -222,17 +223,16 @@ class Session:
         sent = self._sent[self._commands] = SentCommand(self._commands, sysid, name, text)
         return sent
 
-    def inject(self, fault: Mapping[str, Any]) -> None:
+    def inject(self, fault: Fault | Mapping[str, Any]) -> None:
         """Let a fault happen, with the next tick or at `at_s`.
 
-        fault: a scenario's fault (docs/protocol/radio.md#faults), such as {"fault": "motor", "sysid": 3}; without
-        `between_s` and `chance`, since nothing is drawn in flight. `kill` and `hang` need a vehicle with a process of
-        its own. Raises SessionError where there is no such fault, or it cannot befall that vehicle.
+        fault: one, `gcs.Fault(fault="motor", sysid=3)`, or the keys that a scenario gives it, {"fault": "motor",
+        "sysid": 3} (docs/protocol/radio.md#faults); without `between_s` and `chance`, since nothing is drawn in flight.
+        `kill` and `hang` need a vehicle with a process of its own. Raises ValueError for a vehicle that is not there,
+        SessionError where there is no such fault, or it cannot befall that vehicle.
         """
         self._check_acts()
-        if isinstance(fault, Mapping) and fault.get("sysid") is not None:
-            acting.known(fault["sysid"], self._sysids)
-        self._ask({"command": INJECT, "fault": dict(fault) if isinstance(fault, Mapping) else repr(fault)})
+        self._ask({"command": INJECT, "fault": acting.keys_of(fault, self._sysids)})
 
     @property
     def obstacles(self) -> Bodies[Obstacle]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -144,7 +145,8 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
     content = small(goal={"duration_s": 40.0, "refuelled_at_least": 0})
     content["vehicles"]["pursuers"].append({"sysid": 2, "start_m": [4, 3, 0], "battery": {"capacity_j": 24000}})
     path, digests = write(tmp_path, content), []
-    for name in ("first", "second"):
+    made: dict[str, Callable[..., Any]] = {"keys": dict, "objects": gcs.Fault}
+    for name, fault_of in made.items():
         with gcs.Session(path, lockstep=True, out=tmp_path / name) as session:
             while (before := session.step()).time_s < 8.0:
                 pass
@@ -156,7 +158,7 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
                 {"fault": "battery", "sysid": 1, "share": 0.1},
                 {"fault": "gps_jump", "sysid": 101, "jump_m": [1.0, 2.0], "for_s": 3.0},
             ):
-                session.inject(fault)
+                session.inject(fault_of(**fault))
             while (snapshot := session.step()).time_s < 10.0:
                 pass
             truth = session.truth
@@ -221,6 +223,7 @@ def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
             ({"fault": "motor", "sysid": 1, "at_s": 0.0}, "at_s is 0, which is past: the next tick is at 0.1 s"),
             ({"fault": "motor", "sysid": 1, "at_s": 90.0}, "begins at 90 s, which is not before duration_s"),
             ({"fault": "kill", "sysid": 1}, "vehicle 1 shares its process with others: kill needs"),
+            (gcs.Fault(fault="motor", sysid=1, chance=0.5), "has no chance: nothing is drawn in flight"),
             ("motor", "a fault is a block of keys"),
         ):
             with pytest.raises(gcs.SessionError, match=sentence):

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from gcs.planner.request import FARTHEST
 from gcs.scenario.document import did_you_mean
+from gcs.scenario.faults import Fault
 from gcs.supervisor.operator import COMMANDS
 from skytender import mavlink as mav
 
@@ -121,3 +122,17 @@ def _listed(sysids: Collection[int]) -> str:
         else:
             parts.append([sysid])
     return ", ".join(" to ".join(map(str, part)) for part in parts)
+
+
+def keys_of(fault: Fault | Mapping[str, Any], sysids: Collection[int]) -> Any:
+    """The keys of a fault; of what is none, how it is written, for the session's refusal.
+
+    Raises ValueError where it names a vehicle that is not there.
+    """
+    if isinstance(fault, Fault):
+        fault = fault.model_dump(mode="json", exclude_unset=True)
+    if not isinstance(fault, Mapping):
+        return repr(fault)
+    if fault.get("sysid") is not None:
+        known(fault["sysid"], sysids)
+    return dict(fault)

@@ -77,7 +77,7 @@ docs: $(DEV_READY) $(DOCS_READY)
 picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
 
-# The pictures of docs/gallery.md, by flights; needs Chromium. GALLERY="demo paper/example1" makes only these.
+# The pictures of docs/gallery.md and of how-to pages, by flights; needs Chromium. GALLERY="demo act" makes only these.
 gallery: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/gallery.py $(GALLERY)
 

@@ -1,10 +1,10 @@
-"""The gallery shows every scenario that ships, by a picture that a flight of it made."""
+"""The gallery shows every scenario that ships, and how-to pages what they fly, by pictures that `make gallery` made."""
 
 from __future__ import annotations
 
 import re
 
-from pages import DOCS
+from pages import DOCS, PAGES, files, run_lines
 
 from gcs.campaign.file import shipped_names as shipped_campaigns
 from gcs.scenario.file import load, shipped_folder, shipped_names
@@ -15,6 +15,7 @@ SHOWN = re.compile(
     r"`gcs run (?P<flown>[\w/-]+)`: .+\.$",
     re.M,
 )
+OF_PAGE = re.compile(r'\]\(\.\./gallery/([\w-]+)\.webp "([^"]+)"\)')
 LARGEST_BYTES = 60_000
 
 
@@ -33,9 +34,26 @@ def test_each_shipped_campaign_is_named() -> None:
 
 def test_pictures_are_small_and_all_are_shown() -> None:
     pictures = sorted((DOCS / "gallery").iterdir())
-    pages = "".join(page.read_text(encoding="utf-8") for page in DOCS.glob("*.md"))
+    shown = {
+        (page.parent / path).resolve()
+        for page in PAGES
+        for path in re.findall(r"!\[[^\]]+\]\(([\w./-]+\.webp)", page.read_text(encoding="utf-8"))
+    }
+    assert [path for path in shown if not path.exists()] == []
     for path in pictures:
-        assert f"(gallery/{path.name})" in pages, path
+        assert path in shown, path
         assert path.stat().st_size < LARGEST_BYTES, path
         assert (content := path.read_bytes())[:4] == b"RIFF"
         assert content[8:12] == b"WEBP"
+
+
+def test_pictures_of_how_to_pages_show_what_the_page_makes() -> None:
+    shown = 0
+    for page in (DOCS / "how-to").glob("*.md"):
+        for name, what in OF_PAGE.findall(page.read_text(encoding="utf-8")):
+            shown += 1
+            assert name == page.stem
+            made = [*run_lines(page), *files(page).values()]
+            folder = re.split(r" at \d+ s$|/", what)[0]
+            assert [line for line in made if re.search(rf"\b{re.escape(folder)}\b", line)], (page, what)
+    assert shown >= 4

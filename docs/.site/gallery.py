@@ -1,16 +1,21 @@
 """The pictures of docs/gallery: each scenario that docs/gallery.md shows is flown, and its report opened in Chromium.
 
-    python docs/.site/gallery.py [NAME …]     all of them without a name
+    python docs/.site/gallery.py [NAME …]     all of them without a name; a how-to page by its name, such as act
 
 A picture shows the fleet in space at the time that stands in its text, `![demo at 62 s](gallery/demo.webp)`, with the
 ways that were flown until then. Beside them are the whole page of the demo and its console, for the first hour.
+
+A how-to page is run as its tests run it, and its picture's title says what of that is shown: a session's folder at a
+time, a page or a figure, `![A battery](../gallery/read.webp "battery.png")`.
 """
 
 from __future__ import annotations
 
 import argparse
 import io
+import os
 import re
+import sys
 import tempfile
 from pathlib import Path
 
@@ -18,8 +23,14 @@ from picture import HEIGHT, READY, ROOT, SEEK, STYLE, opened, report, shrunk
 from picture import WIDTH as PAGE_WIDTH
 from PIL import Image
 
+sys.path.append(str(ROOT / "tests" / "support"))
+import pages  # it is with the tests that run what pages say
+
 DOCS = ROOT / "docs"
 SHOWN = re.compile(r"!\[(?P<name>[\w/-]+) at (?P<t_s>\d+) s\]\((?P<path>gallery/[\w-]+\.webp)\)")
+OF_PAGE = re.compile(r'!\[[^\]]+\]\(\.\./(?P<path>gallery/[\w-]+\.webp) "(?P<what>[^"]+)"\)')
+FLOWN = re.compile(r"(?P<folder>[\w-]+) at (?P<t_s>\d+) s")
+RUN_WITHIN_S = 400.0
 WIDTH, WIDE = 720, 880
 QUALITY = 60
 AWAY, FROM_AFAR = 3, (1600, 1000)
@@ -46,9 +57,31 @@ def main() -> None:
                 save(cropped(taken(page, float(match["t_s"]), SPACE, from_afar=True)), DOCS / match["path"], WIDTH)
                 if match["name"] == "demo":
                     save(taken(page, PAGE_AT_S, STYLE), DOCS / "gallery" / "page.webp", WIDE)
+    for path in sorted((DOCS / "how-to").glob("*.md")):
+        found = list(OF_PAGE.finditer(path.read_text(encoding="utf-8")))
+        if found and (not names or path.stem in names):
+            of_page(path, found)
     if not names:
         with opened(CONSOLE) as tab:
             save(tab.locator("svg").first.screenshot(), DOCS / "gallery" / "console.webp", WIDE)
+
+
+def of_page(path: Path, found: list[re.Match[str]]) -> None:
+    """Run a how-to page, and take its pictures."""
+    os.environ["PATH"] = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        pages.run(path, folder, RUN_WITHIN_S)
+        for match in found:
+            if flown := FLOWN.fullmatch(match["what"]):
+                page = report(path.stem, folder, folder / flown["folder"])
+                png, width = cropped(taken(page, float(flown["t_s"]), SPACE, from_afar=True)), WIDTH
+            elif match["what"].endswith(".html"):
+                with opened(folder / match["what"]) as tab:
+                    png, width = tab.screenshot(), WIDE
+            else:
+                png, width = (folder / match["what"]).read_bytes(), WIDTH
+            save(png, DOCS / match["path"], width)
 
 
 def taken(page: Path, t_s: float, style: str, *, from_afar: bool = False) -> bytes:

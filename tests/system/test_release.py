@@ -53,6 +53,14 @@ def test_action_workflows_and_container_are_as_their_linters_want(copy: Path) ->
     assert said(PROGRAMS / "hadolint", "Dockerfile", cwd=copy) == ""
 
 
+def test_forms_for_issues_and_the_citation_are_as_their_schemas_want() -> None:
+    forms = sorted((ROOT / ".github" / "ISSUE_TEMPLATE").glob("*.yml"))
+    config = [path for path in forms if path.stem == "config"]
+    assert said(*SCHEMA, "vendor.github-issue-forms", *(path for path in forms if path not in config), cwd=ROOT) == ""
+    assert said(*SCHEMA, "vendor.github-issue-config", *config, cwd=ROOT) == ""
+    assert said(*SCHEMA, "vendor.citation-file-format", "CITATION.cff", cwd=ROOT) == ""
+
+
 @pytest.mark.parametrize(
     ("name", "right", "wrong", "rule"),
     [

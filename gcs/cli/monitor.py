@@ -86,7 +86,12 @@ def monitor(
         raise click.UsageError("--key-file is for --connect: a session has the keys of its vehicles itself.")
     if not control and context.get_parameter_source("station") is click.core.ParameterSource.COMMANDLINE:
         raise click.UsageError("--station is for --control: without it nothing is said to any vehicle.")
-    source, title = _session(session) if connect is None else _monitor(connect, control, key_file, station)
+    report = None
+    if connect is None:
+        source, folder = _session(session)
+        title, report = folder.name, folder / "report.html"
+    else:
+        source, title = _monitor(connect, control, key_file, station)
     from gcs.console.terminal import usable
 
     if not (web or foxglove or plain or as_json) and usable():
@@ -97,7 +102,7 @@ def monitor(
 
     with contextlib.suppress(KeyboardInterrupt):
         if web:
-            page.show(source, commands=connect is None or control, tiles=tiles)
+            page.show(source, commands=connect is None or control, tiles=tiles, report=report)
         elif foxglove:
             page.show_in_foxglove(source)
         else:
@@ -105,8 +110,8 @@ def monitor(
     return 0
 
 
-def _session(session: Path | None) -> tuple[MessageSource, str]:
-    """The session in a folder, or the newest one. Raises click.UsageError where none runs."""
+def _session(session: Path | None) -> tuple[MessageSource, Path]:
+    """The session in a folder and that folder, or the newest one. Raises click.UsageError where none runs."""
     folder = session or _newest()
     if folder is None:
         raise click.UsageError("no session runs under sessions/; name the folder of one that does.")
@@ -116,7 +121,7 @@ def _session(session: Path | None) -> tuple[MessageSource, str]:
         Client(folder).close()
     except OSError:
         raise click.UsageError(f"no session runs in {folder}; `gcs run` starts one.") from None
-    return SessionSource(folder), folder.name
+    return SessionSource(folder), folder
 
 
 def _monitor(at: Endpoint, control: bool, key_file: Path | None, station: tuple[int, int]) -> tuple[MessageSource, str]:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import click
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from gcs.session.client import MessageSource
 
 WEB = click.option("--web", is_flag=True, help="A page in the browser instead of the console; the link is printed.")
@@ -71,12 +73,12 @@ def show_in_foxglove(source: MessageSource) -> None:
     serve(source, ready)
 
 
-def show(source: MessageSource, *, commands: bool, tiles: str | None = None) -> None:
-    """Serve a source's page until it ends. Raises KeyboardInterrupt on Ctrl-C."""
+def show(source: MessageSource, *, commands: bool, tiles: str | None = None, report: Path | None = None) -> None:
+    """Serve a source's page until it ends, and on where `report` is given. Raises KeyboardInterrupt on Ctrl-C."""
     from gcs.web.serve import serve
 
     def ready(links: Mapping[str, str]) -> None:
         print_links(links, commands=commands)
         click.echo("gcs: Ctrl-C ends it.", err=True)
 
-    serve(source, ready, tiles)
+    serve(source, ready, tiles, report)

@@ -18,7 +18,7 @@ from gcs.cli import author, page, report
 from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_arguments, show_warnings
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.cli.trust import TRUST
-from skytender.exit import BAD_INPUT, NOT_DONE
+from skytender.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
@@ -122,7 +122,7 @@ def run(
     neither.
 
     With --web the session is a page in the browser instead, in space and on a map, with the same commands; the terminal
-    tells it in lines.
+    tells it in lines. Where the page was opened it stays after the session's end, with the report, until Ctrl-C.
 
     \b
     Examples:
@@ -236,10 +236,12 @@ def run(
 
     with contextlib.ExitStack() as stack:
         view, echo = stack.enter_context(logged(shown, said, folder))
+        shown_page = None
         if web:
             from gcs.web.process import page_server
 
-            page.print_links(stack.enter_context(page_server(folder, tiles)), err=as_json)
+            shown_page = stack.enter_context(page_server(folder, tiles))
+            page.print_links(shown_page.links, err=as_json)
         stderr = getattr(shown, "stderr", None)
         status = fly(
             folder,
@@ -264,6 +266,8 @@ def run(
                 status = status or NOT_DONE
         if not no_report:
             report.after_run(folder, echo, status, hurried=hurry.is_set())
+        if shown_page is not None and status in (DONE, NOT_DONE, INTERRUPTED) and not hurry.is_set():
+            shown_page.stay(lambda: click.echo("gcs: the page stays, with the report; Ctrl-C ends it", err=True))
     return status
 
 

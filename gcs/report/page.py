@@ -27,7 +27,7 @@ from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
 
-FILE = "report.html"
+FILE = document.REPORT_FILE
 READ, MEASURED = 0.8, 0.9
 FLIGHT, OUTCOME = "paths", ("outcome", "Outcome", "")
 MOST_NAMED = 40

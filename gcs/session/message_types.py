@@ -51,6 +51,17 @@ class GoalStateRow(GoalRow):
     broken: list[BrokenRow]
 
 
+class PlanBRow(Struct):
+    """How a vehicle comes home by itself: on `return`, and where it loses the station."""
+
+    return_m: float
+    """height above its home at which it flies home"""
+    level_after_s: float
+    """of a timetable for the fleet: it climbs until then; 0: no timetable"""
+    down_after_s: float
+    """and comes down no earlier than then"""
+
+
 class MemberRow(Struct):
     """A vehicle, and its route."""
 
@@ -61,6 +72,8 @@ class MemberRow(Struct):
     path_ned: list[Vec3]
     colour: int
     """which of the palette's colours it has wherever it is drawn: its place in the scenario, from 0"""
+    plan_b: PlanBRow | UnsetType = UNSET
+    """unset: it returns by its own parameters, which are not known here"""
 
 
 class ObstacleRow(Struct):

@@ -12,6 +12,7 @@ from msgspec import UNSET, UnsetType
 from gcs.link.quality import LinkQuality
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
+from gcs.planner.failsafes import failsafes_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
@@ -30,6 +31,7 @@ from gcs.session.message_types import (
     GoalStateRow,
     MemberRow,
     ObstacleRow,
+    PlanBRow,
     PlanItemRow,
     PlanRow,
     Reply,
@@ -267,7 +269,7 @@ def session_message(
             control=control,
             separation_m=scenario.planner.separation_m,
             ring_m=scenario.formation.ring_m or None,
-            vehicles=[vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)],
+            vehicles=_members(scenario),
             obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=goal_of(scenario),
@@ -276,6 +278,15 @@ def session_message(
             wind=None if scenario.wind == CALM else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
+
+
+def _members(scenario: Scenario) -> list[MemberRow]:
+    members = [vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)]
+    failsafes = failsafes_of(scenario)
+    for member in members:
+        if (own := failsafes.get(member.sysid)) is not None:
+            member.plan_b = PlanBRow(own.altitude_m, own.level_after_s, own.down_after_s)
+    return members
 
 
 def plan_row(plan: MissionPlan, source: str, sysid: int | None, origin: Origin, home_alt_m: float | None) -> PlanRow:

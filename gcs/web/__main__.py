@@ -1,6 +1,7 @@
 """The page's server as a process of its own: `python -m gcs.web FOLDER PARENT [TILES]`, started by `gcs run --web`.
 
-It tells its links on standard output, as one line of JSON, and ends with the session, or with its parent.
+It tells its links on standard output, as one line of JSON. It ends with its parent, and with the session where no page
+was opened; else it stays, and shows the session's report.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import sys
 from pathlib import Path
 
 from gcs.session.client import SessionSource
+from gcs.web.document import REPORT_FILE
 from gcs.web.serve import serve
 from skytender.processes import end_with
 
@@ -21,7 +23,12 @@ def main(words: list[str]) -> int:
     folder, parent, *tiles = words
     end_with(int(parent), signal.SIGTERM)
     with contextlib.suppress(KeyboardInterrupt):
-        serve(SessionSource(Path(folder)), lambda links: print(json.dumps(links), flush=True), *tiles)
+        serve(
+            SessionSource(Path(folder)),
+            lambda links: print(json.dumps(links), flush=True),
+            tiles[0] if tiles else None,
+            Path(folder) / REPORT_FILE,
+        )
     return 0
 
 

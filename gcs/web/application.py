@@ -3,7 +3,8 @@ token.
 
 Bound to 127.0.0.1. A page of another origin gets nothing: Host must name this machine (against DNS rebinding), and the
 stream's Origin must be the page's own. The token is in the link's fragment, which no browser sends or logs; the page
-gives it as a WebSocket subprotocol. There are two: one shows, one commands too.
+gives it as a WebSocket subprotocol. There are two: one shows, one commands too. The session's report has an address
+that cannot be guessed either; only pages that have shown a token learn it.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import contextlib
 import hmac
 import secrets
 from collections.abc import Awaitable, Callable, Mapping
+from pathlib import Path
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
@@ -35,6 +37,10 @@ POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:{tiles}; connect-src 'self'; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
 )
+REPORT_POLICY = "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+"""Beside the policy that the report itself carries."""
+OF_REPORT = {"Content-Security-Policy": REPORT_POLICY}
+REPORT = "/report/"
 HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
@@ -49,15 +55,16 @@ Send = Callable[[Mapping[str, Any]], object]
 
 
 class Tokens(NamedTuple):
-    """Tokens that open the stream: with `command` it takes commands too."""
+    """Tokens that open the stream: with `command` it takes commands too. `report` opens the session's report alone."""
 
     command: str
     view: str
+    report: str
 
     @classmethod
     def fresh(cls) -> Tokens:
-        """Two tokens that cannot be guessed."""
-        return cls(secrets.token_urlsafe(18), secrets.token_urlsafe(18))
+        """Tokens that cannot be guessed."""
+        return cls(*(secrets.token_urlsafe(18) for _ in cls._fields))
 
     def commands(self, given: str) -> bool | None:
         """Whether this one lets a page command; None: it opens nothing."""
@@ -77,9 +84,20 @@ def application(
     send: Send,
     tiles: str | None = None,
     admit: Callable[[tuple[str, int] | None], object] = lambda _: None,
+    report: Path | None = None,
 ) -> Starlette:
     """The ASGI application; `send` takes the commands of pages that may command, `admit` the address of each client
-    that has shown a token."""
+    that has shown a token. `report` is the file of the session's report, once there is one."""
+
+    async def give_report(request: Request) -> Response:
+        given = str(request.path_params["token"])
+        if report is None or not hmac.compare_digest(given.encode(), tokens.report.encode()):
+            return PlainTextResponse("Not Found", 404)
+        try:
+            body = await asyncio.to_thread(report.read_bytes)
+        except OSError:
+            return PlainTextResponse("There is no report yet.\n", 404)
+        return Response(body, media_type="text/html; charset=utf-8")
 
     async def stream(socket: WebSocket) -> None:
         if not _own(socket.headers.get("origin"), socket.headers.get("host")):
@@ -99,6 +117,7 @@ def application(
         Route("/", _text(document.served(tiles), "text/html")),
         Route("/page.js", _text(document.built(document.SCRIPT), "text/javascript")),
         Route("/page.css", _text(document.built(document.STYLE), "text/css")),
+        Route(REPORT + "{token}", give_report),
         WebSocketRoute("/stream", stream),
     ]
     made = Starlette(routes=routes)
@@ -119,7 +138,7 @@ class _Guard:
     """Refuses requests to other host names, and gives every answer the headers."""
 
     def __init__(self, app: Any, headers: Mapping[str, str]) -> None:
-        self._app, self._headers = app, headers
+        self._app, self._headers = app, dict(headers)
 
     async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -135,7 +154,8 @@ class _Guard:
 
         async def guarded(message: Any) -> None:
             if message["type"] == "http.response.start":
-                message["headers"] += [(name.encode(), value.encode()) for name, value in self._headers.items()]
+                headers = self._headers | (OF_REPORT if scope["path"].startswith(REPORT) else {})
+                message["headers"] += [(name.encode(), value.encode()) for name, value in headers.items()]
             await send(message)
 
         await self._app(scope, receive, guarded)

@@ -16,6 +16,8 @@ from gcs.session.order_table import ORDERS
 from gcs.telemetry.health import CONDITIONS, Condition
 
 SCRIPT, STYLE = "page.js", "page.css"
+REPORT_FILE = "report.html"
+"""The report's name in a session's folder."""
 _PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark"><title>{title}</title><link rel="icon" href="data:,">

@@ -82,6 +82,7 @@ class Hub:
         self._session: dict[str, Any] | None = None
         self._newest: bytes | None = None
         self._end: bytes | None = None
+        self._report: bytes | None = None
         self._events: deque[Any] = deque(maxlen=MOST_EVENTS)
         self._event_count = 0
         self._past: list[tuple[float, bytes]] = []
@@ -94,6 +95,22 @@ class Hub:
     def ended(self) -> bool:
         """Whether the source has said its last word."""
         return self._end is not None
+
+    @property
+    def visited(self) -> bool:
+        """Whether a page has ever come."""
+        return self._number > 0
+
+    @property
+    def reported(self) -> bool:
+        """Whether there is a report to read."""
+        return self._report is not None
+
+    def report(self, path: str) -> None:
+        """Let all pages know where on this server the session's report is."""
+        self._report = self._encoder.encode({"type": "report", "path": path})
+        for listener in self._listeners.values():
+            listener.put(self._report)
 
     def take(self, messages: Iterable[Message]) -> None:
         """Pass on a message of the source."""
@@ -121,8 +138,9 @@ class Hub:
         wake()
         if self._newest is not None:
             listener.put(self._newest, replaceable=True)
-        if self._end is not None:
-            listener.put(self._end)
+        for line in (self._end, self._report):
+            if line is not None:
+                listener.put(line)
         return listener
 
     def leave(self, listener: PageListener) -> None:

@@ -7,7 +7,7 @@ import json
 import os
 import select
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from gcs.processes.forked import end
@@ -17,9 +17,27 @@ STARTS_WITHIN_S = 30.0
 ENDS_WITHIN_S = 3.0
 
 
+class PageServer:
+    """The process and its links; none where it could not be started."""
+
+    def __init__(self, process: subprocess.Popen[bytes], links: Mapping[str, str]) -> None:
+        self.links = links
+        self._process = process
+
+    def stay(self, staying: Callable[[], object]) -> None:
+        """After the session's end: until Ctrl-C where a page was opened, after a call of `staying`; else not at all."""
+        with contextlib.suppress(KeyboardInterrupt):
+            try:
+                self._process.wait(ENDS_WITHIN_S)  # without a page it ends by itself
+            except subprocess.TimeoutExpired:
+                staying()
+                self._process.wait()
+        self._process.terminate()
+
+
 @contextlib.contextmanager
-def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, str]]:
-    """Serve the session of `folder`, which need not fly yet, in this context; its links, none if that failed."""
+def page_server(folder: Path, tiles: str | None = None) -> Iterator[PageServer]:
+    """Serve the session of `folder`, which need not fly yet, in this context."""
     process = start_python(
         "gcs.web",
         *(str(folder), str(os.getpid()), *([] if tiles is None else [tiles])),
@@ -34,9 +52,9 @@ def page_server(folder: Path, tiles: str | None = None) -> Iterator[dict[str, st
         if select.select([out], [], [], STARTS_WITHIN_S)[0]:
             with contextlib.suppress(ValueError):
                 links = dict(json.loads(out.readline()))
-        yield links
+        yield PageServer(process, links)
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(ENDS_WITHIN_S)  # its pages learn how the session ended, and it ends by itself
+            process.wait(ENDS_WITHIN_S)  # its pages learn how the session ended
     finally:
         process.terminate()
         end(process, ENDS_WITHIN_S)

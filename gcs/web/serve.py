@@ -6,12 +6,13 @@ import asyncio
 import socket
 from collections import deque
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import uvicorn
 
 from gcs.session.client import MessageSource
-from gcs.web.application import Tokens, application
+from gcs.web.application import REPORT, Tokens, application
 from gcs.web.connection_limit import ConnectionLimit, protocol
 from gcs.web.hub import Hub
 
@@ -23,18 +24,25 @@ GRACE_S = 1
 def links(at: socket.socket, tokens: Tokens) -> dict[str, str]:
     """The links to print: `command` may command, `view` may look."""
     host, port = at.getsockname()
-    return {name: f"http://{host}:{port}/#token={token}" for name, token in tokens._asdict().items()}
+    opening = {"command": tokens.command, "view": tokens.view}
+    return {name: f"http://{host}:{port}/#token={token}" for name, token in opening.items()}
 
 
-def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], tiles: str | None = None) -> None:
+def serve(
+    source: MessageSource,
+    ready: Callable[[Mapping[str, str]], object],
+    tiles: str | None = None,
+    report: Path | None = None,
+) -> None:
     """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source.
 
-    tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it.
+    tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it. report: where the report of the source's
+    session will be; a server that has one goes on after the source's end, with the report, if a page was ever opened.
     """
     tokens, hub, places = Tokens.fresh(), Hub(), ConnectionLimit()
     orders: deque[Mapping[str, Any]] = deque()
     config = uvicorn.Config(
-        application(hub, tokens, orders.append, tiles, places.admit),
+        application(hub, tokens, orders.append, tiles, places.admit, report),
         http=protocol(places),
         log_level="critical",
         access_log=False,
@@ -50,6 +58,10 @@ def serve(source: MessageSource, ready: Callable[[Mapping[str, str]], object], t
     async def feed() -> None:
         await _feed(source, hub, orders)
         await asyncio.sleep(GRACE_S)
+        while report is not None and hub.visited:
+            if not hub.reported and await asyncio.to_thread(report.is_file):
+                hub.report(REPORT + tokens.report)
+            await asyncio.sleep(LOOK_EVERY_S)
         server.should_exit = True
 
     async def run(at: socket.socket) -> None:

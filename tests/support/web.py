@@ -8,6 +8,7 @@ import shutil
 import socket
 import threading
 from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import Any
 
 from patience import PATIENCE_S
@@ -112,11 +113,11 @@ class Stopping:
 
 
 @contextlib.contextmanager
-def served(source: MessageSource, tiles: str | None = None) -> Iterator[dict[str, str]]:
-    """The links of a source's page, while in the context."""
+def served(source: MessageSource, tiles: str | None = None, report: Path | None = None) -> Iterator[dict[str, str]]:
+    """The links of a source's page, while in the context; a server with a report ends there only if no page came."""
     links: queue.SimpleQueue[dict[str, str]] = queue.SimpleQueue()
     stopping = Stopping(source)
-    thread = threading.Thread(target=serve, args=(stopping, lambda told: links.put(dict(told)), tiles))
+    thread = threading.Thread(target=serve, args=(stopping, lambda told: links.put(dict(told)), tiles, report))
     thread.start()
     try:
         yield links.get(timeout=30)
@@ -190,10 +191,15 @@ def chromium() -> Iterator[Browser]:
 class Watched:
     """A page and what went wrong on it: exceptions, errors on its console, what it fetched."""
 
-    def __init__(self, browser: Browser, *, width: int = 1280, height: int = 800, dark: bool = False) -> None:
+    def __init__(
+        self, browser: Browser, *, width: int = 1280, height: int = 800, dark: bool = False, tour: bool = False
+    ) -> None:
+        """`tour`: the page is shown for the first time."""
         self.page: Page = browser.new_page(
             viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
         )
+        if not tour:
+            self.page.add_init_script("localStorage.setItem('skytender-tour', 'seen')")
         self.page.set_default_timeout(1e3 * PATIENCE_S)
         self.wrong: list[str] = []
         self.asked: list[str] = []

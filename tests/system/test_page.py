@@ -7,6 +7,7 @@ import json
 import math
 import re
 import shutil
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -75,6 +76,9 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         page.get_by_role("dialog").get_by_role("button", name="Yes").click()
         for seen in (page, other):
             expect(seen.get_by_role("alert")).to_contain_text("The session has ended: interrupted")
+        assert running.process.stderr is not None
+        assert "the page stays" in running.process.stderr.readline()
+        running.process.send_signal(signal.SIGINT)
         outcome = running.finish()
     finally:
         running.stop()

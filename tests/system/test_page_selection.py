@@ -107,3 +107,111 @@ def test_all_are_sent_home_from_wherever_the_page_stands(browser: Browser, width
         viewer = Watched(browser).flying(links["view"])
         expect(viewer.get_by_role("button", name="all: return")).to_be_hidden()
         viewer.close()
+
+
+def drawn(page: Page, view: str, sysid: int) -> tuple[float, float]:
+    """Where a view shows a vehicle, on the page."""
+    until(page, f"!skytender.{view}.dirty && !skytender.dirty")
+    at = page.locator(".picture").bounding_box()
+    assert at is not None
+    place = page.evaluate(f"skytender.{view}.places.find((one) => one.sysid === {sysid})")
+    return at["x"] + place["x"], at["y"] + place["y"]
+
+
+def drag(page: Page, a: tuple[float, float], b: tuple[float, float], *, spare: float = 10.0) -> None:
+    """From beyond one place to beyond another."""
+    (x0, x1), (y0, y1) = sorted((a[0], b[0])), sorted((a[1], b[1]))
+    page.mouse.move(x0 - spare, y0 - spare)
+    page.mouse.down()
+    page.mouse.move(x1 + spare, y1 + spare, steps=3)
+    expect(page.locator(".picture .box")).to_be_visible()
+    page.mouse.up()
+
+
+@pytest.mark.parametrize("view", ["map", "space"])
+def test_a_box_selects_in_the_picture_by_pointer_and_by_keys(browser: Browser, view: str) -> None:
+    """Seven vehicles stand in a row, 1 m apart."""
+    rows = fleet()
+    with served(Script(session(rows), snapshot(1.0, rows))) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        page.keyboard.press("m" if view == "map" else "3")
+        camera = "JSON.stringify([skytender.map.view, skytender.space.camera.position])"
+        first, third, fifth, sixth = (drawn(page, view, sysid) for sysid in (1, 3, 5, 6))
+        before = page.evaluate(camera)
+        page.get_by_role("button", name="box").click()
+        drag(page, first, third)
+        assert selected(page) == [1, 2, 3]
+        expect(page.get_by_role("button", name="box")).to_have_attribute("aria-pressed", "false")
+        page.keyboard.down("Shift")
+        drag(page, fifth, sixth)
+        page.mouse.click(*third)
+        page.keyboard.up("Shift")
+        assert selected(page) == [1, 2, 5, 6], "the box has joined them, the click has taken one out"
+        assert page.evaluate(camera) == before, "neither has moved the picture"
+        expect(page.locator(".picture .box")).to_be_hidden()
+        # by keys alone: the picture is moved until it shows what is meant
+        page.keyboard.press("Escape")
+        assert selected(page) == []
+        page.keyboard.press("b")
+        assert selected(page) == [1, 2, 3, 4, 5, 6, 7]
+        canvas = page.locator(f"canvas.{view}")
+        for _ in range(12):
+            canvas.press("+")
+            until(page, f"!skytender.{view}.dirty && !skytender.dirty")
+            page.keyboard.press("b")
+            if len(selected(page)) < 7:
+                break
+        assert 0 < len(selected(page)) < 7
+        page.get_by_label("filter vehicles").fill("6")
+        page.get_by_label("filter vehicles").press("Escape")
+        page.keyboard.press("a")
+        assert selected(page) == [6], "all that the table shows"
+        page.get_by_label("filter vehicles").fill("")
+        page.get_by_role("button", name="id", exact=True).click()
+        page.locator("table.fleet tbody").get_by_role("button", name="1", exact=True).press("Enter")
+        page.locator("table.fleet tbody").get_by_role("button", name="3", exact=True).press("Shift+Enter")
+        assert selected(page) == [1, 2, 3]
+        assert watched.wrong == []
+        page.close()
+
+
+def test_what_may_not_obey_is_listed_with_its_reason(browser: Browser) -> None:
+    rows = fleet()
+    rows[0] |= {"landed": True, "mode": "land"}
+    rows[1] |= {"armed": False, "landed": True}
+    rows[2] |= {"condition": "silent", "figure": "6 s", "severity": 2, "trouble": ["no telemetry for 6 s"]}
+    rows[3] |= {"note": "taken by the operator", "mode": "hold"}
+    rows[4] |= {"condition": "failing", "mode": "return", "severity": 2, "trouble": ["return"], "figure": "return"}
+    told = session(rows)
+    plan = {"return_m": 12.5, "level_after_s": 9.0, "down_after_s": 30.0}
+    told["vehicles"] = [one | ({"plan_b": plan} if one["sysid"] < 6 else {}) for one in told["vehicles"]]
+    with served(Script(told, snapshot(1.0, rows))) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        page.get_by_role("button", name="all: return").click()
+        dialog = page.get_by_role("dialog")
+        expect(dialog).to_contain_text("2 of them cannot:")
+        expect(dialog).to_contain_text("5 take the order, but:")
+        expect(dialog.get_by_role("listitem")).to_have_text(
+            [
+                "pursuer 6 has not sent any telemetry yet.",
+                "pursuer 7 is dead.",
+                "pursuer 1 has landed and stays there.",
+                "pursuer 2 is on the ground and stays there.",
+                "pursuer 3 is silent (6 s) and may not hear it.",
+                "pursuer 4 is taken by the operator already (hold).",
+                "pursuer 5 is in return by its own failsafe, which the order would end.",
+            ]
+        )
+        expect(dialog.get_by_role("region", name="plan B").locator("tbody tr")).to_have_text(
+            [
+                "1, 2, 3, 4, 5straight home at 12.5 m above it, level after 9 s, down after 30 s",
+                "6, 7by its own parameters",
+            ]
+        )
+        assert serious(page) == []
+        dialog.get_by_role("button", name="No").click()
+        page.locator("table.fleet tbody").get_by_role("button", name="5", exact=True).click()
+        expect(page.locator(".vehicle-page")).to_contain_text("plan Bstraight home at 12.5 m above it")
+        page.close()

@@ -1,7 +1,8 @@
 // The page of a flight: live, replayed or recorded. It holds what has been seen, the time that is shown, and the chosen vehicles.
 // @ts-check
+import { Box, within } from "./box.js";
 import { SharedTime, TimeChart } from "./charts.js";
-import { h, number, say } from "./elements.js";
+import { h, key, number, say } from "./elements.js";
 import { Flight } from "./flight.js";
 import { colourOf, nextTheme, onLook, setMembers } from "./look.js";
 import { MapView } from "./map.js";
@@ -50,6 +51,8 @@ export class App {
     /** vehicles that figures draw singly @type {Set<number>} */
     this.shown = new Set();
     this.given = false;
+    /** other flights, shown beside this one @type {Flight[]} */
+    this.ghosts = [];
     this.paths = true;
     /** whether paths are drawn whole while nothing moves */
     this.whole_paths = false;
@@ -83,17 +86,18 @@ export class App {
 
     const choose = (/** @type {number | null} */ sysid, /** @type {MouseEvent} */ event) => this.pick(sysid, event);
     this.strip = new Strip((sysids) => this.select(sysids));
-    const space = h("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": "the fleet in space; arrow keys turn, + and − zoom, 0 shows everything" });
+    const space = h("canvas", { class: "space", tabindex: 0, role: "img", "aria-label": "the fleet in space; arrow keys turn, + and − zoom, 0 shows everything, b selects all in the picture" });
     const names = h("canvas", { class: "names", "aria-hidden": "true" });
-    const map = h("canvas", { class: "map", tabindex: 0, role: "img", "aria-label": "the fleet from above, north up; arrow keys move, + and − zoom, 0 shows everything" });
-    this.views = { space: h("button", { type: "button", onclick: () => this.show("space") }, "3-D"), map: h("button", { type: "button", onclick: () => this.show("map") }, "map") };
+    const map = h("canvas", { class: "map", tabindex: 0, role: "img", "aria-label": "the fleet from above, north up; arrow keys move, + and − zoom, 0 shows everything, b selects all in the picture" });
+    this.views = { space: h("button", { type: "button", onclick: () => this.show("space") }, "3-D", key("3")), map: h("button", { type: "button", onclick: () => this.show("map") }, "map", key("M")) };
     this.camera = h("select", { "aria-label": "camera", onchange: () => this.setCamera(this.camera.value) },
       h("option", { value: "free" }, "free view"), h("option", { value: "follow" }, "follow chosen"), h("option", { value: "first" }, "from its eyes"));
-    const whole = h("button", { type: "button", onclick: () => this.whole() }, "show all");
-    this.pathsButton = h("button", { type: "button", "aria-pressed": "true", onclick: () => this.togglePaths() }, "paths");
+    const whole = h("button", { type: "button", onclick: () => this.whole() }, "show all", key("0"));
+    this.pathsButton = h("button", { type: "button", "aria-pressed": "true", onclick: () => this.togglePaths() }, "paths", key("V"));
     this.wind = h("span", { class: "soft wind" });
     const picture = h("div", { class: "picture" }, space, names, map);
-    const tools = h("div", { class: "tools" }, this.views.space, this.views.map, this.camera, whole, this.pathsButton, this.wind);
+    this.box = new Box(picture, { places: () => this.places, take: (sysids, add) => this.select(add ? [...new Set([...this.selected, ...sysids])] : sysids), pick: choose });
+    const tools = h("div", { class: "tools" }, this.views.space, this.views.map, this.camera, whole, this.pathsButton, this.box.button, this.wind);
     const scene = h("section", { class: "card scene", "aria-label": "picture" }, tools, picture);
     const timelineAt = h("section", { class: "card time-line", "aria-label": "time" });
     const fleet = h("section", { class: "card", "aria-label": "fleet" }, h("h2", {}, "Fleet"));
@@ -264,6 +268,22 @@ export class App {
     this.select(this.selected.has(sysid) ? others : [sysid, ...others]);
   }
 
+  /** Where the vehicles are drawn in the view that is shown. */
+  get places() {
+    return (this.view === "space" ? this.space?.places : this.map.places) ?? [];
+  }
+
+  /** Select every vehicle that is in the picture: a box that needs no pointer. */
+  selectInPicture() {
+    const { width, height } = (this.view === "space" && this.space ? this.space.canvas : this.map.canvas).getBoundingClientRect();
+    this.select(within(this.places, [0, 0], [width, height]));
+  }
+
+  /** Select all that the table shows. */
+  selectAll() {
+    this.select(this.table.shown);
+  }
+
   /** Select these alone; the first is the chosen one. @param {number[]} sysids */
   select(sysids) {
     const sysid = sysids[0] ?? null;
@@ -339,7 +359,7 @@ export class App {
     this.map.dirty = false;
     if (this.space) this.space.dirty = false;
     const t_s = this.at_s ?? snapshot.t_s;
-    const options = { chosen: this.chosen, selected: this.selected, paths: this.paths, until_s: t_s, trail_s: this.whole_paths && !this.playing ? Infinity : TRAIL_S };
+    const options = { chosen: this.chosen, selected: this.selected, paths: this.paths, until_s: t_s, trail_s: this.whole_paths && !this.playing ? Infinity : TRAIL_S, ghosts: this.ghosts };
     if (this.view === "space") this.space?.draw(this.flight, snapshot, options);
     else this.map.draw(this.flight, snapshot, options);
     this.frames += 1;
@@ -365,14 +385,14 @@ export class App {
       this.strip.show(snapshot);
       showPlans(this.plansAt, this.flight.session, snapshot);
       showContest(this.contestAt, snapshot, (id) => this.label(id));
-      showVehicle(this.vehicleAt, snapshot, this.chosen);
+      showVehicle(this.vehicleAt, snapshot, this.chosen, this.flight.session);
       this.events.show(this.flight.events, this.at_s ?? Infinity, (id) => this.label(id));
       return;
     }
     if (snapshot && this.paneledFor !== this.selected) {
       this.paneledFor = this.selected;
       this.table.show(snapshot, this.chosen, this.selected, true);
-      showVehicle(this.vehicleAt, snapshot, this.chosen);
+      showVehicle(this.vehicleAt, snapshot, this.chosen, this.flight.session);
     }
     if (this.charts.length && now - this.charted_at > (this.flight.columns.size > MANY ? 2 : 1) * CHARTS_MS && this.charted !== this.flight.version) {
       this.charted_at = now;

@@ -20,6 +20,9 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
+/** The key that does what a button does, written on it. @param {string} name */
+export const key = (name) => h("kbd", { "aria-hidden": "true" }, name);
+
 /** Set an element's text where it differs: an unchanged node costs no layout. @param {Node} element @param {string} text */
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;

@@ -1,7 +1,7 @@
 // A session, a monitor or a replay on the server that gave this page: messages in, commands out, over one WebSocket.
 // @ts-check
 
-/** @typedef {import("./messages").Line} Line */
+/** What a source sends, and where the server has the report of its session. @typedef {import("./messages").Line | {type: "report", path: string}} Line */
 /** @typedef {import("./messages").EventRow} EventRow */
 /** @typedef {"connecting" | "open" | "lost" | "refused" | "ended"} State */
 

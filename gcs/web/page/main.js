@@ -1,14 +1,16 @@
 // The page begins here: a flight on a server (live or replayed), or the recorded one that the page carries.
 // @ts-check
 import { App, SPEEDS } from "./app.js";
-import { clock, h, say } from "./elements.js";
+import { clock, h, key as keyOf, say } from "./elements.js";
 import { nextTheme, restoreTheme, usePalette } from "./look.js";
 import { Live } from "./live.js";
 import { Operator } from "./operator.js";
 import { recorded } from "./recorded.js";
+import { Sound } from "./sound.js";
 import { useConditions } from "./strip.js";
 import { linkedTime } from "./timeline.js";
 import { Tiles } from "./tiles.js";
+import { Tour } from "./tour.js";
 
 /** @typedef {import("./operator.js").Order} Order */
 /** @typedef {{palette: import("./look.js").Palette, orders: Order[], conditions: import("./strip.js").Condition[], source: "server" | "report", tiles: string | null}} Config */
@@ -16,7 +18,7 @@ import { Tiles } from "./tiles.js";
 const KEYS = [
   ["space", "pause, or go on"], ["← →", "10 s back or on (replay, report, or back in a live flight)"], ["< >", "slower, faster"], ["End", "back to the newest"],
   ["[ ]", "the vehicle before, after"], ["g", "go to a vehicle by its id"], ["/", "filter vehicles"], ["3 m", "in space, map"], ["c", "camera: free, follow, from its eyes"],
-  ["0", "show everything"], ["v", "paths on or off"], ["d", "dark or light"], ["?", "this page"],
+  ["0", "show everything"], ["v", "paths on or off"], ["b", "select all that are in the picture"], ["a", "select all that the table shows"], ["Esc", "select none"], ["d", "dark or light"], ["?", "this page"],
 ];
 const SEEK_S = 10;
 
@@ -32,6 +34,7 @@ function keyboard(app, orders, ask) {
     "<": () => app.player.faster(-1), ">": () => app.player.faster(1), End: () => app.player.newest?.(),
     "[": () => app.chooseNext(-1), "]": () => app.chooseNext(1), g: () => app.table.goto.focus(), "/": () => app.table.filter.focus(),
     3: () => app.show("space"), m: () => app.show("map"), c: () => app.nextCamera(), 0: () => app.whole(), v: () => app.togglePaths(), d: () => nextTheme(),
+    b: () => app.selectInPicture(), a: () => app.selectAll(), Escape: () => app.choose(null),
     "?": () => help.showModal(),
   };
   document.addEventListener("keydown", (event) => {
@@ -52,20 +55,32 @@ function keyboard(app, orders, ask) {
   return help;
 }
 
+/** `3 pursuers, 1 target`. @param {{role: string}[]} members */
+function counted(members) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (const { role } of members) counts.set(role, (counts.get(role) ?? 0) + 1);
+  return [...counts].map(([role, count]) => `${count} ${role || "vehicle"}${count === 1 ? "" : "s"}`).join(", ") || "Vehicles";
+}
+
 /** @param {Config} config */
 function served(config) {
   const root = /** @type {HTMLElement} */ (document.getElementById("app"));
-  const title = h("h1", {}, "connecting …");
+  const title = h("h1", {}, "Starting …");
   const badge = h("span", { class: "badge" });
   const phase = h("span", { class: "badge phase" });
   const [broken, reached] = [h("b", { class: "bad" }), h("span")];
   const goal = h("p", { class: "soft small goal-line" }, broken, reached);
   const help = h("button", { type: "button" }, "keys ?");
-  const theme = h("button", { type: "button", onclick: () => nextTheme() }, "dark / light");
-  const state = h("p", { class: "connection", role: "alert" });
+  const theme = h("button", { type: "button", onclick: () => nextTheme() }, "dark / light", keyOf("D"));
+  const sound = new Sound();
+  const reported = h("a", { target: "_blank" }, "Open the report");
+  reported.hidden = true;
+  const words_of_state = h("span");
+  const state = h("p", { class: "connection", role: "alert" }, words_of_state, " ", reported);
   state.hidden = true;
   const session = h("div", { class: "tools orders" });
-  const top = h("header", { class: "top" }, h("div", { class: "tools" }, title, badge, phase, session, theme, help), goal, state);
+  const top = h("header", { class: "top" }, h("div", { class: "tools" }, title, badge, phase, h("span", { class: "gap" }), session, sound.button, theme, help), goal, state);
   root.before(top);
 
   let replaying = false;
@@ -104,19 +119,23 @@ function served(config) {
   top.append(app.strip.element);
   if (config.tiles) app.map.tiles = new Tiles(config.tiles, () => (app.map.dirty = true));
   const operator = new Operator(config.orders, (command, answer) => live.send(command, answer));
+  const plans = () => new Map((app.flight.session?.vehicles ?? []).map((one) => [one.sysid, one.plan_b]));
   const ask = (/** @type {Order} */ order) => {
     if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "View-only link: commands are disabled.", "bad");
-    if (order.of_many && app.selected.size > 1) operator.askMany(order, [...app.selected], false, label, () => app.flight.newest);
+    if (order.of_many && app.selected.size > 1) operator.askMany(order, [...app.selected], false, label, () => app.flight.newest, plans());
     else operator.ask(order, app.chosen, label, () => app.flight.newest);
   };
   const label = (/** @type {number} */ id) => app.label(id);
+  const starting = h("p", { class: "starting", role: "status" }, "The session is starting.");
+  root.querySelector(".picture")?.append(starting);
+  for (const part of [session, app.orders, app.strip.all, badge, phase]) part.hidden = true; // until it is known what is flown
   for (const order of config.orders.filter((one) => one.of_many && one.command !== "land")) {
     const everyone = () => (app.flight.newest?.vehicles ?? []).map((row) => row.sysid);
-    app.strip.all.append(h("button", { type: "button", title: `${order.name} all vehicles`, onclick: () => operator.askMany(order, everyone(), true, label, () => app.flight.newest) }, `all: ${order.name}`));
+    app.strip.all.append(h("button", { type: "button", title: `${order.name} all vehicles`, onclick: () => operator.askMany(order, everyone(), true, label, () => app.flight.newest, plans()) }, `all: ${order.name}`));
   }
   help.addEventListener("click", keyboard(app, config.orders, ask).showModal.bind(document.querySelector("dialog[aria-label=keys]")));
   for (const order of config.orders) {
-    const button = h("button", { type: "button", title: `${order.what} (Shift+${order.key.toUpperCase()})`, onclick: () => ask(order) }, order.name);
+    const button = h("button", { type: "button", title: `${order.what} (Shift+${order.key.toUpperCase()})`, onclick: () => ask(order) }, order.name, keyOf(`⇧${order.key.toUpperCase()}`));
     (order.of_vehicle ? app.orders : session).append(button);
   }
 
@@ -133,12 +152,15 @@ function served(config) {
       say(title, line.name);
       say(badge, ({ session: "live", monitor: "monitor", replay: "replay" })[line.source]);
       for (const part of [session, app.orders, app.strip.all]) part.hidden = !control;
+      badge.hidden = false;
+      say(starting, `${counted(line.vehicles)} ${line.vehicles.length === 1 ? "starts" : "start"}; they are shown here as soon as they report.`);
       app.timeline.live.hidden = replaying;
       app.members();
     } else if (line.type === "snapshot") {
       replay = line.replay;
       app.flight.take(line);
       app.flight.tell(line.events);
+      sound.watch(line);
       if (replaying) {
         app.begin_s = replay?.from_s;
         app.end_s = replay?.to_s;
@@ -148,6 +170,8 @@ function served(config) {
         app.playing = line.phase !== "paused";
         app.speed = line.speed ? `×${line.speed.toFixed(line.speed < 10 ? 1 : 0)}` : "";
       }
+      phase.hidden = false;
+      starting.hidden = true;
       say(phase, `${line.phase} ${clock(line.t_s)}${line.duration_s ? ` of ${clock(line.duration_s)}` : ""}`);
       const { goal: wanted } = line;
       const held = wanted.pursue_for_s && wanted.pursue_held_s !== null ? `pursuit held ${wanted.pursue_held_s.toFixed(0)} of ${wanted.pursue_for_s.toFixed(0)} s` : "";
@@ -159,6 +183,11 @@ function served(config) {
       app.dirty = true;
     } else if (line.type === "end") {
       ended = `The session has ended: ${line.text || line.outcome || "unknown"}. The page keeps what it has seen.`;
+      for (const part of [session, app.orders, app.strip.all]) part.hidden = true; // there is no vehicle left to obey
+      connection();
+    } else if (line.type === "report") {
+      reported.href = line.path;
+      reported.hidden = false;
       connection();
     }
   }, () => connection(), () => app.flight.clear());
@@ -171,12 +200,16 @@ function served(config) {
     const text = words[live.state];
     state.hidden = !text;
     state.className = `connection ${live.state === "ended" ? "soft" : "bad"}`;
-    say(state, text);
+    say(words_of_state, text);
     if (live.state === "refused") say(title, "no entry");
+    if (live.state === "refused" || live.state === "ended") starting.hidden = true;
     document.documentElement.dataset.connection = live.state;
   };
   live.open();
-  return Object.assign(app, { operator });
+  const tour = new Tour();
+  tour.first();
+  document.querySelector("dialog[aria-label=keys] form")?.append(h("button", { onclick: () => tour.go(0) }, "Show the tour"));
+  return Object.assign(app, { operator, sound });
 }
 
 restoreTheme();

@@ -1,5 +1,6 @@
 // The fleet from above, north up: obstacles, paths, vehicles with their headings, a scale. Drag, wheel or pinch move it.
 // @ts-check
+import { nearest } from "./box.js";
 import { fit, number } from "./elements.js";
 import { last } from "./flight.js";
 import { plane } from "./graphics.js";
@@ -101,10 +102,7 @@ export class MapView {
     const release = (/** @type {PointerEvent} */ event) => {
       held.delete(event.pointerId);
       if (event.type !== "pointerup" || travelled > 4) return;
-      const at = this.places
-        .map((one) => ({ ...one, off: Math.hypot(one.x - event.offsetX, one.y - event.offsetY) }))
-        .sort((a, b) => a.off - b.off)[0];
-      choose(at && at.off < 24 ? at.sysid : null, event);
+      choose(nearest(this.places, event.offsetX, event.offsetY), event);
     };
     canvas.addEventListener("pointerup", release);
     canvas.addEventListener("pointercancel", release);
@@ -156,10 +154,10 @@ export class MapView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number, shown?: Set<number> | null}} options
-   *   `trail_s`: how much of their paths is drawn where there are many
+   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number, shown?: Set<number> | null, ghosts?: Flight[]}} options
+   *   `trail_s`: how much of their paths is drawn where there are many; `ghosts`: other flights, at the same time of theirs
    */
-  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s, shown = null }) {
+  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s, shown = null, ghosts = [] }) {
     const { width, height, scale } = fit(this.canvas);
     const context = plane(this.canvas);
     const colours = look();
@@ -189,6 +187,7 @@ export class MapView {
     drawPlans(context, flight.session, snapshot, X, Y);
     if (paths) this.#paths(context, flight, X, Y, until_s, trail_s, chosen, shown);
     this.#services(context, flight, snapshot, X, Y);
+    for (const ghost of ghosts) this.#ghost(context, ghost, X, Y, until_s, paths);
     this.#vehicles(context, flight, snapshot, X, Y, perMetre, chosen, selected);
     this.#scale(context, perMetre, width, height);
     this.#wind(context, flight, width);
@@ -413,6 +412,28 @@ export class MapView {
     context.lineJoin = "round";
     for (const row of named.slice(0, MOST_NAMED)) {
       if (row.p_ned) this.#name(context, String(row.sysid), X(row.p_ned[1]), Y(row.p_ned[0]), colours.ink, taken);
+    }
+  }
+
+  /** Another flight: hollow, in grey. @param {CanvasRenderingContext2D} context @param {Flight} ghost @param {Axis} X @param {Axis} Y @param {number} until_s @param {boolean} paths */
+  #ghost(context, ghost, X, Y, until_s, paths) {
+    const { soft, paper } = look();
+    const count = last(ghost.t_s, until_s + 1e-6, ghost.count) + 1;
+    context.strokeStyle = soft;
+    context.lineWidth = 1.2;
+    context.setLineDash([5, 3]);
+    if (paths) for (const { e, n } of ghost.columns.values()) this.#line(context, e, n, 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
+    context.setLineDash([]);
+    context.font = "11px system-ui, sans-serif";
+    for (const row of ghost.at(until_s)?.vehicles ?? []) {
+      if (!row.p_ned) continue;
+      const [x, y] = [X(row.p_ned[1]), Y(row.p_ned[0])];
+      context.beginPath();
+      context.arc(x, y, 6, 0, 2 * Math.PI);
+      context.fillStyle = paper;
+      context.fill();
+      context.stroke();
+      this.#name(context, `(${row.sysid})`, x, y, soft, []);
     }
   }
 

@@ -4,6 +4,8 @@ import { h, say } from "./elements.js";
 
 /** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
+/** @typedef {import("./messages").VehicleRow} VehicleRow */
+/** @typedef {import("./messages").PlanBRow} PlanB */
 
 export class Operator {
   /**
@@ -29,20 +31,19 @@ export class Operator {
   /**
    * Ask once about several vehicles; send to those that can obey, and say how many did and which refused, and why.
    * @param {Order} order @param {number[]} sysids @param {boolean} all @param {(sysid: number) => string} name @param {() => Snapshot | null} present
+   * @param {Map<number, PlanB | undefined>} plans plan B of each
    */
-  askMany(order, sysids, all, name, present) {
+  askMany(order, sysids, all, name, present, plans) {
     if (this.dialog.open) return;
     const rows = (present()?.vehicles ?? []).filter((row) => sysids.includes(row.sysid));
-    const refusing = rows.flatMap((row) => (refusal(row) ? [`${name(row.sysid)} ${refusal(row)}`] : []));
     const able = rows.filter((row) => !refusal(row)).map((row) => row.sysid);
     const title = `${order.name[0].toUpperCase()}${order.name.slice(1)} ${all ? "all " : ""}${rows.length} vehicles?`;
-    const list = h("ul", { class: "refusing" }, ...refusing.map((text) => h("li", {}, text)));
     const which = all ? "" : sysids.join(", ");
     const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
     yes.disabled = !able.length;
     this.dialog.replaceChildren(h("form", { method: "dialog" }, h("h2", { id: "ask-question" }, title), which ? h("p", {}, which) : null, order.means ? h("p", { class: "soft" }, order.means) : null,
-      refusing.length ? h("p", { class: "bad" }, `${refusing.length} of them cannot:`) : null, refusing.length ? list : null,
-      h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No"))));
+      ...listed(rows, refusal, (count) => `${count} of them cannot:`, "bad", name), ...listed(rows, doubt, (count) => `${count} ${count === 1 ? "takes" : "take"} the order, but:`, "warn", name),
+      ...planned(rows, plans), h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No"))));
     this.dialog.returnValue = "no";
     this.dialog.onclose = () => {
       if (this.dialog.returnValue !== "yes") return;
@@ -106,12 +107,53 @@ export class Operator {
   }
 }
 
-/** Why no order reaches a vehicle; empty where one does. The session has the last word. @param {import("./messages").VehicleRow} row */
+/** Why no order reaches a vehicle; empty where one does. The session has the last word. @param {VehicleRow} row */
 function refusal(row) {
   return !row.alive ? "is dead." : row.heard_s === null ? "has not sent any telemetry yet." : "";
 }
 
-/** What an operator should have in view while deciding. @param {import("./messages").VehicleRow} row */
+/** Why an order that is taken may change nothing; empty where it should. @param {VehicleRow} row */
+function doubt(row) {
+  if (refusal(row)) return "";
+  if (row.condition === "silent") return `is silent (${row.figure}) and may not hear it.`;
+  if (!row.armed) return "is on the ground and stays there.";
+  if (row.landed) return "has landed and stays there.";
+  if (row.note.startsWith("taken by")) return `is ${row.note} already (${row.mode}).`;
+  if (row.condition === "failing" && row.trouble.includes(row.mode)) return `is in ${row.mode} by its own failsafe, which the order would end.`;
+  return "";
+}
+
+/**
+ * Vehicles for which there is a reason, a sentence each.
+ * @param {VehicleRow[]} rows @param {(row: VehicleRow) => string} reason @param {(count: number) => string} head @param {string} level @param {(sysid: number) => string} name
+ */
+function listed(rows, reason, head, level, name) {
+  const texts = rows.flatMap((row) => (reason(row) ? [`${name(row.sysid)} ${reason(row)}`] : []));
+  return texts.length ? [h("p", { class: level }, head(texts.length)), h("ul", { class: `${level} refusing`, tabindex: 0 }, ...texts.map((text) => h("li", {}, text)))] : [];
+}
+
+/** Plan B in words. @param {PlanB | undefined} plan */
+export function planText(plan) {
+  if (!plan) return "by its own parameters";
+  const times = plan.down_after_s ? `, level after ${plan.level_after_s.toFixed(0)} s, down after ${plan.down_after_s.toFixed(0)} s` : "";
+  return `straight home at ${plan.return_m.toFixed(1)} m above it${times}`;
+}
+
+/** How the vehicles come home by themselves, those alike in one line. @param {VehicleRow[]} rows @param {Map<number, PlanB | undefined>} plans */
+function planned(rows, plans) {
+  /** @type {Map<string, number[]>} */
+  const alike = new Map();
+  for (const { sysid } of rows) {
+    const text = planText(plans.get(sysid));
+    alike.set(text, [...(alike.get(text) ?? []), sysid]);
+  }
+  const lines = [...alike].map(([text, sysids]) => h("tr", {}, h("th", { scope: "row" }, sysids.join(", ")), h("td", { class: "word" }, text)));
+  if (!lines.length) return [];
+  return [h("div", { class: "scroll plan-b", tabindex: 0, role: "region", "aria-label": "plan B" },
+    h("table", {}, h("caption", {}, "Plan B, how each comes home by itself"), h("tbody", {}, ...lines)))];
+}
+
+/** What an operator should have in view while deciding. @param {VehicleRow} row */
 function state(row) {
   const battery = row.battery === null ? "" : `, battery ${(100 * row.battery).toFixed(0)} %`;
   const height = row.height_m === null ? "" : `, ${row.height_m.toFixed(1)} m high`;

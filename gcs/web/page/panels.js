@@ -2,6 +2,7 @@
 // @ts-check
 import { clock, h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
+import { planText } from "./operator.js";
 
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").EventRow} EventRow */
@@ -26,7 +27,7 @@ export function showContest(at, snapshot, label) {
     /** @type {Node[]} */
     const made = [];
     if (ids.length) {
-      const share = competition.share === null ? "" : `, its share ${number(competition.share, 2)} of the ${number(competition.threshold, 2)} that win`;
+      const share = competition.share === null ? "" : `, ${number(100 * competition.share, 0)} % (${number(100 * competition.threshold, 0)} % needed to win)`;
       made.push(h("p", {}, competition.leader === null ? "No vehicle leads yet." : h("b", {}, `${label(competition.leader)} leads`), share));
       for (const id of ids) {
         const bar = h("span", { class: "bar" });
@@ -115,8 +116,8 @@ function who(event, label) {
   return event.sysid === 0 ? "session" : event.sysid === 255 ? "traffic" : label(event.sysid);
 }
 
-/** One vehicle's page. @param {HTMLElement} at @param {Snapshot} snapshot @param {number | null} sysid */
-export function showVehicle(at, snapshot, sysid) {
+/** One vehicle's page. @param {HTMLElement} at @param {Snapshot} snapshot @param {number | null} sysid @param {import("./messages").SessionLine | null} session */
+export function showVehicle(at, snapshot, sysid, session) {
   const row = snapshot.vehicles.find((one) => one.sysid === sysid);
   if (!row) {
     renew(at, "none", () => [h("p", { class: "soft" }, "Choose a vehicle in the table or in the picture.")]);
@@ -137,6 +138,7 @@ export function showVehicle(at, snapshot, sysid) {
     ["competition", row.v === null ? "does not compete" : `v ${number(row.v, 2)}${row.tau === null ? "" : `, τ ${number(row.tau, 2)}`}`],
     ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],
     ["position's age", number(row.age_s, 1, " s")],
+    ...(session?.vehicles ?? []).flatMap((one) => (one.sysid === sysid && one.plan_b ? [/** @type {[string, string]} */ (["plan B", planText(one.plan_b)])] : [])),
   ];
   const key = `${row.sysid} ${row.trouble.join("|")} ${row.note} ${facts.map(([name]) => name).join("|")}`;
   renew(at, key, () => [

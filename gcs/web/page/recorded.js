@@ -25,9 +25,9 @@ import { linkedTime } from "./timeline.js";
 const PRINTED = { whole: 680, half: 332 }; // A4 within its margins, in CSS pixels
 const PLAYED_MS = 30;
 
-/** @param {string} id @returns {Promise<ArrayBuffer>} */
-async function unpack(id) {
-  const text = atob((document.getElementById(id)?.textContent ?? "").trim());
+/** @param {Document} page @param {string} id @returns {Promise<ArrayBuffer>} */
+async function unpack(page, id) {
+  const text = atob((page.getElementById(id)?.textContent ?? "").trim());
   const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream).arrayBuffer();
@@ -45,6 +45,53 @@ function scaled(series, at, n, low, high) {
   const unit = (high - low) / 65534;
   for (let i = 0; i < n; i += 1) values[i] = raw[i] === 65535 ? NaN : low + unit * raw[i];
   return values;
+}
+
+/** Give a model's lines their values; what does so for a column. @param {Model} model @param {ArrayBuffer} series */
+function scaling(model, series) {
+  const line = (/** @type {any} */ r) => ({ ...r, x: scaled(series, r.at, r.n, 0, model.end_s), y: scaled(series, r.at + 2 * r.n, r.n, r.low, r.high) });
+  for (const figure of Object.values(model.figures)) {
+    for (const panel of figure.panels ?? []) {
+      panel.lines = panel.lines.map(line);
+      panel.own = panel.own.map(line);
+      if (panel.band) for (const name of ["least", "median", "greatest"]) panel.band[name] = line(panel.band[name]);
+    }
+  }
+  return (/** @type {Packed} */ r) => Float32Array.from(scaled(series, r.at, r.n, r.low, r.high));
+}
+
+/** The flight in another report, read as data: nothing of it runs. @param {File} file @returns {Promise<Flight>} */
+async function flightOf(file) {
+  const page = new DOMParser().parseFromString(await file.text(), "text/html");
+  const text = page.getElementById("model")?.textContent;
+  /** @type {Model | null} */
+  const model = text ? JSON.parse(text) : null;
+  if (!model?.flight) throw new Error("it carries no flight");
+  const flight = new Flight();
+  fillFlight(flight, model, model.flight, scaling(model, await unpack(page, "series")));
+  return flight;
+}
+
+/** What shows further reports' flights as ghosts in this one's picture. @param {App} app */
+function comparison(app) {
+  const told = h("span", { class: "small soft", role: "status" });
+  const input = h("input", { type: "file", accept: ".html", multiple: true, "aria-label": "reports to compare with", onchange: async () => {
+    const files = [...(input.files ?? [])];
+    app.ghosts = [];
+    const said = [];
+    for (const file of files) {
+      try {
+        const ghost = await flightOf(file);
+        app.ghosts.push(ghost);
+        said.push(`${ghost.session?.name ?? file.name}, ${ghost.last_s.toFixed(1)} s`);
+      } catch (problem) {
+        said.push(`${file.name} is no report that can be compared (${/** @type {Error} */ (problem).message})`);
+      }
+    }
+    told.textContent = said.length ? `In grey, ids in brackets: ${said.join("; ")}` : "";
+    app.dirty = true;
+  } });
+  return h("label", { class: "small compare" }, "compare with other reports ", input, " ", told);
 }
 
 /** A line's values at given times, straight on between its points. @param {{x: Float64Array, y: Float64Array}} line @param {Float64Array} t_s */
@@ -67,17 +114,9 @@ export async function recorded(config, keyboard) {
   void config;
   /** @type {Model} */
   const model = JSON.parse(document.getElementById("model")?.textContent ?? "{}");
-  const series = await unpack("series");
+  const series = await unpack(document, "series");
   mark("unpacked");
-  const line = (/** @type {any} */ r) => ({ ...r, x: scaled(series, r.at, r.n, 0, model.end_s), y: scaled(series, r.at + 2 * r.n, r.n, r.low, r.high) });
-  const column = (/** @type {Packed} */ r) => Float32Array.from(scaled(series, r.at, r.n, r.low, r.high));
-  for (const figure of Object.values(model.figures)) {
-    for (const panel of figure.panels ?? []) {
-      panel.lines = panel.lines.map(line);
-      panel.own = panel.own.map(line);
-      if (panel.band) for (const name of ["least", "median", "greatest"]) panel.band[name] = line(panel.band[name]);
-    }
-  }
+  const column = scaling(model, series);
   setMembers(model.vehicles.map((one) => ({ sysid: one.id, role: one.role, colour: one.colour })));
   const chosen = new Set(model.chosen);
   const label = (/** @type {number} */ id) => model.vehicles.find((one) => one.id === id)?.label ?? String(id);
@@ -92,7 +131,7 @@ export async function recorded(config, keyboard) {
     app.given = true;
     app.after.push(() => picked());
     const help = keyboard(app, [], () => {});
-    const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"));
+    const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"), comparison(app));
     root?.before(tools);
   }
 

@@ -7,6 +7,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { nearest } from "./box.js";
 import { last } from "./flight.js";
 import { plane } from "./graphics.js";
 import { colourOf, look } from "./look.js";
@@ -110,10 +111,7 @@ export class SpaceView {
     canvas.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
     canvas.addEventListener("pointerup", (event) => {
       if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
-      const near = this.places
-        .map((one) => ({ ...one, off: Math.hypot(one.x - event.offsetX, one.y - event.offsetY) }))
-        .sort((a, b) => a.off - b.off)[0];
-      choose(near && near.off < 24 ? near.sysid : null, event);
+      choose(nearest(this.places, event.offsetX, event.offsetY), event);
     });
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -277,9 +275,10 @@ export class SpaceView {
 
   /**
    * @param {Flight} flight @param {Snapshot} snapshot
-   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number}} options
+   * @param {{chosen: number | null, selected: Set<number>, paths: boolean, until_s: number, trail_s: number, ghosts: Flight[]}} options
+   *   `ghosts`: other flights, at the same time of theirs
    */
-  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s }) {
+  draw(flight, snapshot, { chosen, selected, paths, until_s, trail_s, ghosts }) {
     const box = this.canvas.getBoundingClientRect();
     if (!box.width || !box.height) return;
     if (this.width !== box.width || this.height !== box.height) {
@@ -293,12 +292,45 @@ export class SpaceView {
     const grown = this.#far(flight) > 1.15 * this.framedFar;
     if (!this.framed || (grown && !this.touched)) this.#frame(flight);
     this.#bodies(snapshot, chosen);
-    this.#drawLines(flight, snapshot);
+    this.#drawLines(flight, snapshot, ghosts, until_s, paths);
     this.paths.visible = paths;
     if (paths) this.#drawPaths(flight, until_s, trail_s, chosen);
     this.#look(snapshot, chosen);
     this.renderer.render(this.scene, this.camera);
     this.#write(snapshot, chosen, selected);
+    if (ghosts.length) this.#writeGhosts(ghosts, until_s);
+  }
+
+  /** Where other flights are at a time, and what they flew until then: grey. @param {Flight[]} ghosts @param {number} until_s @param {boolean} paths @param {(a: Vector3, b: Vector3) => void} line */
+  #drawGhosts(ghosts, until_s, paths, line) {
+    const r = 0.35 * this.size;
+    for (const ghost of ghosts) {
+      for (const row of ghost.at(until_s)?.vehicles ?? []) {
+        if (!row.p_ned) continue;
+        const here = place(row.p_ned);
+        const around = [[r, 0, 0], [0, 0, r], [-r, 0, 0], [0, 0, -r]].map(([x, y, z]) => here.clone().add(new Vector3(x, y, z)));
+        around.forEach((corner, k) => line(corner, around[(k + 1) % 4]));
+        for (const y of [r, -r]) for (const corner of around) line(corner, here.clone().add(new Vector3(0, y, 0)));
+      }
+      const count = paths ? last(ghost.t_s, until_s + 1e-6, ghost.count) + 1 : 0;
+      const step = Math.max(Math.ceil((count * ghost.columns.size) / PATH_POINTS), 1);
+      for (const { n, e, d } of ghost.columns.values()) {
+        for (let k = 0; k + step < count; k += 2 * step) if (!Number.isNaN(n[k] + n[k + step])) line(place([n[k], e[k], d[k]]), place([n[k + step], e[k + step], d[k + step]]));
+      }
+    }
+  }
+
+  /** @param {Flight[]} ghosts @param {number} until_s */
+  #writeGhosts(ghosts, until_s) {
+    const context = plane(this.names);
+    const at = new Vector3();
+    context.font = "11px system-ui, sans-serif";
+    context.fillStyle = look().soft;
+    for (const row of ghosts.flatMap((one) => one.at(until_s)?.vehicles ?? [])) {
+      if (!row.p_ned) continue;
+      place(row.p_ned, at).project(this.camera);
+      if (at.z <= 1) context.fillText(`(${row.sysid})`, ((at.x + 1) / 2) * this.width + 9, ((1 - at.y) / 2) * this.height + 14);
+    }
   }
 
   /** @param {Snapshot} snapshot @param {number | null} chosen */
@@ -335,8 +367,8 @@ export class SpaceView {
     }
   }
 
-  /** Rings, transfers, set points, heights, traffic. @param {Flight} flight @param {Snapshot} snapshot */
-  #drawLines(flight, snapshot) {
+  /** Rings, transfers, set points, heights, traffic. @param {Flight} flight @param {Snapshot} snapshot @param {Flight[]} ghosts @param {number} until_s @param {boolean} paths */
+  #drawLines(flight, snapshot, ghosts, until_s, paths) {
     /** @type {number[]} */
     const positions = [];
     /** @type {number[]} */
@@ -388,6 +420,7 @@ export class SpaceView {
         line(corner, around[(k + 1) % 4], warn);
       });
     }
+    this.#drawGhosts(ghosts, until_s, paths, (a, b) => line(a, b, soft));
     this.#fill(this.lines, positions, tints);
   }
 

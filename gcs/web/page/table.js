@@ -51,7 +51,7 @@ export class FleetTable {
     } }, this.goto, h("button", { type: "submit" }, "go to"));
     this.goto.addEventListener("input", () => this.goto.setCustomValidity(""));
     this.totals = h("p", { class: "totals small", "aria-live": "off" });
-    this.histogram = h("div", { class: "histogram", role: "img" });
+    this.histogram = h("div", { class: "histogram", role: "img", "aria-label": "batteries: not known yet" });
     this.heads = COLUMNS.map((column) => {
       const button = h("button", { type: "button", onclick: () => this.sortBy(column.key) }, column.name);
       return h("th", { scope: "col", class: classOf(column) }, button);
@@ -115,10 +115,15 @@ export class FleetTable {
     if (changed && chosen !== null) this.rows.get(chosen)?.row.scrollIntoView({ block: "nearest" });
   }
 
+  /** Vehicles that the filter lets through, as they stand in the table. */
+  get shown() {
+    return [...this.rows].filter(([, one]) => !one.row.hidden).sort(([, a], [, b]) => a.row.rowIndex - b.row.rowIndex).map(([sysid]) => sysid);
+  }
+
   /** Vehicles from one to another as they stand in the table; null for a click elsewhere. @param {number} from @param {number} to @param {MouseEvent} event */
   between(from, to, event) {
     if (!(event.target instanceof Node && this.body.contains(event.target))) return null;
-    const shown = [...this.rows].filter(([, one]) => !one.row.hidden).sort(([, a], [, b]) => a.row.rowIndex - b.row.rowIndex).map(([sysid]) => sysid);
+    const { shown } = this;
     const [a, b] = [shown.indexOf(from), shown.indexOf(to)].sort((x, y) => x - y);
     return a < 0 ? null : shown.slice(a, b + 1);
   }

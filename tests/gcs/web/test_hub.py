@@ -128,3 +128,16 @@ def test_a_page_that_reads_nothing_keeps_no_copy_of_the_past() -> None:
     assert (session["type"], newest["t_s"]) == ("session", 389.0)
     assert [line["t_s"] for piece in pieces for line in piece] == [float(k) for k in range(390)]
     assert max(len(json.dumps(piece)) for piece in pieces) < PIECE_BYTES + 50_000
+
+
+def test_where_the_report_is_comes_after_the_end_also_to_a_page_that_comes_later() -> None:
+    hub = Hub()
+    assert not hub.visited
+    page = joined(hub)
+    hub.take([SESSION, {"type": "end", "outcome": "met"}])
+    assert hub.visited
+    assert not hub.reported
+    hub.report("/report/secret")
+    report = {"type": "report", "path": "/report/secret"}
+    assert told(page)[-2:] == [{"type": "end", "outcome": "met"}, report]
+    assert told(joined(hub, commands=False))[-1] == report

@@ -8,9 +8,10 @@ import http.client
 import json
 import socket
 from collections.abc import Iterator
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import quote, urlsplit
 
 import pytest
 from web import Script, served
@@ -81,6 +82,18 @@ def test_every_answer_has_a_policy_and_carries_no_secret(links: dict[str, str]) 
         assert "server" not in headers
         assert urlsplit(links["command"]).fragment.removeprefix("token=") not in body
     assert "unsafe" not in policy(None)
+
+
+def test_a_report_has_an_address_that_cannot_be_guessed_and_a_server_that_no_page_came_to_ends(tmp_path: Path) -> None:
+    """`served` waits for the server's end."""
+    report = tmp_path / "report.html"
+    report.write_text("<p>secret</p>", encoding="utf-8")
+    with served(Script(SESSION), report=report) as links:
+        for token in ("", "guessed", "é", urlsplit(links["command"]).fragment.removeprefix("token=")):
+            status, headers, body = get(links["command"], f"/report/{quote(token)}")
+            assert status == 404
+            assert "secret" not in body
+            assert headers["cache-control"] == "no-store"
 
 
 def test_the_policy_lets_pictures_come_from_the_tiles_server_alone() -> None:

@@ -66,11 +66,12 @@ BOTTOM: dict[str, Keys] = {
 
 def bottom(page: str, *, control: bool, replay: bool) -> Keys:
     """The keys that the last line shows, the most wanted first."""
-    keys: list[tuple[str, str]] = [("?", "help"), ("q", "close"), *BOTTOM[page]]
+    stop = [(order.key, order.name) for order in ORDERS if control and order.command == "stop"]
+    keys: list[tuple[str, str]] = [("?", "help"), ("q", "close"), *stop, *BOTTOM[page]]
     if replay:
         keys += [("space", "pause"), ("left right", "seek"), ("+ -", "speed")]
     if control:
-        keys += [(order.key, order.name) for order in ORDERS]
+        keys += [(order.key, order.name) for order in ORDERS if order.command != "stop"]
     return tuple(keys)
 
 

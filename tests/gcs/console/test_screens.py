@@ -42,6 +42,23 @@ def test_each_page_looks_as_it_did_when_someone_looked_at_it(flown: Messages, pa
     assert pictured(flown, page, size) == wanted
 
 
+def test_from_every_page_at_80_x_24_all_pages_the_trouble_and_stop_are_in_reach(flown: Messages) -> None:
+    async def steps(shown: Shown) -> None:
+        for key in PAGES.values():
+            await shown.press(key)
+            _, pages, trouble, *_, keys = shown.lines()
+            assert [name for name in PAGES if name not in pages] == []
+            assert "ACT 1" in trouble
+            assert "pursuer 3: battery 8 %" in trouble
+            assert "x stop" in keys
+            await shown.press("x")
+            assert "Stop the session?" in shown.text()
+            await shown.press("escape")
+            assert "Stop the session?" not in shown.text()
+
+    drive(steps, flown, size=(80, 24))
+
+
 def test_a_terminal_that_is_too_small_says_so_until_it_grows(flown: Messages) -> None:
     async def steps(shown: Shown) -> None:
         await shown.press("h")

@@ -22,6 +22,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 from sessions import Outcome, Running, merged, small
 from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, row, serious, served, session, snapshot, until
 
+from gcs.recording.importing import beside
 from gcs.report.page import make
 from gcs.session.replay import Replay, ReplaySource
 from gcs.web.hub import READ_ONLY
@@ -198,6 +199,49 @@ def test_report_and_replay_open_on_the_flight_at_the_moment_of_a_link(
         watched = Watched(browser)
         page = watched.flying(links["command"] + "&t=15")
         until(page, "skytender.current.t_s >= 15 && skytender.current.t_s < 18")
+        assert watched.wrong == []
+        page.close()
+
+
+def test_a_second_report_is_shown_as_ghosts_at_the_same_time_and_two_recordings_in_one_replay(
+    recorded: Outcome, tmp_path: Path, browser: Browser
+) -> None:
+    one, other = make(recorded.folder, tmp_path / "one.html"), make(recorded.folder, tmp_path / "other.html")
+    watched = Watched(browser)
+    page = watched.open(f"{one.as_uri()}#t=10")
+    until(page, "document.documentElement.dataset.all")
+    page.evaluate("skytender.then((app) => { window.app = app; })")
+    wrong = tmp_path / "wrong.html"
+    wrong.write_text("<script>window.hacked = 1</script>", encoding="utf-8")
+    page.get_by_label("reports to compare with").set_input_files([other, wrong])
+    expect(page.locator(".compare")).to_contain_text("In grey, ids in brackets: small, 25.0 s")
+    expect(page.locator(".compare")).to_contain_text("wrong.html is no report that can be compared")
+    until(page, "app.ghosts.length === 1 && !app.dirty")
+    places = page.evaluate(
+        "[app.current, app.ghosts[0].at(app.current.t_s)].map((s) => s.vehicles.map((v) => v.p_ned))"
+    )
+    assert places[0] == places[1], "the same flight at the same time"
+    for key in ("m", "3"):
+        page.keyboard.press(key)
+        shot = "document.querySelector(app.view === 'map' ? 'canvas.map' : 'canvas.names').toDataURL()"
+        until(page, "!app.dirty")
+        ghosted = page.evaluate(shot)
+        page.evaluate("(window.kept = app.ghosts, app.ghosts = [], app.dirty = true)")
+        until(page, "!app.dirty")
+        assert page.evaluate(shot) != ghosted, "the picture shows them"
+        page.evaluate("(app.ghosts = window.kept, app.dirty = true)")
+    assert page.evaluate("window.hacked") is None
+    assert serious(page) == []
+    assert watched.wrong == []
+    page.close()
+    tlog = recorded.folder / "session.tlog"
+    second = tmp_path / "second.tlog"
+    shutil.copy(tlog, second)
+    with beside([tlog, second]) as opened, served(ReplaySource(Replay(opened.path), speed=0.1)) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"] + "&t=15")
+        until(page, "skytender.current.t_s >= 15 && skytender.current.t_s < 18")
+        assert len(page.evaluate("skytender.current.vehicles")) == 6, "three and three, at the same time"
         assert watched.wrong == []
         page.close()
 

@@ -12,8 +12,9 @@ from web import CHROMIUM, MISSING, Script, Watched, chromium, row, serious, serv
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 
-SCREENS = ((390, 844), (1280, 720), (1920, 1080))
+SCREENS = ((390, 844), (1280, 720), (1920, 1080), (3840, 2160))
 TROUBLES: dict[int, dict[str, Any]] = {
+    1: {"landed": True, "mode": "land", "height_m": 0.0, "severity": 0},
     2: {"condition": "low", "figure": "50 s", "urgency": -50.0, "trouble": ["50 s of flight left"], "battery": 0.3},
     3: {"condition": "silent", "figure": "6 s", "urgency": 6.0, "trouble": ["no telemetry for 6 s"], "severity": 2},
     4: {"condition": "low", "figure": "48 s", "urgency": -48.0, "trouble": ["48 s of flight left"], "battery": 0.25},
@@ -38,6 +39,13 @@ def fleet(count: int, shift: int = 0) -> list[dict[str, Any]]:
 @pytest.fixture(scope="module", params=[7, 254])
 def link(request: pytest.FixtureRequest) -> Iterator[str]:
     rows = fleet(request.param, request.param - 7)
+    with served(Script(session(rows), snapshot(1.0, rows))) as links:
+        yield links["command"]
+
+
+@pytest.fixture(scope="module")
+def calm() -> Iterator[str]:
+    rows = [row(sysid, 0.0) for sysid in range(1, 8)]
     with served(Script(session(rows), snapshot(1.0, rows))) as links:
         yield links["command"]
 
@@ -103,11 +111,18 @@ def test_trouble_is_read_on_every_screen(
     for condition in ("dead", "silent", "failing", "low", "warned"):
         assert in_view(page, f".strip .{condition} button")
     page.evaluate("scrollTo(0, document.body.scrollHeight)")
-    until(page, "scrollY > 500")
+    until(page, "scrollY > 500 || scrollY + innerHeight >= document.documentElement.scrollHeight - 1")
     for condition in ("dead", "silent", "failing", "low", "warned"):
         assert in_view(page, f".strip .{condition} button"), "it stays on top"
     page.evaluate("scrollTo(0, 0)")
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    cut = page.evaluate(
+        """[...document.querySelectorAll('button, h1, h2, .badge, .strip li, dt, dd')]
+          .filter((one) => one.offsetParent && getComputedStyle(one).display !== 'inline')
+          .filter((one) => one.scrollWidth > one.clientWidth + 1)
+          .map((one) => one.outerHTML.slice(0, 80))"""
+    )
+    assert cut == []
     assert serious(page) == []
     assert watched.wrong == []
     page.close()
@@ -128,6 +143,7 @@ def test_the_table_has_trouble_first_and_nothing_is_cut_off(
     assert first == ["dead", "silent", "failing", "low", "low", "warned", None]
     low = [int(rows.nth(k).locator("td").first.inner_text()) for k in (3, 4)]
     assert low[1] == low[0] + 2, "by their ids"
+    expect(rows.nth(6)).to_contain_text("▼landed")
     expect(rows.nth(2)).to_contain_text("land, battery 4 %")
     cut = page.evaluate(
         """[...document.querySelectorAll('.fleet-scroll, table.fleet th, table.fleet td')]
@@ -144,6 +160,24 @@ def test_the_table_has_trouble_first_and_nothing_is_cut_off(
     page.screenshot(path=tmp_path / "page.png")
     table.get_by_role("button", name="id").click()
     assert [rows.nth(k).locator("td").first.inner_text() for k in range(3)] == ["1", "2", "3"]
+    assert serious(page) == []
+    assert watched.wrong == []
+    page.close()
+
+
+@pytest.mark.parametrize("dark", [False, True])
+@pytest.mark.parametrize(("width", "height"), SCREENS)
+def test_a_calm_fleet_is_said_to_be_well(
+    browser: Browser, calm: str, width: int, height: int, dark: bool, tmp_path: Path
+) -> None:
+    watched = Watched(browser, width=width, height=height, dark=dark)
+    page = watched.flying(calm)
+    strip = page.get_by_label("trouble", exact=True)
+    expect(strip).to_contain_text("All well · 7 vehicles, 7 armed")
+    page.screenshot(path=tmp_path / "page.png")
+    assert in_view(page, ".strip .well")
+    assert in_view(page, ".strip .all")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
     assert serious(page) == []
     assert watched.wrong == []
     page.close()

@@ -19,3 +19,6 @@ export function software() {
 export function plane(canvas) {
   return /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { willReadFrequently: software() }));
 }
+
+/** A length on a drawing, which grows with the page's letters as on very wide screens. @param {number} pixels */
+export const sized = (pixels) => (pixels / 16) * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);

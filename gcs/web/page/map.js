@@ -3,7 +3,7 @@
 import { nearest } from "./box.js";
 import { fit, number } from "./elements.js";
 import { last } from "./flight.js";
-import { plane } from "./graphics.js";
+import { plane, sized } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
 import { drawSign } from "./signs.js";
 import { covered as covered_by_plans, drawPlans } from "./plans.js";
@@ -357,7 +357,7 @@ export class MapView {
     const colours = look();
     const ring_m = flight.session?.ring_m ?? null;
     const many = snapshot.vehicles.length > MOST_NAMED;
-    const size = many ? 5 : 8;
+    const size = sized(many ? 5 : 8);
     this.places = [];
     for (const row of snapshot.vehicles) {
       if (!row.p_ned) continue;
@@ -408,7 +408,7 @@ export class MapView {
     const taken = this.places.map((one) => [one.x - size, one.y - size, one.x + size, one.y + size]);
     const named = snapshot.vehicles.filter((row) => !many || row.sysid === chosen || row.severity > 1 || row.role !== "pursuer");
     named.sort((a, b) => Number(b.sysid === chosen) - Number(a.sysid === chosen) || b.severity - a.severity);
-    context.font = "600 12px system-ui, sans-serif";
+    context.font = `600 ${sized(12)}px system-ui, sans-serif`;
     context.lineJoin = "round";
     for (const row of named.slice(0, MOST_NAMED)) {
       if (row.p_ned) this.#name(context, String(row.sysid), X(row.p_ned[1]), Y(row.p_ned[0]), colours.ink, taken);

@@ -9,7 +9,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { nearest } from "./box.js";
 import { last } from "./flight.js";
-import { plane } from "./graphics.js";
+import { plane, sized } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
 import { lines as linesOfPlans } from "./plans.js";
@@ -481,15 +481,16 @@ export class SpaceView {
   #write(snapshot, chosen, selected) {
     const scale = Math.min(window.devicePixelRatio || 1, 2);
     const { width, height } = this;
+    const many = snapshot.vehicles.length > MOST_NAMED;
     if (this.names.width !== Math.round(width * scale)) this.names.width = Math.round(width * scale);
     if (this.names.height !== Math.round(height * scale)) this.names.height = Math.round(height * scale);
     const context = plane(this.names);
     context.setTransform(scale, 0, 0, scale, 0, 0);
     context.clearRect(0, 0, width, height);
-    context.font = "600 12px system-ui, sans-serif";
+    context.font = `600 ${sized(12)}px system-ui, sans-serif`;
+    const size = sized(many ? 5 : 8);
     const { ink, paper, warn } = look();
     const at = new Vector3();
-    const many = snapshot.vehicles.length > MOST_NAMED;
     this.places = [];
     /** @type {[number, number][]} */
     const taken = [];
@@ -510,7 +511,7 @@ export class SpaceView {
       if (at.z > 1) continue;
       const [x, y] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
       this.places.push({ sysid: row.sysid, x, y });
-      drawSign(context, row, x, y, many ? 5 : 8);
+      drawSign(context, row, x, y, size);
       if (selected.has(row.sysid) && (row.sysid !== chosen || this.mode !== "first")) {
         context.strokeStyle = ink;
         context.lineWidth = row.sysid === chosen ? 2.5 : 1.5;

@@ -17,7 +17,7 @@ const MANY = 40;
  */
 const COLUMNS = [
   { key: "id", name: "id", text: (row) => String(row.sysid), sort: (row) => row.sysid },
-  { key: "trouble", name: "trouble", word: true, text: (row) => row.trouble.join(", ") || row.note || (row.landed ? "landed" : ""), sort: rank },
+  { key: "trouble", name: "trouble", word: true, text: (row) => row.trouble.join(", ") || row.note || (row.landed ? "landed" : ""), sort: (row) => rank(row) + (row.condition || row.landed ? 0 : 0.5) },
   { key: "state", name: "state", word: true, folds: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
   { key: "mode", name: "mode", word: true, folds: true, text: (row) => row.mode || "–", sort: (row) => row.mode },
   { key: "role", name: "role", word: true, folds: true, text: (row) => row.role, sort: (row) => row.role },

@@ -74,8 +74,9 @@ def replay(
     In the console you pause, change the speed and go to any time. A session's folder shows its obstacles, competition
     and services too. A .tlog shows every vehicle that sends a HEARTBEAT in it, PX4, ArduPilot or others.
 
-    OTHERS are recordings beside it, on one time: by their dates where all know theirs and begin within a day, else all
-    begin together. A system id that an earlier one has is the next free one.
+    OTHERS are recordings or sessions' folders beside it, on one time: by their dates where all know theirs and begin
+    within a day, else all begin together. A system id that an earlier one has is the next free one. Of folders beside
+    each other the frames alone are shown.
 
     Missions, geofences and rally points that went between ground stations and vehicles are shown from then on, those of
     a .BIN as it logs them; --plan adds some from files. `gcs mission` lists them.
@@ -93,6 +94,7 @@ def replay(
       gcs replay first-flight --foxglove
       gcs replay flight.tlog --json > flight.jsonl
       gcs replay one.BIN two.BIN three.ulg --web
+      gcs replay first-flight second-flight --web
       gcs replay flight.tlog --plan survey.plan --web
       gcs replay first-flight --decide
 

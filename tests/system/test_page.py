@@ -217,6 +217,10 @@ def test_a_second_report_is_shown_as_ghosts_at_the_same_time_and_two_recordings_
     expect(page.locator(".compare")).to_contain_text("In grey, ids in brackets: small, 25.0 s")
     expect(page.locator(".compare")).to_contain_text("wrong.html is no report that can be compared")
     until(page, "app.ghosts.length === 1 && !app.dirty")
+    far = "[...app.ghosts[0].columns.values()].forEach((one) => (one.n[0] = 300)); app.ghosts = [...app.ghosts];"
+    page.evaluate(far)
+    page.keyboard.press("m")
+    until(page, "!app.dirty && app.map.frame.m > 250")
     places = page.evaluate(
         "[app.current, app.ghosts[0].at(app.current.t_s)].map((s) => s.vehicles.map((v) => v.p_ned))"
     )
@@ -234,10 +238,9 @@ def test_a_second_report_is_shown_as_ghosts_at_the_same_time_and_two_recordings_
     assert serious(page) == []
     assert watched.wrong == []
     page.close()
-    tlog = recorded.folder / "session.tlog"
     second = tmp_path / "second.tlog"
-    shutil.copy(tlog, second)
-    with beside([tlog, second]) as opened, served(ReplaySource(Replay(opened.path), speed=0.1)) as links:
+    shutil.copy(recorded.folder / "session.tlog", second)
+    with beside([recorded.folder, second]) as opened, served(ReplaySource(Replay(opened.path), speed=0.1)) as links:
         watched = Watched(browser)
         page = watched.flying(links["command"] + "&t=15")
         until(page, "skytender.current.t_s >= 15 && skytender.current.t_s < 18")

@@ -15,8 +15,8 @@ from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION
 from gcs.recording import tlog_reader
-from gcs.recording.importing.sample import ImportFailed
 from gcs.recording.importing.sources import Opened, opened
+from gcs.recording.recorder import TLOG
 from gcs.recording.times.recorded_clock import EARLIEST_US
 from gcs.recording.times.vehicle_clock import SECOND_US
 from gcs.recording.tlog_walk import SYSID, T_US, TIME_BYTES
@@ -29,16 +29,14 @@ TOGETHER_US = 86_400 * SECOND_US
 def beside(sources: Sequence[Path]) -> Iterator[Opened]:
     """One recording of all of these for the while; the first itself where it is the only one.
 
-    A system id that an earlier one has is the next free one in a later one. Raises ImportFailed for a session's folder
-    among several and for what `opened` refuses, OSError.
+    A system id that an earlier one has is the next free one in a later one. Of sessions' folders among several the
+    frames alone are shown. Raises ImportFailed for what `opened` refuses, OSError.
     """
     with ExitStack() as stack:
         if len(sources) == 1:
             yield stack.enter_context(opened(sources[0]))
             return
-        if folders := [source for source in sources if source.is_dir()]:
-            raise ImportFailed(f"{folders[0]} is a session's folder; give its session.tlog to see it beside others.")
-        each = [stack.enter_context(opened(source)) for source in sources]
+        each = [stack.enter_context(opened(source / TLOG if source.is_dir() else source)) for source in sources]
         logs = [tlog_reader.read(one.path) for one in each]
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gcs-beside-")))
         target = folder / " + ".join(source.name for source in sources)[:200]

@@ -51,8 +51,6 @@ export class App {
     /** vehicles that figures draw singly @type {Set<number>} */
     this.shown = new Set();
     this.given = false;
-    /** other flights, shown beside this one @type {Flight[]} */
-    this.ghosts = [];
     this.paths = true;
     /** whether paths are drawn whole while nothing moves */
     this.whole_paths = false;
@@ -266,6 +264,18 @@ export class App {
     if (span) return this.select([...new Set([sysid, ...span, ...this.selected])]);
     const others = [...this.selected].filter((one) => one !== sysid);
     this.select(this.selected.has(sysid) ? others : [sysid, ...others]);
+  }
+
+  /** Other flights, shown beside this one. */
+  get ghosts() {
+    return this.flight.ghosts;
+  }
+
+  set ghosts(flights) {
+    this.flight.ghosts = flights;
+    this.flight.version += 1; // what the picture covers is another
+    if (this.space) this.space.madeOf = null;
+    this.dirty = true;
   }
 
   /** Where the vehicles are drawn in the view that is shown. */

@@ -88,6 +88,8 @@ export class Flight {
   words = new Map();
   /** @type {Map<string, Float32Array[]>} */
   traffic = new Map();
+  /** other flights, shown beside this one @type {Flight[]} */
+  ghosts = [];
   /** counts each change of the columns, for views that draw them */
   version = 0;
 

@@ -47,10 +47,12 @@ function covered(flight) {
     e0 = Math.min(e0, e);
     e1 = Math.max(e1, e);
   };
-  for (const columns of flight.columns.values()) {
-    const step = Math.max(Math.floor(flight.count / 100), 1);
-    for (let k = 0; k < flight.count; k += step) add(columns.n[k], columns.e[k]);
-    if (flight.count) add(columns.n[flight.count - 1], columns.e[flight.count - 1]);
+  for (const one of [flight, ...flight.ghosts]) {
+    const step = Math.max(Math.floor(one.count / 100), 1);
+    for (const columns of one.columns.values()) {
+      for (let k = 0; k < one.count; k += step) add(columns.n[k], columns.e[k]);
+      if (one.count) add(columns.n[one.count - 1], columns.e[one.count - 1]);
+    }
   }
   const sessions = flight.worlds.length ? flight.worlds.map((one) => one.session) : [flight.session];
   for (const one of sessions.flatMap((session) => session?.obstacles ?? [])) {

@@ -77,19 +77,20 @@ function comparison(app) {
   const told = h("span", { class: "small soft", role: "status" });
   const input = h("input", { type: "file", accept: ".html", multiple: true, "aria-label": "reports to compare with", onchange: async () => {
     const files = [...(input.files ?? [])];
-    app.ghosts = [];
+    /** @type {Flight[]} */
+    const ghosts = [];
     const said = [];
     for (const file of files) {
       try {
         const ghost = await flightOf(file);
-        app.ghosts.push(ghost);
+        ghosts.push(ghost);
         said.push(`${ghost.session?.name ?? file.name}, ${ghost.last_s.toFixed(1)} s`);
       } catch (problem) {
         said.push(`${file.name} is no report that can be compared (${/** @type {Error} */ (problem).message})`);
       }
     }
     told.textContent = said.length ? `In grey, ids in brackets: ${said.join("; ")}` : "";
-    app.dirty = true;
+    app.ghosts = ghosts;
   } });
   return h("label", { class: "small compare" }, "compare with other reports ", input, " ", told);
 }

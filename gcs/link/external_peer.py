@@ -154,7 +154,7 @@ class ExternalPeer:
         elif now_s - self.changed_s < DWELL_S:
             return ""
         elif before.lost_share(sysid) - best.lost_share(sysid) >= BETTER_SHARE:
-            why = f"{before.connect} loses {100.0 * before.lost_share(sysid):.0f} % of its frames"
+            why = f"{before.connect} has {100.0 * before.lost_share(sysid):.0f} % packet loss"
         else:
             back = next((link for link in self.links[: self.links.index(before)] if self._as_good(link, now_s)), None)
             if back is None:

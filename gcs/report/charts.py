@@ -128,7 +128,7 @@ class Charts:
     def _competition(self, giver: str, states: CompetitionSeries) -> list[ChartPanel]:
         """One competition's states and its leader's share."""
         scenario = self._found.scenario
-        share = [(scenario.competition.share, "share that wins")] if scenario else []
+        share = [(scenario.competition.share, "share needed to win")] if scenario else []
         return [
             ChartPanel(f"State v of each competitor for a {giver}", "1", states.v, digits=3, span=(-0.03, 1.06)),
             ChartPanel("Leader's share of Σ vᵖ", "1", {}, {"share": states.share}, share, 3, span=(-0.03, 1.06)),

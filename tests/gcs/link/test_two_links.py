@@ -207,7 +207,7 @@ def test_the_link_that_loses_less_is_used_and_the_first_again_when_it_is_as_good
         if text := feed.peer.choose(now_s):
             changes.append((now_s, text))
     (left_s, left), (back_s, back) = changes
-    assert left.startswith("Flown over B now: A loses ")
+    assert left.startswith("Flown over B now: A has ")
     assert 5.5 < left_s < 9.0
     assert back == "Flown over A now: it is as good, and preferred"
     assert 28.0 < back_s < 32.0  # what it has lost in the last 10 s counts

@@ -1,7 +1,8 @@
 """The page's server as a process of its own: `python -m gcs.web FOLDER PARENT [TILES]`, started by `gcs run --web`.
 
-It tells its links on standard output, as one line of JSON. It ends with its parent, and with the session where no page
-was opened; else it stays, and shows the session's report.
+It tells its links on standard output, as one line of JSON. It ends with its parent, and with the session, whose end it
+learns from the session or by the end of standard input, where no page was opened; else it stays, says so by a second
+line, and shows the session's report.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ def main(words: list[str]) -> int:
             lambda links: print(json.dumps(links), flush=True),
             tiles[0] if tiles else None,
             Path(folder) / REPORT_FILE,
+            over=0,
+            stays=lambda: print(json.dumps({"stays": True}), flush=True),
         )
     return 0
 

@@ -26,13 +26,15 @@ class PageServer:
 
     def stay(self, staying: Callable[[], object]) -> None:
         """After the session's end: until Ctrl-C where a page was opened, after a call of `staying`; else not at all."""
+        process = self._process
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.close()  # so it learns of the end
         with contextlib.suppress(KeyboardInterrupt):
-            try:
-                self._process.wait(ENDS_WITHIN_S)  # without a page it ends by itself
-            except subprocess.TimeoutExpired:
+            if process.stdout.readline():  # nothing where it ends because no page was opened
                 staying()
-                self._process.wait()
-        self._process.terminate()
+                process.wait()
+        process.terminate()
 
 
 @contextlib.contextmanager
@@ -41,21 +43,24 @@ def page_server(folder: Path, tiles: str | None = None) -> Iterator[PageServer]:
     process = start_python(
         "gcs.web",
         *(str(folder), str(os.getpid()), *([] if tiles is None else [tiles])),
-        stdin=subprocess.DEVNULL,
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         start_new_session=True,  # Ctrl-C is for the session, whose last lines the page still shows
     )
     out, links = process.stdout, {}
     assert out is not None
+    assert process.stdin is not None
     try:
         if select.select([out], [], [], STARTS_WITHIN_S)[0]:
             with contextlib.suppress(ValueError):
                 links = dict(json.loads(out.readline()))
         yield PageServer(process, links)
+        process.stdin.close()
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(ENDS_WITHIN_S)  # its pages learn how the session ended
     finally:
         process.terminate()
+        process.stdin.close()
         end(process, ENDS_WITHIN_S)
         out.close()

@@ -33,11 +33,14 @@ def serve(
     ready: Callable[[Mapping[str, str]], object],
     tiles: str | None = None,
     report: Path | None = None,
+    over: int | None = None,
+    stays: Callable[[], object] = lambda: None,
 ) -> None:
     """Serve until the source's end, SIGINT or SIGTERM; `ready` gets the links when they work. Closes the source.
 
     tiles: address of the map's tiles, as `gcs.web.tiles.checked` takes it. report: where the report of the source's
-    session will be; a server that has one goes on after the source's end, with the report, if a page was ever opened.
+    session will be; a server that has one goes on after the source's end, with the report, if a page was ever opened,
+    and calls `stays` then. over: a descriptor whose end is the source's too, which may never have begun.
     """
     tokens, hub, places = Tokens.fresh(), Hub(), ConnectionLimit()
     orders: deque[Mapping[str, Any]] = deque()
@@ -56,8 +59,20 @@ def serve(
     server = uvicorn.Server(config)
 
     async def feed() -> None:
-        await _feed(source, hub, orders)
+        ended = asyncio.Event()
+        if over is not None:
+            asyncio.get_running_loop().add_reader(over, ended.set)
+        feeding = asyncio.create_task(_feed(source, hub, orders))
+        gone = asyncio.create_task(ended.wait())
+        await asyncio.wait((feeding, gone), return_when=asyncio.FIRST_COMPLETED)
+        if over is not None:
+            asyncio.get_running_loop().remove_reader(over)
+        await asyncio.wait((feeding,), timeout=GRACE_S)  # what the session said last may still come
+        feeding.cancel()
+        gone.cancel()
         await asyncio.sleep(GRACE_S)
+        if report is not None and hub.visited:
+            stays()
         while report is not None and hub.visited:
             if not hub.reported and await asyncio.to_thread(report.is_file):
                 hub.report(REPORT + tokens.report)

@@ -22,6 +22,7 @@ from websockets.typing import Origin, Subprotocol
 from gcs.web.application import MOST_COMMAND, NO_TOKEN, policy
 from gcs.web.connection_limit import MOST_WITHOUT_TOKEN, ConnectionLimit
 from gcs.web.document import as_json
+from gcs.web.process import page_server
 from gcs.web.tiles import checked
 
 SESSION = {"type": "session", "name": "one", "control": True}
@@ -62,6 +63,14 @@ def get(link: str, path: str = "/", host: str | None = None, **headers: str) -> 
 
 def said(socket: ClientConnection) -> Any:
     return json.loads(socket.recv(timeout=20))
+
+
+def test_a_server_that_nobody_opened_ends_with_a_session_that_never_began(tmp_path: Path) -> None:
+    stayed: list[bool] = []
+    with page_server(tmp_path) as shown:
+        assert set(shown.links) == {"command", "view"}
+        shown.stay(lambda: stayed.append(True))
+    assert stayed == []
 
 
 def test_the_server_is_this_machines_alone_and_the_tokens_differ(links: dict[str, str]) -> None:

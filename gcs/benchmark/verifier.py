@@ -23,7 +23,7 @@ Corners = list[tuple[float, float]]
 
 
 def distance(a: list[float], b: list[float]) -> float:
-    return sqrt(sum((x - y) ** 2 for x, y in zip(a, b, strict=True)))
+    return sqrt(sum((x - y) * (x - y) for x, y in zip(a, b, strict=True)))
 
 
 def place(path: Any, t_s: float) -> list[float]:

@@ -199,7 +199,8 @@ class Watched:
             viewport={"width": width, "height": height}, color_scheme="dark" if dark else "light"
         )
         if not tour:
-            self.page.add_init_script("localStorage.setItem('skytender-tour', 'seen')")
+            # A sandboxed frame has no storage, and no tour.
+            self.page.add_init_script("try { localStorage.setItem('skytender-tour', 'seen') } catch {}")
         self.page.set_default_timeout(1e3 * PATIENCE_S)
         self.wrong: list[str] = []
         self.asked: list[str] = []

@@ -123,6 +123,12 @@ def test_trouble_is_read_on_every_screen(
           .map((one) => one.outerHTML.slice(0, 80))"""
     )
     assert cut == []
+    cut = page.evaluate(
+        """[...document.querySelectorAll('.strip .figures-of')]
+          .filter((one) => one.offsetParent && (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1))
+          .map((one) => one.textContent)"""
+    )
+    assert cut == []
     assert serious(page) == []
     assert watched.wrong == []
     page.close()

@@ -216,7 +216,7 @@ def _goal(found: Findings) -> str:
         f"<td>{escape(part.reached)}</td></tr>"
         for part in found.parts
     )
-    return f'<table class="goal"><tr><th></th><th>goal</th><th>what was reached</th></tr>{rows}</table>'
+    return f'<table class="goal"><tr><td></td><th>goal</th><th>what was reached</th></tr>{rows}</table>'
 
 
 def _missing(problems: Sequence[str]) -> str:

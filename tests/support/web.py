@@ -238,14 +238,9 @@ def until(page: Page, expression: str) -> None:
     assert not state, f"{expression} does not hold after {PATIENCE_S:.0f} s: {state}"
 
 
-def serious(page: Page) -> list[str]:
-    """What axe-core finds that is serious or worse, a sentence each."""
+def barriers(page: Page) -> list[str]:
+    """What axe-core finds, a sentence each."""
     from axe_playwright_python.sync_playwright import Axe  # noqa: PLC0415 - it takes a while to load
 
     found = Axe().run(page).response["violations"]
-    return [
-        f"{one['id']}: {one['help']} ({node['html'][:160]})"
-        for one in found
-        if one["impact"] in ("serious", "critical")
-        for node in one["nodes"]
-    ]
+    return [f"{one['id']}: {one['help']} ({node['html'][:160]})" for one in found for node in one["nodes"]]

@@ -20,7 +20,7 @@ import yaml
 from PIL import Image
 from playwright.sync_api import Browser, Page, Route, expect
 from sessions import Outcome, Running, merged, small
-from web import CHROMIUM, MISSING, Cable, Script, Watched, chromium, row, serious, served, session, snapshot, until
+from web import CHROMIUM, MISSING, Cable, Script, Watched, barriers, chromium, row, served, session, snapshot, until
 
 from gcs.recording.importing import beside
 from gcs.report.page import make
@@ -72,7 +72,7 @@ def test_a_flight_is_watched_commanded_and_ended_from_the_page(tmp_path: Path, b
         until(page, f"skytender.current.t_s > {past_s} + 2")
         until(page, "skytender.strip.element.textContent.includes('Low battery: 1 (')")
         assert live.bounding_box() == place, "trouble moves no button away from under the pointer"
-        assert serious(page) == []
+        assert barriers(page) == []
         page.get_by_role("button", name="stop").click()
         page.get_by_role("dialog").get_by_role("button", name="Yes").click()
         for seen in (page, other):
@@ -101,7 +101,7 @@ def test_a_narrow_dark_page_that_only_looks_on_is_accessible(browser: Browser) -
         page = watched.flying(links["view"])
         expect(page.get_by_label("trouble", exact=True)).to_contain_text("Low battery: 2 (4 % left)")
         expect(page.get_by_role("button", name="hold", exact=True)).to_be_hidden()
-        assert serious(page) == []
+        assert barriers(page) == []
         assert watched.wrong == []
         page.close()
 
@@ -135,7 +135,7 @@ def test_the_slider_moves_a_replay(recorded: Outcome, browser: Browser) -> None:
         page.keyboard.press("?")
         expect(page.get_by_role("dialog", name="keys")).to_be_visible()
         page.keyboard.press("Escape")
-        assert serious(page) == []
+        assert barriers(page) == []
         assert watched.wrong == []
         page.close()
 
@@ -167,7 +167,7 @@ def test_the_report_plays_from_a_file_and_fetches_nothing(recorded: Outcome, tmp
     assert page.evaluate("app.time.now_s > 11"), "the figures' line of time goes with it"
     assert page.evaluate("window.hacked") is None
     assert page.locator("img").count() == 0
-    assert serious(page) == []
+    assert barriers(page) == []
     assert watched.wrong == []
     assert watched.asked == [page_file.as_uri()]
     page.evaluate("fetch('https://example.org/').then(() => { window.fetched = 1; }, () => { window.fetched = 0; })")
@@ -192,7 +192,7 @@ def test_report_and_replay_open_on_the_flight_at_the_moment_of_a_link(
     assert picture["y"] + 0.5 * picture["height"] < 720
     page.evaluate("location.hash = 't=20'")
     until(page, "Math.abs(app.current.t_s - 20) < 1e-6")
-    assert serious(page) == []
+    assert barriers(page) == []
     assert watched.wrong == []
     page.close()
     with served(ReplaySource(Replay(recorded.folder), speed=0.1)) as links:
@@ -235,7 +235,7 @@ def test_a_second_report_is_shown_as_ghosts_at_the_same_time_and_two_recordings_
         assert page.evaluate(shot) != ghosted, "the picture shows them"
         page.evaluate("(app.ghosts = window.kept, app.dirty = true)")
     assert page.evaluate("window.hacked") is None
-    assert serious(page) == []
+    assert barriers(page) == []
     assert watched.wrong == []
     page.close()
     second = tmp_path / "second.tlog"
@@ -267,7 +267,7 @@ def test_254_vehicles_are_filtered_counted_and_gone_to(browser: Browser) -> None
         assert chosen(page) == 200
         expect(page.locator(".vehicle-page")).to_contain_text("pursuer 200")
         assert page.evaluate("skytender.map.follow"), "the picture goes there too"
-        assert serious(page) == []
+        assert barriers(page) == []
         assert watched.wrong == []
         page.close()
 
@@ -310,7 +310,7 @@ def test_tiles_lie_under_the_map_where_they_belong_and_the_wind_is_shown(browser
             x = round(frame["width"] / 2 + (east - frame["e"]) * frame["perMetre"])
             y = round(frame["height"] / 2 - (north - frame["n"]) * frame["perMetre"])
             assert seen.getpixel((x, y)) == shade(int(across), int(down)), (north, east)
-        assert serious(page) == []
+        assert barriers(page) == []
         assert watched.wrong == []
         page.close()
 

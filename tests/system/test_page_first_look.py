@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Browser, expect
-from web import CHROMIUM, MISSING, Script, Watched, chromium, row, serious, served, session, snapshot, until
+from web import CHROMIUM, MISSING, Script, Watched, barriers, chromium, row, served, session, snapshot, until
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 
@@ -30,7 +30,7 @@ def test_while_a_session_starts_the_page_says_so_and_offers_nothing_that_would_n
         expect(said).to_have_text("The session is starting.")
         for name in ("hold", "stop", "all: return"):
             expect(page.get_by_role("button", name=name, exact=True)).to_be_hidden()
-        assert serious(page) == []
+        assert barriers(page) == []
         source.tell(session(rows, name="harvest"))
         expect(page.locator("h1")).to_have_text("harvest")
         expect(said).to_have_text("2 pursuers, 1 target start; they are shown here as soon as they report.")
@@ -56,7 +56,7 @@ def test_the_first_visit_begins_with_a_tour_of_five_steps_and_the_next_without(
             expect(tour).to_contain_text(f"{step} of 5")
             expect(page.locator(".pointed")).to_have_count(1)
             pointed.add(page.locator(".pointed").get_attribute("class"))
-            assert step > 1 or serious(page) == []
+            assert step > 1 or barriers(page) == []
             tour.get_by_role("button", name="Next" if step < 5 else "Done").press("Enter")
         assert len(pointed) == 5
         expect(tour).to_be_hidden()

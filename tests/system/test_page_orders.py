@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import Locator, Page, expect
 from sessions import Running, small
-from web import CHROMIUM, MISSING, Watched, chromium, serious, until
+from web import CHROMIUM, MISSING, Watched, barriers, chromium, until
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 SEPARATION_M = 0.6
@@ -158,7 +158,7 @@ def test_all_come_home_but_the_dead_and_plan_b_keeps_them_apart(flying: Flying) 
     assert set(plans) == {"1", "2", "3", "101", "201"}
     heights = sorted(map(float, plans.values()))
     assert min(b - a for a, b in pairwise(heights)) >= SEPARATION_M, "their ways meet"
-    assert serious(page) == []
+    assert barriers(page) == []
     answered(page, "return: 4 of 4 obey.")
     until(page, "skytender.current.vehicles.filter((v) => v.alive).every((v) => v.mode === 'return' || v.landed)")
 

@@ -11,7 +11,7 @@ from mission_tapes import AWAY_DEG, LAT_DEG, LON_DEG, VEHICLE, Tape, north
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect
 from pymavlink.dialects.v20 import ardupilotmega as mav
-from web import CHROMIUM, MISSING, Watched, chromium, serious, served, until
+from web import CHROMIUM, MISSING, Watched, barriers, chromium, served, until
 
 from gcs.missions.files import read
 from gcs.session.replay import Replay, ReplaySource
@@ -58,7 +58,7 @@ def test_missions_and_fences_are_drawn_and_listed(tmp_path: Path, browser: Brows
         assert any(red(colour) for colour in around(seen, page, -111.2 - 60.0, 0.0)), "the border to stay out of"
         assert red_of(shade(seen, page, -111.2, 20.0)) > red_of(paper), "the area to stay out of is tinted"
         assert any(sum(colour) < sum(paper) - 200 for colour in around(seen, page, 222.4, 0.0)), "the second item"
-        assert serious(page) == []
+        assert barriers(page) == []
         assert watched.wrong == []
         page.close()
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from web import CHROMIUM, MISSING, Script, Watched, chromium, row, serious, served, session, snapshot, until
+from web import CHROMIUM, MISSING, Script, Watched, barriers, chromium, row, served, session, snapshot, until
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 
@@ -71,7 +71,7 @@ def test_several_are_selected_and_ordered_with_one_confirmation(browser: Browser
         dialog = page.get_by_role("dialog")
         expect(dialog).to_contain_text("Hold 4 vehicles?")
         expect(dialog.get_by_role("listitem")).to_have_text(["pursuer 7 is dead."])
-        assert serious(page) == []
+        assert barriers(page) == []
         assert source.sent == []
         dialog.get_by_role("button", name="Yes").click()
         notice = page.locator(".notices .bad")
@@ -210,7 +210,7 @@ def test_what_may_not_obey_is_listed_with_its_reason(browser: Browser) -> None:
                 "6, 7by its own parameters",
             ]
         )
-        assert serious(page) == []
+        assert barriers(page) == []
         dialog.get_by_role("button", name="No").click()
         page.locator("table.fleet tbody").get_by_role("button", name="5", exact=True).click()
         expect(page.locator(".vehicle-page")).to_contain_text("plan Bstraight home at 12.5 m above it")

@@ -73,7 +73,7 @@ export class EventList {
     this.search = h("input", { type: "search", placeholder: "search events", "aria-label": "search events", oninput: () => this.again() });
     this.level = h("select", { "aria-label": "level of events", onchange: () => this.again() }, h("option", { value: "info" }, "all"), h("option", { value: "warning" }, "warnings and errors"));
     this.list = h("ol", { class: "events" });
-    parent.append(h("div", { class: "tools" }, this.search, this.level), h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "events" }, this.list));
+    parent.append(h("div", { class: "tools" }, this.search, this.level), h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "list of events" }, this.list));
     this.key = "";
   }
 

@@ -120,7 +120,7 @@ export function showPlans(at, session, snapshot) {
     const rows = plan.items.map((item) => h("tr", { class: item.number === current[k] ? "chosen" : "", "aria-current": item.number === current[k] ? "step" : null },
       ...[String(item.number), item.command, item.height_m === null ? "" : `${number(item.height_m, 1)} m`, item.above === null ? "" : `above ${item.above}`,
         item.p_ned ? `${number(item.p_ned[0], 1)}, ${number(item.p_ned[1], 1)}` : "", item.about].map((text, column) => h("td", { class: [1, 3, 5].includes(column) ? "word" : "" }, text))));
-    const heads = ["", "command", "height", "", "north, east m", "parameters"].map((name, column) => h("th", { scope: "col", class: [1, 3, 5].includes(column) ? "word" : "" }, name));
+    const heads = ["", "command", "height", "", "north, east m", "parameters"].map((name, column) => h(name ? "th" : "td", { scope: name ? "col" : null, class: [1, 3, 5].includes(column) ? "word" : "" }, name));
     const table = rows.length ? [h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `mission of ${plan.source}` }, h("table", {}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))] : [];
     const details = h("details", { "data-source": plan.source }, h("summary", {}, h("b", {}, plan.source), `: ${parts.join(", ") || "nothing"}`), ...table, ...plan.left_out.map((text) => h("p", { class: "warn small" }, text)));
     details.open = at.childElementCount ? open.has(plan.source) : plans.length === 1;

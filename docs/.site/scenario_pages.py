@@ -70,7 +70,7 @@ def groups(schema: Mapping[str, Any], parts: Mapping[str, Any]) -> Pages:
 
 
 def children(schema: Mapping[str, Any], parts: Mapping[str, Any]) -> dict[str, list[str]]:
-    """The parts to which each part is the first to lead; those of the file itself under an empty name."""
+    """Parts by the part that names them first; those that the file itself names are under an empty name."""
     below: dict[str, list[str]] = {"": []} | {name: [] for name in parts}
     seen: set[str] = set()
     waiting: list[tuple[str, Mapping[str, Any]]] = [("", schema)]

@@ -234,6 +234,11 @@ def test_a_second_report_is_shown_as_ghosts_at_the_same_time_and_two_recordings_
         until(page, "!app.dirty")
         assert page.evaluate(shot) != ghosted, "the picture shows them"
         page.evaluate("(app.ghosts = window.kept, app.dirty = true)")
+    battery = page.locator("[data-figure=battery]")
+    doubled = int(battery.get_attribute("data-lines") or 0)
+    page.get_by_label("reports to compare with").set_input_files([])
+    expect(battery).to_have_attribute("data-lines", str(doubled // 2))
+    assert doubled, "figures draw them, too"
     assert page.evaluate("window.hacked") is None
     assert barriers(page) == []
     assert watched.wrong == []

@@ -63,12 +63,11 @@ def filled(page: Page, app: str) -> list[bool]:
 
 
 def in_space(page: Page, app: str, place_ne: tuple[float, float]) -> None:
-    """Wait until a body in space stands at a place: x east, and y north before it is laid on the ground."""
+    """Wait until a corner of an obstacle in space is near a place: x east, z south."""
     page.keyboard.press("3")
-    bodies = f"{app}.space.fixed.children.filter((one) => one.geometry?.type === 'ExtrudeGeometry')"
-    middle = "(one.geometry.computeBoundingSphere(), one.geometry.boundingSphere.center)"
-    off = f"Math.hypot({middle}.x - {place_ne[1]}, {middle}.y - {place_ne[0]})"
-    until(page, f"{bodies}.some((one) => {off} < 0.1)")
+    corners = f"[...Array({app}.space.solid?.geometry.attributes.position.count ?? 0).keys()]"
+    x, z = (f"{app}.space.solid.geometry.attributes.position.get{axis}(k)" for axis in "XZ")
+    until(page, f"{corners}.some((k) => Math.hypot({x} - {place_ne[1]}, {z} + {place_ne[0]}) < 1.5)")
 
 
 def test_a_moved_obstacle_is_where_it_was_at_each_time(tmp_path: Path, browser: Browser) -> None:

@@ -4,6 +4,7 @@ import { Box, within } from "./box.js";
 import { SharedTime, TimeChart } from "./charts.js";
 import { h, key, number, say } from "./elements.js";
 import { Flight } from "./flight.js";
+import { Hover } from "./hover.js";
 import { colourOf, nextTheme, onLook, setMembers } from "./look.js";
 import { MapView } from "./map.js";
 import { EventList, showContest, showVehicle } from "./panels.js";
@@ -19,7 +20,7 @@ import { Timeline } from "./timeline.js";
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const MANY = 16;
-const TRAIL_S = 20; // of many vehicles that move, only what they flew last is drawn
+const TRAIL_S = 20; // of what moves in space, and of many on the map, only what was flown last is drawn
 const CHARTS_MS = 500;
 const BAND_POINTS = 300;
 const PANELS_MS = 200;
@@ -95,6 +96,7 @@ export class App {
     this.wind = h("span", { class: "soft wind" });
     const picture = h("div", { class: "picture" }, space, names, map);
     this.box = new Box(picture, { places: () => this.places, take: (sysids, add) => this.select(add ? [...new Set([...this.selected, ...sysids])] : sysids), pick: choose });
+    this.hover = new Hover(picture, () => ({ places: this.places, rows: this.current?.vehicles ?? [] }));
     const tools = h("div", { class: "tools" }, this.views.space, this.views.map, this.camera, whole, this.pathsButton, this.box.button, this.wind);
     const scene = h("section", { class: "card scene", "aria-label": "picture" }, tools, picture);
     const timelineAt = h("section", { class: "card time-line", "aria-label": "time" });
@@ -257,7 +259,7 @@ export class App {
     this.select(sysid === null ? [] : [sysid]);
   }
 
-  /** A click on a vehicle: with Shift, Ctrl or ⌘ it joins or leaves the selection. @param {number | null} sysid @param {MouseEvent} [event] */
+  /** A click on a vehicle: with Shift, Ctrl or ⌘ it joins or leaves the selection. @param {number | null} sysid @param {MouseEvent | KeyboardEvent} [event] */
   pick(sysid, event) {
     if (sysid === null || !(event?.shiftKey || event?.ctrlKey || event?.metaKey)) return this.choose(sysid);
     const span = event.shiftKey && this.chosen !== null ? this.table.between(this.chosen, sysid, event) : null;
@@ -375,6 +377,7 @@ export class App {
     this.frames += 1;
     this.drawnFirst();
     this.current = snapshot;
+    this.hover.show();
     this.time.begin_s = this.flight.first_s;
     this.time.end_s = Math.max(this.flight.last_s, this.end_s ?? 0);
     this.time.setNow(t_s);

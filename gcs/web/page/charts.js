@@ -7,7 +7,7 @@ import { colourOf, dashOf, look, sourceColour } from "./look.js";
 /**
  * @typedef {{id?: number, label?: string, x: ArrayLike<number>, y: ArrayLike<number>}} Line
  * @typedef {{title: string, unit: string, digits: number, zero?: boolean, range?: [number, number] | null,
- *   limits: {y: number, label: string}[], lines: Line[], own: Line[],
+ *   limits: {y: number, label: string}[], lines: Line[], own: Line[], ghosts?: Line[],
  *   band?: {least: Line, median: Line, greatest: Line, count: number}}} Panel
  * @typedef {{t_s: number, id?: number, label: string, text?: string, bad?: boolean}} Mark
  * @typedef {{from: number, to: number, id: number}} Span
@@ -56,6 +56,17 @@ export class SharedTime {
   }
 }
 
+/** Zoom all figures around the time that is shown. @param {Time} time @param {number} by less than 1: nearer */
+function zoomBy(time, by) {
+  const [begin_s, end_s] = time.range;
+  const [least_s, most_s] = [time.begin_s, Math.max(time.end_s, time.begin_s + 1e-3)];
+  const span_s = by * (end_s - begin_s);
+  if (span_s >= most_s - least_s) return time.setZoom(null);
+  const middle_s = time.now_s >= begin_s && time.now_s <= end_s ? time.now_s : (begin_s + end_s) / 2;
+  const from_s = Math.min(Math.max(middle_s - span_s / 2, least_s), most_s - span_s);
+  time.setZoom([from_s, from_s + span_s]);
+}
+
 /** NaN becomes a gap. @param {ArrayLike<number>} values @returns {(number | null)[]} */
 function gaps(values) {
   return Array.from(values, (value) => (Number.isNaN(value) ? null : value));
@@ -75,6 +86,16 @@ export class TimeChart {
     /** @type {HTMLElement[]} */
     this.nows = [];
     time.charts.add(this);
+    div.tabIndex = 0;
+    div.setAttribute("aria-keyshortcuts", "+ - 0");
+    div.addEventListener("keydown", (event) => {
+      if (event.key === "+") zoomBy(time, 0.5);
+      else if (event.key === "-") zoomBy(time, 2);
+      else if (event.key === "0") time.setZoom(null);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
   }
 
   /** @param {Figure} figure @param {Set<number>} chosen */
@@ -112,6 +133,9 @@ export class TimeChart {
       add(panel.band.least, { label: "least", stroke: "transparent" });
       add(panel.band.greatest, { label: "greatest", stroke: "transparent" });
       add(panel.band.median, { label: `median of ${panel.band.count}`, stroke: soft, dash: [2, 3] });
+    }
+    for (const line of panel.ghosts ?? []) {
+      if (chosen.has(line.id ?? -1)) add(line, { label: `(${this.label(line.id ?? -1)})`, stroke: soft, width: 1, dash: [5, 3] });
     }
     for (const line of panel.lines) {
       const id = /** @type {number} */ (line.id);

@@ -18,7 +18,7 @@ import { Tour } from "./tour.js";
 const KEYS = [
   ["space", "pause, or go on"], ["← →", "10 s back or on (replay, report, or back in a live flight)"], ["< >", "slower, faster"], ["End", "back to the newest"],
   ["[ ]", "the vehicle before, after"], ["g", "go to a vehicle by its id"], ["/", "filter vehicles"], ["3 m", "in space, map"], ["c", "camera: free, follow, from its eyes"],
-  ["0", "show everything"], ["v", "paths on or off"], ["b", "select all that are in the picture"], ["a", "select all that the table shows"], ["Esc", "select none"], ["d", "dark or light"], ["?", "this page"],
+  ["0", "show everything"], ["+ − 0", "in picture and figures: nearer, farther, everything"], ["v", "paths on or off"], ["b", "select all that are in the picture"], ["a", "select all that the table shows"], ["ctrl↵ ⇧↵", "on an id in the table: add it to the selection; it and those between"], ["Esc", "select none"], ["d", "dark or light"], ["?", "this page"],
 ];
 const SEEK_S = 10;
 

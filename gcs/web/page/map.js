@@ -1,6 +1,7 @@
 // The fleet from above, north up: obstacles, paths, vehicles with their headings, a scale. Drag, wheel or pinch move it.
 // @ts-check
 import { nearest } from "./box.js";
+import { drawNorth } from "./compass.js";
 import { fit, number } from "./elements.js";
 import { last } from "./flight.js";
 import { plane, sized } from "./graphics.js";
@@ -15,7 +16,7 @@ import { covered as covered_by_plans, drawPlans } from "./plans.js";
 
 const MARGIN = 0.08;
 const MOST_NAMED = 40;
-const TRAIL_POINTS = 150; // of each of more vehicles
+const TRAIL_POINTS = 50; // of each of more vehicles
 const NICE = [1, 2, 5];
 
 /** The nice length (1, 2 or 5 times a power of ten) next below a given one. @param {number} length */
@@ -24,10 +25,10 @@ export function nice(length) {
   return power * Math.max(...NICE.filter((one) => one * power <= length * 1.0001), 1);
 }
 
-/** @type {WeakMap<Flight, {version: number, session: unknown, found: [Plane, Plane] | null}>} */
+/** @type {WeakMap<Flight, {version: number, session: unknown, found: [Plane, Plane, Plane] | null}>} */
 const extents = new WeakMap();
 
-/** What the flight covers: least and greatest north and east. @param {Flight} flight @returns {[Plane, Plane] | null} */
+/** What the flight covers: least and greatest north, east and height. @param {Flight} flight @returns {[Plane, Plane, Plane] | null} */
 export function extent(flight) {
   const known = extents.get(flight);
   if (known && known.version === flight.version && known.session === flight.session) return known.found;
@@ -36,12 +37,13 @@ export function extent(flight) {
   return found;
 }
 
-/** @param {Flight} flight @returns {[Plane, Plane] | null} */
+/** @param {Flight} flight @returns {[Plane, Plane, Plane] | null} */
 function covered(flight) {
-  let [n0, n1, e0, e1] = [Infinity, -Infinity, Infinity, -Infinity];
-  /** @param {number} n @param {number} e */
-  const add = (n, e) => {
+  let [n0, n1, e0, e1, high] = [Infinity, -Infinity, Infinity, -Infinity, 0];
+  /** @param {number} n @param {number} e @param {number} [d] */
+  const add = (n, e, d = 0) => {
     if (Number.isNaN(n)) return;
+    high = Math.max(high, -d);
     n0 = Math.min(n0, n);
     n1 = Math.max(n1, n);
     e0 = Math.min(e0, e);
@@ -50,8 +52,8 @@ function covered(flight) {
   for (const one of [flight, ...flight.ghosts]) {
     const step = Math.max(Math.floor(one.count / 100), 1);
     for (const columns of one.columns.values()) {
-      for (let k = 0; k < one.count; k += step) add(columns.n[k], columns.e[k]);
-      if (one.count) add(columns.n[one.count - 1], columns.e[one.count - 1]);
+      for (let k = 0; k < one.count; k += step) add(columns.n[k], columns.e[k], columns.d[k]);
+      if (one.count) add(columns.n[one.count - 1], columns.e[one.count - 1], columns.d[one.count - 1]);
     }
   }
   const sessions = flight.worlds.length ? flight.worlds.map((one) => one.session) : [flight.session];
@@ -63,7 +65,7 @@ function covered(flight) {
   for (const one of sessions.flatMap((session) => session?.vehicles ?? [])) for (const [n, e] of one.path_ned) add(n, e);
   for (const [n, e] of covered_by_plans(flight.session)) add(n, e);
   if (n0 > n1) return null;
-  return [[n0, n1], [e0, e1]];
+  return [[n0, n1], [e0, e1], [0, high]];
 }
 
 export class MapView {
@@ -475,12 +477,7 @@ export class MapView {
     context.textAlign = "right";
     context.font = "12px system-ui, sans-serif";
     context.fillText(`${length} m`, right, y - 9);
-    context.textAlign = "center";
-    context.font = "700 13px system-ui, sans-serif";
-    context.fillText("N", width - 20, 34);
-    context.beginPath();
-    [[0, -14], [5, 0], [0, -4], [-5, 0]].forEach(([u, w], k) => context[k ? "lineTo" : "moveTo"](width - 20 + u, 20 + w));
-    context.fill();
+    drawNorth(context, width - 20, 20, 0);
     context.textAlign = "left";
   }
 }

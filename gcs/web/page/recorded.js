@@ -60,8 +60,8 @@ function scaling(model, series) {
   return (/** @type {Packed} */ r) => Float32Array.from(scaled(series, r.at, r.n, r.low, r.high));
 }
 
-/** The flight in another report, read as data: nothing of it runs. @param {File} file @returns {Promise<Flight>} */
-async function flightOf(file) {
+/** The flight and the figures in another report, read as data: nothing of it runs. @param {File} file */
+async function readReport(file) {
   const page = new DOMParser().parseFromString(await file.text(), "text/html");
   const text = page.getElementById("model")?.textContent;
   /** @type {Model | null} */
@@ -69,28 +69,32 @@ async function flightOf(file) {
   if (!model?.flight) throw new Error("it carries no flight");
   const flight = new Flight();
   fillFlight(flight, model, model.flight, scaling(model, await unpack(page, "series")));
-  return flight;
+  return { flight, figures: model.figures };
 }
 
-/** What shows further reports' flights as ghosts in this one's picture. @param {App} app */
-function comparison(app) {
+/** What shows further reports' flights as ghosts in this one's picture and figures. @param {App} app @param {(figures: Model["figures"][]) => void} draw their figures */
+function comparison(app, draw) {
   const told = h("span", { class: "small soft", role: "status" });
   const input = h("input", { type: "file", accept: ".html", multiple: true, "aria-label": "reports to compare with", onchange: async () => {
     const files = [...(input.files ?? [])];
     /** @type {Flight[]} */
     const ghosts = [];
+    /** @type {Model["figures"][]} */
+    const figures = [];
     const said = [];
     for (const file of files) {
       try {
-        const ghost = await flightOf(file);
-        ghosts.push(ghost);
-        said.push(`${ghost.session?.name ?? file.name}, ${ghost.last_s.toFixed(1)} s`);
+        const other = await readReport(file);
+        ghosts.push(other.flight);
+        figures.push(other.figures);
+        said.push(`${other.flight.session?.name ?? file.name}, ${other.flight.last_s.toFixed(1)} s`);
       } catch (problem) {
         said.push(`${file.name} is no report that can be compared (${/** @type {Error} */ (problem).message})`);
       }
     }
     told.textContent = said.length ? `In grey, ids in brackets: ${said.join("; ")}` : "";
     app.ghosts = ghosts;
+    draw(figures);
   } });
   return h("label", { class: "small compare" }, "compare with other reports ", input, " ", told);
 }
@@ -132,7 +136,7 @@ export async function recorded(config, keyboard) {
     app.given = true;
     app.after.push(() => picked());
     const help = keyboard(app, [], () => {});
-    const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"), comparison(app));
+    const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"), comparison(app, compared));
     root?.before(tools);
   }
 
@@ -153,6 +157,16 @@ export async function recorded(config, keyboard) {
     if (figure.kind === "ledger") return () => drawLedger(div, figure, chosen, label);
     const chart = new TimeChart(div, time, label);
     return (width) => chart.draw(figure, chosen, width);
+  }
+
+  /** Draw the lines of other reports beneath those of the same figures here. @param {Model["figures"][]} others */
+  function compared(others) {
+    for (const [name, figure] of Object.entries(model.figures)) {
+      figure.panels?.forEach((/** @type {import("./charts.js").Panel} */ panel, /** @type {number} */ k) => {
+        panel.ghosts = others.flatMap((figures) => figures[name]?.panels?.[k]?.lines ?? []);
+      });
+    }
+    redraw();
   }
 
   /** The map as a still, for paper. @param {HTMLElement} div */

@@ -1,19 +1,20 @@
 // The fleet in space: bodies with their attitudes, paths, rings, obstacles, traffic and transfers. x east, y up, z south.
 // @ts-check
 import {
-  AmbientLight, ArrowHelper, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide,
-  ExtrudeGeometry, Group, GridHelper, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial,
-  OctahedronGeometry, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, Shape, SphereGeometry, Vector3, WebGLRenderer,
+  AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, GridHelper, InstancedMesh,
+  LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { body } from "./bodies.js";
 import { nearest } from "./box.js";
+import { drawNorth } from "./compass.js";
 import { last } from "./flight.js";
 import { plane, sized } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
 import { lines as linesOfPlans } from "./plans.js";
 import { drawSign } from "./signs.js";
+import { solids } from "./solids.js";
 
 /** @typedef {import("./flight.js").Flight} Flight */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -22,10 +23,16 @@ import { drawSign } from "./signs.js";
 
 const MOST_NAMED = 40;
 const PATH_POINTS = 24000; // of all paths together
-const TRAIL_POINTS = 100; // of each of many
+const TRAIL_POINTS = 32; // of each of many: without a graphics card each of them costs as much as the vehicle's body
+const FADED = 0.8; // of a path's colour at the end of its tail
 const CIRCLE = 48;
 const MOST_DASHES = 401; // of one stretch
 const MOST = 254;
+const VIEWED_FROM = new Vector3(-0.35, 0.5, 0.72);
+const FILLED = 0.88; // of the picture's width or height
+const LEAST_FILLED = 0.5;
+const LEAST_SPAN_M = 5;
+const FRAMED_AFTER = 8; // steps that near what fills it
 
 /** NED → the scene's axes. @param {readonly number[]} p @param {Vector3} [to] */
 const place = (p, to = new Vector3()) => to.set(p[1], -p[2], -p[0]);
@@ -39,33 +46,6 @@ function turn(row, to) {
   return to.copy(yaw).multiply(pitch).multiply(roll);
 }
 const Q = [new Quaternion(), new Quaternion(), new Quaternion()];
-
-/** A quadrotor of 1 m across; a tanker carries a tank, a target a mast. @param {string} role @param {boolean} plain one of many, small */
-function body(role, plain) {
-  const parts = [];
-  const middle = role === "tanker" ? new BoxGeometry(0.34, 0.26, 0.6) : new BoxGeometry(0.2, 0.12, 0.28);
-  const mast = new OctahedronGeometry(0.22).translate(0, 0.28, 0);
-  if (plain) {
-    for (const angle of [Math.PI / 4, -Math.PI / 4]) parts.push(new PlaneGeometry(0.34, 1.3).rotateX(Math.PI / 2).rotateY(angle));
-    const nose = new ConeGeometry(0.14, 0.5, 3).rotateX(-Math.PI / 2).translate(0, 0.02, -0.35);
-    parts.push(nose, ...(role === "pursuer" ? [] : [middle]), ...(role === "target" ? [mast] : []));
-    return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
-  }
-  for (const [x, z] of [[1, 1], [1, -1], [-1, 1], [-1, -1]]) {
-    const rotor = new CylinderGeometry(0.22, 0.22, 0.03, 10);
-    rotor.translate(0.32 * x, 0.05, 0.32 * z);
-    const arm = new BoxGeometry(0.06, 0.05, 0.45);
-    arm.translate(0, 0, 0.22);
-    arm.rotateY(Math.atan2(x, z));
-    parts.push(rotor, arm);
-  }
-  const nose = new ConeGeometry(0.09, 0.3, 6);
-  nose.rotateX(-Math.PI / 2);
-  nose.translate(0, 0.02, -0.28);
-  parts.push(nose, middle);
-  if (role === "target") parts.push(mast);
-  return mergeGeometries(parts.map((part) => (part.index ? part.toNonIndexed() : part)));
-}
 
 export class SpaceView {
   /** @param {HTMLCanvasElement} canvas @param {HTMLCanvasElement} names what is written over it @param {(sysid: number | null, event: MouseEvent) => void} choose */
@@ -97,11 +77,15 @@ export class SpaceView {
     this.world = /** @type {unknown} */ (null);
     this.pathsOf = { version: -1, until_s: NaN, chosen: /** @type {number | null} */ (null), dark: false, at: 0 };
     this.size = 1;
+    this.grid_m = 0;
+    /** obstacles and bases @type {Mesh | null} */
+    this.solid = null;
     /** @type {{sysid: number, x: number, y: number}[]} */
     this.places = [];
     this.target = new Vector3();
     this.framed = false;
-    this.framedFar = 0;
+    /** what the picture was framed for */
+    this.framedOf = "";
     /** whether a person has moved the camera */
     this.touched = false;
     this.controls.addEventListener("start", () => (this.touched = true));
@@ -193,26 +177,8 @@ export class SpaceView {
     const middle = (/** @type {readonly number[]} */ pair) => Math.round((pair[0] + pair[1]) / 2 / step) * step;
     ground.position.set(middle(all[1]), 0, -middle(all[0]));
     this.fixed.add(ground);
-    const solid = new MeshLambertMaterial({ color: colours.solid, transparent: true, opacity: 0.6, side: DoubleSide });
-    for (const one of session?.obstacles ?? []) {
-      const [n, e, d] = one.centre_ned;
-      const high = Math.max(one.bottom_d - one.top_d, 0.05);
-      let mesh;
-      if (one.kind === "sphere") {
-        mesh = new Mesh(new SphereGeometry(one.radius_m ?? 0.5, 20, 14), solid);
-        place([n, e, d], mesh.position);
-      } else if (!one.outline_ne.length) {
-        mesh = new Mesh(new OctahedronGeometry(0.3), solid);
-        place([n, e, d], mesh.position);
-      } else {
-        const shape = new Shape();
-        one.outline_ne.forEach(([north, east], k) => shape[k ? "lineTo" : "moveTo"](east, north));
-        mesh = new Mesh(new ExtrudeGeometry(shape, { depth: high, bevelEnabled: false }), solid);
-        mesh.rotation.x = -Math.PI / 2;
-        mesh.position.y = -one.bottom_d;
-      }
-      this.fixed.add(mesh);
-    }
+    this.solid = solids(session?.obstacles ?? [], flight.session?.bases ?? [], colours.solid);
+    if (this.solid) this.fixed.add(this.solid);
     /** @type {number[]} */
     const positions = [];
     /** @type {number[]} */
@@ -240,37 +206,46 @@ export class SpaceView {
     const planned = this.#segments(0);
     this.#fill(planned, positions, tints);
     this.fixed.add(planned);
-    for (const base of flight.session?.bases ?? []) {
-      const pad = new Mesh(new CylinderGeometry(1, 1, 0.1, 24), solid);
-      place(base.p_ned, pad.position);
-      this.fixed.add(pad);
-    }
-    this.span = span;
+    this.grid_m = step;
     this.size = Math.min(Math.max(span / 45, 0.6), 4);
     this.scene.background = new Color(colours.paper);
   }
 
-  /** How far the camera stands off to see everything. @param {Flight} flight */
-  #far(flight) {
-    const all = extent(flight);
-    if (!all) return 8;
-    const [[n0, n1], [e0, e1]] = all;
-    const narrow = Math.max(1, 1.3 / this.camera.aspect);
-    return 1.3 * narrow * Math.max(n1 - n0, 0.9 * (e1 - e0), 8);
+  /** Least and greatest places in the picture, in its halves, of what the flight covers. @param {Flight} flight */
+  #covered(flight) {
+    const [ns, es, ups] = extent(flight) ?? [[-4, 4], [-4, 4], [0, 0]];
+    const seen = ns.flatMap((n) => es.flatMap((e) => ups.map((up) => place([n, e, -up]).project(this.camera))));
+    const [xs, ys] = [seen.map((one) => one.x), seen.map((one) => one.y)];
+    return { x0: Math.min(...xs), x1: Math.max(...xs), y0: Math.min(...ys), y1: Math.max(...ys), behind: seen.some((one) => one.z > 1) };
   }
 
-  /** @param {Flight} flight */
+  /** Whether all is in the picture, and not lost in it. @param {Flight} flight */
+  #fits(flight) {
+    const { x0, x1, y0, y1, behind } = this.#covered(flight);
+    return !behind && x0 > -1 && x1 < 1 && y0 > -1 && y1 < 1 && Math.max(x1 - x0, y1 - y0) > 2 * LEAST_FILLED;
+  }
+
+  /** Stand so that everything fills the picture, seen from the south and above. @param {Flight} flight */
   #frame(flight) {
     const all = extent(flight);
     if (!all || !flight.count) return;
-    const [[n0, n1], [e0, e1]] = all;
-    const far = this.#far(flight);
-    this.target.set((e0 + e1) / 2, 2, -(n0 + n1) / 2);
+    const [[n0, n1], [e0, e1], [low, high]] = all;
+    this.target.set((e0 + e1) / 2, (low + high) / 2, -(n0 + n1) / 2);
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360);
+    const [right, up] = [new Vector3(), new Vector3()];
+    let far = 4 * Math.max(n1 - n0, e1 - e0, high - low, LEAST_SPAN_M);
+    for (let k = 0; k < FRAMED_AFTER; k += 1) {
+      this.camera.position.copy(VIEWED_FROM).setLength(far).add(this.target);
+      this.camera.lookAt(this.target);
+      this.camera.updateMatrixWorld();
+      const { x0, x1, y0, y1 } = this.#covered(flight);
+      this.camera.matrixWorld.extractBasis(right, up, new Vector3());
+      this.target.addScaledVector(right, 0.5 * (x0 + x1) * far * tall * this.camera.aspect).addScaledVector(up, 0.5 * (y0 + y1) * far * tall);
+      far = Math.max((far * Math.max(x1 - x0, y1 - y0)) / (2 * FILLED), LEAST_SPAN_M);
+    }
     this.controls.target.copy(this.target);
-    this.camera.position.set(this.target.x - 0.35 * far, 2 + 0.5 * far, this.target.z + 0.72 * far);
     this.controls.update();
     this.framed = true;
-    this.framedFar = far;
   }
 
   /**
@@ -289,8 +264,11 @@ export class SpaceView {
       this.camera.updateProjectionMatrix();
     }
     this.#fix(flight, snapshot.t_s);
-    const grown = this.#far(flight) > 1.15 * this.framedFar;
-    if (!this.framed || (grown && !this.touched)) this.#frame(flight);
+    const covers = `${extent(flight)} ${this.camera.aspect}`;
+    if (!this.framed || (this.mode === "free" && !this.touched && this.framedOf !== covers && !this.#fits(flight))) {
+      this.#frame(flight);
+      this.framedOf = covers;
+    }
     this.#bodies(snapshot, chosen);
     this.#drawLines(flight, snapshot, ghosts, until_s, paths);
     this.paths.visible = paths;
@@ -440,17 +418,19 @@ export class SpaceView {
     /** @type {number[]} */
     const tints = [];
     const paper = new Color(look().paper);
+    const many = flight.columns.size > MOST_NAMED;
+    const [from_tint, to_tint] = [new Color(), new Color()];
     for (const [sysid, { n, e, d }] of flight.columns) {
-      const many = flight.columns.size > MOST_NAMED;
       const colour = new Color(colourOf(sysid));
       if (chosen === null ? many : sysid !== chosen) colour.lerp(paper, many ? 0.6 : 0.45);
-      const from = many && sysid !== chosen ? recent : 0;
+      const from = sysid === chosen ? 0 : recent;
       const step = Math.max(Math.ceil((count - from) / (many ? TRAIL_POINTS : PATH_POINTS / flight.columns.size)), 1);
+      const faded = (/** @type {number} */ k, /** @type {Color} */ to) => to.copy(colour).lerp(paper, sysid === chosen || !recent ? 0 : (FADED * (count - 1 - k)) / (count - from));
       for (let k = from; k < count - 1; k += step) {
         const m = Math.min(k + step, count - 1);
         if (Number.isNaN(n[k]) || Number.isNaN(n[m])) continue;
         positions.push(e[k], -d[k], -n[k], e[m], -d[m], -n[m]);
-        tints.push(colour.r, colour.g, colour.b, colour.r, colour.g, colour.b);
+        tints.push(...faded(k, from_tint).toArray(), ...faded(m, to_tint).toArray());
       }
     }
     this.#fill(this.paths, positions, tints);
@@ -489,7 +469,7 @@ export class SpaceView {
     context.clearRect(0, 0, width, height);
     context.font = `600 ${sized(12)}px system-ui, sans-serif`;
     const size = sized(many ? 5 : 8);
-    const { ink, paper, warn } = look();
+    const { ink, paper, soft, warn } = look();
     const at = new Vector3();
     this.places = [];
     /** @type {[number, number][]} */
@@ -525,5 +505,13 @@ export class SpaceView {
       place(craft.p_ned, at).project(this.camera);
       if (at.z <= 1) write(craft.callsign, ((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height, warn);
     }
+    const ahead = this.camera.getWorldDirection(at);
+    drawNorth(context, width - 20, 20, Math.atan2(-ahead.x, -ahead.z));
+    if (!this.grid_m) return;
+    context.font = "12px system-ui, sans-serif";
+    context.textAlign = "right";
+    context.fillStyle = soft;
+    context.fillText(`squares of ${this.grid_m} m`, width - 14, height - 10);
+    context.textAlign = "left";
   }
 }

@@ -32,7 +32,7 @@ const FOLDED = COLUMNS.filter((column) => column.folds);
 const classOf = (column) => [column.word && "word", column.folds && "folds", column.key === "trouble" && "trouble"].filter(Boolean).join(" ");
 
 export class FleetTable {
-  /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean, event?: MouseEvent) => void} choose */
+  /** @param {HTMLElement} parent @param {(sysid: number | null, go: boolean, event?: MouseEvent | KeyboardEvent) => void} choose */
   constructor(parent, choose) {
     this.choose = choose;
     this.by = "trouble";
@@ -120,7 +120,7 @@ export class FleetTable {
     return [...this.rows].filter(([, one]) => !one.row.hidden).sort(([, a], [, b]) => a.row.rowIndex - b.row.rowIndex).map(([sysid]) => sysid);
   }
 
-  /** Vehicles from one to another as they stand in the table; null for a click elsewhere. @param {number} from @param {number} to @param {MouseEvent} event */
+  /** Vehicles from one to another as they stand in the table; null for a click elsewhere. @param {number} from @param {number} to @param {MouseEvent | KeyboardEvent} event */
   between(from, to, event) {
     if (!(event.target instanceof Node && this.body.contains(event.target))) return null;
     const { shown } = this;
@@ -138,7 +138,13 @@ export class FleetTable {
       const beside = { id: [swatch], trouble: [sign] }[column.key] ?? [];
       return h("td", { class: classOf(column) }, ...beside, texts[k], column.key === "trouble" ? folded : null);
     });
-    const made = { row: h("tr", { onclick: (/** @type {MouseEvent} */ event) => this.choose(row.sysid, false, event) }, ...cells), texts, sign, folded, swatch, colour: "" };
+    const choose = (/** @type {MouseEvent | KeyboardEvent} */ event) => this.choose(row.sysid, false, event);
+    const withKeys = (/** @type {KeyboardEvent} */ event) => {
+      if (event.key !== "Enter" || !(event.shiftKey || event.ctrlKey || event.metaKey)) return; // a button's own click knows no modifiers
+      event.preventDefault();
+      choose(event);
+    };
+    const made = { row: h("tr", { onclick: choose, onkeydown: withKeys }, ...cells), texts, sign, folded, swatch, colour: "" };
     this.rows.set(row.sysid, made);
     return made;
   }

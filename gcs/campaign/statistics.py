@@ -108,22 +108,34 @@ def name_of(plan: Plan, combination: int) -> str:
     return ", ".join(f"{key.rsplit('.', 1)[-1]} {row.values[key]}" for key in plan.campaign.vary)
 
 
-def text(plan: Plan, rows: pa.Table) -> list[str]:
-    """A table for terminals: each combination's success rate, and the means of its numbers."""
+def summary(plan: Plan, rows: pa.Table) -> dict[str, Any]:
+    """Each combination's success rate with its interval of 95 %, and the means of its numbers; None: no number came."""
     campaign = plan.campaign
-    shown = [name for name in campaign.measured if not measures.is_word(name)]
-    lines = [("", "ok", "95 %", *shown)]
     ok, combination = rows["ok"].to_pylist(), np.array(rows["combination"].to_pylist(), dtype=np.int64)
-    columns = {name: numbers(rows, name) for name in shown}
+    columns = {name: numbers(rows, name) for name in campaign.measured if not measures.is_word(name)}
+    combinations = []
     for number in range(campaign.combinations):
         of = np.flatnonzero(combination == number)
-        rate = wilson(sum(bool(ok[i]) for i in of), len(of))
-        means = [columns[name][of] for name in shown]
-        cells = [f"{np.nanmean(v):.4g}" if np.isfinite(v).any() else "-" for v in means]
-        good = f"{sum(bool(ok[i]) for i in of)} of {len(of)}"
-        lines.append(
-            (name_of(plan, number) or campaign.name, good, f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %", *cells)
+        good = sum(bool(ok[i]) for i in of)
+        rate = wilson(good, len(of))
+        means = {name: float(np.nanmean(v[of])) if np.isfinite(v[of]).any() else None for name, v in columns.items()}
+        name = name_of(plan, number) or campaign.name
+        combinations.append(
+            {"name": name, "ok": good, "of": len(of), "low": rate.low, "high": rate.high, "means": means}
         )
+    return {
+        "campaign": campaign.name, "sessions": rows.num_rows, "planned": plan.rows, "combinations": combinations
+    }  # fmt: skip
+
+
+def text(plan: Plan, rows: pa.Table) -> list[str]:
+    """The summary as a table for terminals."""
+    found = summary(plan, rows)["combinations"]
+    lines = [("", "ok", "95 %", *found[0]["means"])]
+    for one in found:
+        cells = ["-" if mean is None else f"{mean:.4g}" for mean in one["means"].values()]
+        interval = f"{100 * one['low']:.1f} to {100 * one['high']:.1f} %"
+        lines.append((one["name"], f"{one['ok']} of {one['of']}", interval, *cells))
     return aligned(lines)
 
 

@@ -61,17 +61,19 @@ SET = click.option(
 STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which anything is warned.")
 
 
-def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> None:
-    """Print a scenario's warnings to stderr. With `strict` they are errors: raises ScenarioRefused if there are any."""
+def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> list[str]:
+    """Print a scenario's warnings to stderr, and return them. With `strict` they are errors: raises ScenarioRefused if
+    there are any."""
     from gcs.scenario.warnings import warnings
 
     level = "error" if strict else "warning"
     lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in warnings(checked)]
     if not lines:
-        return
+        return []
     click.echo("\n".join(lines), err=True)
     if strict:
         raise ScenarioRefused("\n".join(lines))
+    return lines
 
 
 def load_scenario(
@@ -147,8 +149,9 @@ def module_arguments(scenario: str) -> list[str]:
 @STRICT
 @TRUST
 @click.option("--quiet", "-q", is_flag=True, help="Only say what is wrong.")
+@click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout: valid, problems, warnings, facts.")
 def validate(
-    scenario: str, image: Path | None, settings: tuple[str, ...], strict: bool, trust: bool, quiet: bool
+    scenario: str, image: Path | None, settings: tuple[str, ...], strict: bool, trust: bool, quiet: bool, as_json: bool
 ) -> int:
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
@@ -163,6 +166,7 @@ def validate(
     Examples:
       gcs validate my-scenario.yaml
       gcs validate demo --image plan.svg
+      gcs validate demo --json | jq .warnings
 
     \b
     Exit status:
@@ -173,7 +177,16 @@ def validate(
     from gcs.planner import failsafes
     from gcs.scenario import plot
 
-    checked = load_scenario(scenario, settings, trust=True if trust else None, quiet=False)
+    warned: list[str] = []
+    try:
+        checked = load_scenario(scenario, settings, trust=True if trust else None, quiet=False)
+        warned = show_warnings(scenario, checked, strict=strict)
+    except ScenarioRefused as refused:
+        if as_json:
+            problems = refused.text.splitlines()
+            found = {"scenario": scenario, "valid": False, "problems": problems, "warnings": [], "facts": []}
+            click.echo(json.dumps(found))
+        raise
     if image is not None:
         try:
             plot.image(checked, image)
@@ -181,7 +194,11 @@ def validate(
             why = error.strerror if isinstance(error, OSError) else str(error)
             click.echo(f"{image}: the plan cannot be drawn there: {why}", err=True)
             return NOT_DONE
-    show_warnings(scenario, checked, strict=strict)
+    facts = [*plot.facts(checked), *failsafes.facts(checked)]
+    if as_json:
+        found = {"scenario": scenario, "valid": True, "problems": [], "warnings": warned, "facts": facts}
+        click.echo(json.dumps(found))
+        return 0
     if quiet:
         return 0
     if image is None:
@@ -190,7 +207,7 @@ def validate(
             click.echo(line)
         click.echo(plot.legend("".join(lines[:-1])))
         click.echo()
-    for line in (*plot.facts(checked), *failsafes.facts(checked)):
+    for line in facts:
         click.echo(line)
     click.echo(f"{scenario}: valid" + ("" if image is None else f"; its plan is {image}"))
     return 0

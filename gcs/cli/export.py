@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 from typing import Any
@@ -26,7 +27,8 @@ from skytender.exit import NOT_DONE
     help="Parquet needs pyarrow, MCAP foxglove-sdk.",
 )
 @out_option("A new folder, for MCAP a new file.  [default: SESSION/FORMAT, or FILE-FORMAT beside FILE.tlog]")
-def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None) -> int:
+@click.option("--json", "as_json", is_flag=True, help="What was written, as one JSON object on stdout.")
+def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None, as_json: bool) -> int:
     """Write SESSION, a session's folder or any recording, as tables: one file per message type.
 
     A recording is a .tlog, .tlog.raw or .rlog file. ArduPilot's .BIN and PX4's .ulg are read as the MAVLink that their
@@ -54,7 +56,7 @@ def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None)
       130  stopped by Ctrl-C; nothing is left behind
     """
     if form == "mcap":
-        return _export_mcap(session, others, out)
+        return _export_mcap(session, others, out, as_json=as_json)
     from gcs.recording import export as exporter
     from gcs.recording.importing import ImportFailed, beside
     from gcs.recording.tables import NO_PARQUET, available, tables
@@ -85,6 +87,11 @@ def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None)
         shutil.rmtree(unfinished, ignore_errors=True)
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
+    if as_json:
+        click.echo(
+            json.dumps({"tables": str(folder), "rows": dict(sorted(written.rows.items())), "problems": problems})
+        )
+        return 0
     width = max(map(len, written.rows), default=0)
     for name, rows in sorted(written.rows.items()):
         click.echo(f"{name:<{width}}  {rows:>9} rows")
@@ -92,7 +99,7 @@ def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None)
     return 0
 
 
-def _export_mcap(session: Path, others: tuple[Path, ...], out: Path | None) -> int:
+def _export_mcap(session: Path, others: tuple[Path, ...], out: Path | None, *, as_json: bool) -> int:
     from gcs.recording.importing import ImportFailed, beside
     from gcs.report import foxglove
     from gcs.session.replay import ReplayError
@@ -115,5 +122,6 @@ def _export_mcap(session: Path, others: tuple[Path, ...], out: Path | None) -> i
         return NOT_DONE
     for problem in problems:
         click.echo(f"gcs: {problem}", err=True)
-    click.echo(f"{count} snapshots: {path}")
+    found = json.dumps({"file": str(path), "snapshots": count, "problems": problems})
+    click.echo(found if as_json else f"{count} snapshots: {path}")
     return 0

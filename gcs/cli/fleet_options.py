@@ -45,7 +45,8 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         key_file_option("MAVLink 2 signing: sign, and take only what is signed with this key."),
         click.option(
-            "--within",
+            "--wait",
+            "within",
             type=click.FloatRange(0.1),
             default=10.0,
             show_default=True,
@@ -80,6 +81,7 @@ def fleet_at(
     with connecting():
         fleet = FleetClient(connect, key_file, station)
     try:
+        click.echo(f"waiting for a HEARTBEAT at {connect.text}, {within:g} s at most ...", err=True)
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())
             who = f"vehicle {', '.join(map(str, missing))}" if missing else "any vehicle"

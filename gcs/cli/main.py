@@ -18,13 +18,14 @@ SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
 MODULES = {
     "benchmark": "benchmark",
-    "campaign": "campaign",
+    "campaign": "campaign.command",
     "check": "check.command",
     "doctor": "author",
     "export": "export",
     "init": "author",
     "key": "key",
     "launch": "launch",
+    "list": "listing",
     "logs": "logs",
     "mission": "mission",
     "monitor": "monitor",
@@ -61,6 +62,7 @@ def cli() -> None:
     Start here:
       gcs run demo             five pursuers, a moving target and a tanker, in a console in this terminal
       gcs run demo --lockstep  the same as fast as the machine can
+      gcs list                 the scenarios that ship with it, and the sessions that were flown here
       gcs launch demo          only its vehicles, for QGroundControl, MAVSDK or MAVProxy
       gcs monitor              a further console on a session that runs, or on any fleet with --connect
       gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import signal
 import threading
@@ -31,7 +32,8 @@ FILE = "report.html"
     help="Write the page here.  [default: report.html in the session's folder; FILE.html beside a recording]",
 )
 @click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
-def report(session: Path, out: Path | None, quiet: bool) -> int:
+@click.option("--json", "as_json", is_flag=True, help="The page's place as one JSON object on stdout.")
+def report(session: Path, out: Path | None, quiet: bool, as_json: bool) -> int:
     """Make report.html of SESSION, a folder that `gcs run` left: outcome and reasons, paths from above and in space,
     tracking, attitude, energy, competition, refuellings, distances, link, the numbers, and how to reproduce it. Or of
     any recording, .tlog, .tlog.raw, .rlog, .BIN or .ulg: what it holds of these.
@@ -75,7 +77,9 @@ def report(session: Path, out: Path | None, quiet: bool) -> int:
     except OSError as error:
         click.echo(f"{error.filename or session}: {error.strerror}", err=True)
         return NOT_DONE
-    if not quiet:
+    if as_json:
+        click.echo(json.dumps({"report": str(made)}))
+    elif not quiet:
         click.echo(f"report: {made}")
     return 0
 

@@ -21,7 +21,7 @@ from sessions import GCS
 from strangers import ARDUCOPTER
 
 VEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
-CHECK = ["check", "--json", "--within", "60"]
+CHECK = ["check", "--json", "--wait", "60"]
 SWALLOWED = {
     mav.MAVLINK_MSG_ID_BATTERY_STATUS: "stream-battery-status",
     mav.MAVLINK_MSG_ID_PING: "ping",
@@ -170,7 +170,7 @@ def test_nobody_there_is_one_sentence() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
         silent.bind(("127.0.0.1", 0))
         to = f"udpout:127.0.0.1:{silent.getsockname()[1]}"
-        done = gcs(*CHECK, "--connect", to, "--within", "0.5")
+        done = gcs(*CHECK, "--connect", to, "--wait", "0.5")
     assert done.returncode == 2
     assert done.stderr.splitlines()[-1].startswith("gcs: no vehicle's HEARTBEAT came within 0.5 s")
     assert "Traceback" not in done.stderr

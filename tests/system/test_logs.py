@@ -113,7 +113,7 @@ def fleet(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[int, Path,
 
 def at(port: int, *sysids: int) -> list[str]:
     only = [word for sysid in sysids for word in ("--sysid", str(sysid))]
-    return ["--connect", f"udpin:127.0.0.1:{port}", "--within", "40", *only]
+    return ["--connect", f"udpin:127.0.0.1:{port}", "--wait", "40", *only]
 
 
 def test_logs_of_three_are_listed_and_come_whole(fleet: tuple[int, Path, ArduPilotLogs], tmp_path: Path) -> None:

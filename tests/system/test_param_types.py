@@ -44,7 +44,7 @@ class Fleet:
 
     def __call__(self, *argv: str, sysid: int | None = None) -> Any:
         only = ["--sysid", str(sysid)] if sysid else ["--sysid", "1", "--sysid", "2"]
-        return gcs("params", *argv, "--connect", f"udpin:127.0.0.1:{self.port}", "--within", "30", *only)
+        return gcs("params", *argv, "--connect", f"udpin:127.0.0.1:{self.port}", "--wait", "30", *only)
 
     def held(self, sysid: int) -> dict[tuple[int, str], bytes]:
         words = [line.split() for line in self.logs[sysid - 1].read_text().splitlines()]

@@ -24,7 +24,7 @@ class Params:
 
     def __call__(self, *argv: str, sysids: tuple[int, ...] = (1, 2, 3)) -> Any:
         only = [word for sysid in sysids for word in ("--sysid", str(sysid))]
-        return gcs("params", *argv, "--connect", f"udpin:127.0.0.1:{self.port}", "--within", "40", *only)
+        return gcs("params", *argv, "--connect", f"udpin:127.0.0.1:{self.port}", "--wait", "40", *only)
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +83,7 @@ def test_what_cannot_be_done_is_a_sentence(params: Params, tmp_path: Path) -> No
     bad = params("load", str(tmp_path / "bad"), sysids=(3,))
     assert bad.returncode == 2
     assert "bad:2: 'RTL_ALT high': 'high' is no number" in bad.stderr
-    nobody = gcs("params", "get", "A", "--connect", f"udpin:127.0.0.1:{free_port()}", "--within", "0.2")
+    nobody = gcs("params", "get", "A", "--connect", f"udpin:127.0.0.1:{free_port()}", "--wait", "0.2")
     assert nobody.returncode == 2
     assert "no HEARTBEAT of any vehicle came within 0.2 s" in nobody.stderr
 

@@ -198,7 +198,7 @@ def test_what_is_waited_for_is_said_in_one_sentence(tmp_path: Path) -> None:
 
 def test_check_says_what_is_wrong_with_a_link(tmp_path: Path) -> None:
     began_s = time.monotonic()
-    missing = gcs("check", "--connect", f"serial:{tmp_path}/ttyUSB7:57600", "--within", "0.3")
+    missing = gcs("check", "--connect", f"serial:{tmp_path}/ttyUSB7:57600", "--wait", "0.3")
     assert missing.returncode == 2
     assert f"there is no device {tmp_path}/ttyUSB7" in missing.stderr
     (tmp_path / "file").write_text("no device")

@@ -164,7 +164,7 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     programs = (command(fleet, sysid, port, folder / str(sysid)) for sysid in fleet.sysids)
     with strangers(folder / "said", *programs):
         for kind, words in ids.items():  # until they are there
-            gcs("params", "get", SETTINGS[kind][0].split("=")[0], "--connect", at, "--within", "90", *words, "--json")
+            gcs("params", "get", SETTINGS[kind][0].split("=")[0], "--connect", at, "--wait", "90", *words, "--json")
         began_s = time.monotonic()
         done = [gcs("params", "set", *SETTINGS[kind], "--connect", at, *words) for kind, words in ids.items()]
         set_s = time.monotonic() - began_s

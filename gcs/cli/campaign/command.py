@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import sys
 from collections.abc import Callable
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from gcs.cli.author import SET, load_scenario
-from gcs.cli.campaign_progress import ProgressLine
+from gcs.cli.campaign.progress_line import ProgressLine
 from gcs.cli.options import Refused, out_option
 from gcs.cli.trust import TRUST, allow
 from skytender.exit import DONE, NOT_DONE
@@ -126,7 +127,8 @@ def resume(folder: Path, trust: bool, **how: Any) -> int:
 
 @campaign.command(short_help="How far a campaign is.")
 @FOLDER
-def status(folder: Path) -> int:
+@click.option("--json", "as_json", is_flag=True, help="One JSON object on stdout.")
+def status(folder: Path, as_json: bool) -> int:
     """Say how many sessions of the campaign in DIR are there, and how they went; also while it runs.
 
     \b
@@ -139,10 +141,14 @@ def status(folder: Path) -> int:
 
     plan = _found(folder)
     rows = table.read(folder, plan.campaign)
+    state = DONE if rows.num_rows == plan.rows else NOT_DONE
+    if as_json:
+        click.echo(json.dumps(statistics.summary(plan, rows)))
+        return state
     click.echo(f"{plan.campaign.name}: {rows.num_rows} of {plan.rows} sessions")
     for line in statistics.text(plan, rows):
         click.echo(line)
-    return DONE if rows.num_rows == plan.rows else NOT_DONE
+    return state
 
 
 @campaign.command(short_help="Fly one session of a campaign again.")

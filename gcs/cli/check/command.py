@@ -40,7 +40,7 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
 )
 @click.option("--arm", is_flag=True, help="Also change the mode, arm and disarm. Take the propellers off first.")
 @click.option(
-    "--within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
+    "--wait", "within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )
 @click.option(
     "--wait-ready",

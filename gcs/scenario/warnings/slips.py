@@ -41,7 +41,10 @@ def _of_units(scenario: Scenario) -> Iterator[ScenarioWarning]:
     if elementary.hypot(lat_deg, lon_deg) < 5.0 * NEAR_DEG:
         return
     for name, (north_m, east_m, _) in _places(scenario):
-        if abs(north_m - lat_deg) < NEAR_DEG and abs(east_m - lon_deg) < NEAR_DEG:
+        near = max(
+            abs(north_m - lat_deg), abs(abs(east_m) - abs(lon_deg))
+        )  # the paper's axes turn the second one round
+        if near < NEAR_DEG:
             yield ScenarioWarning(
                 "place",
                 f"{name} is [{north_m:g}, {east_m:g}] m from the origin, whose latitude and longitude are these very "

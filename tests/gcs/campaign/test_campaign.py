@@ -21,7 +21,7 @@ from gcs.campaign.cluster import EngineError, check_scheduler, result
 from gcs.campaign.model import Draw
 from gcs.campaign.plan import Plan, PlannedRow, make, read
 from gcs.campaign.statistics import Interval
-from gcs.cli.campaign import campaign
+from gcs.cli.campaign.command import campaign
 from gcs.extras import MissingExtra
 from gcs.scenario.model import ScenarioError
 from skytender import geometry

@@ -108,7 +108,7 @@ def test_a_link_that_carries_nothing_is_one_sentence_with_what_to_do(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     address, wrong, to_do = trouble(stack, tmp_path, monkeypatch)
-    done = gcs(*words, "--connect", address, "--within", "0.7")
+    done = gcs(*words, "--connect", address, "--wait", "0.7")
     assert done.returncode == 2
     said = [line for line in done.stderr.splitlines() if line and not line.startswith(("waiting for", "Usage", "Try"))]
     assert len(said) == 1, done.stderr

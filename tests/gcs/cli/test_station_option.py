@@ -17,7 +17,7 @@ from gcs.mavlink import codec
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.monitor import MonitorSource
 
-BRIEFLY = ("--within", "0.2")
+BRIEFLY = ("--wait", "0.2")
 COMMANDS = (
     ("check", *BRIEFLY),
     ("params", "get", "RTL_ALT", *BRIEFLY),

@@ -1,0 +1,1 @@
+"""`gcs campaign`: fly a scenario many times, varied."""

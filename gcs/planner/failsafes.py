@@ -9,34 +9,34 @@ hangs over it, stays below all ways until the others have landed.
 
 from __future__ import annotations
 
-import functools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from gcs.planner.foreign_returns import BEGINS_S, ForeignReturn, foreign_returns, layers_of
+from gcs.planner.return_ways import (
+    LAYER_SPARE_M,
+    OVER_M,
+    boxes_of,
+    coloured,
+    highest_obstacle_m,
+    highest_place_m,
+    meeting,
+)
 from gcs.scenario.accuracy import widest_m
-from gcs.scenario.model import Obstacle, Scenario, VehicleBase, keeps_apart
-from gcs.scenario.types import Vec3
+from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from skytender import elementary
-from skytender.geometry import FloatArray, bounds, of_scenario
 from skytender.safety.silence import MOST_LOST_S, Failsafe
 
-Flags = NDArray[np.bool_]
 LOST_AFTER_PERIODS, LEAST_LOST_S = 5, 0.1
 """[choice] Periods without a set point after which a launched vehicle holds; the shortest wait that it can be set
 to."""
 GONE_AFTER_PERIODS = 2
 """[choice] The same where none is lost or late by itself: two that are missing were kept from it."""
-OVER_M = 1.5
-"""[choice] Above the highest obstacle a launched vehicle returns, where its parameters do not say how high; and above
-the highest place to which the scenario sends one."""
 LEAST_ALTITUDE_M, MOST_ALTITUDE_M = 1.0, 150.0
 """Least and greatest RTL_RETURN_ALT of our vehicles."""
-LAYER_SPARE_M = 0.4
-"""[choice] Between two heights of returns beyond the separation: margins of both, and as much again."""
 SLACK_S = 4.0
 """[choice] Beyond the time of a leg at its speed: to set out and to come to rest, and for a heartbeat that was lost."""
 DESCEND_M = 5.0
@@ -47,7 +47,17 @@ def failsafes_of(scenario: Scenario) -> dict[int, Failsafe]:
     """Failsafe of each launched vehicle of ours, by system id."""
     vehicles = [vehicle for vehicle in scenario.vehicles.launched if vehicle.real is None]
     alone = {vehicle.sysid: failsafe_of(vehicle, scenario) for vehicle in vehicles}
-    return _timetable(vehicles, alone, scenario) if keeps_apart(scenario) else alone
+    return _timetable(vehicles, alone, scenario)[0] if _by_timetable(scenario) else alone
+
+
+def foreign_returns_of(scenario: Scenario) -> dict[int, ForeignReturn]:
+    """Returns of the vehicles whose autopilots are not ours, by system id; none where none needs one."""
+    layers = layers_of(scenario) if scenario.planner.safety else {}
+    if not layers or (not scenario.obstacles and not _by_timetable(scenario)):
+        return {}
+    vehicles = [vehicle for vehicle in scenario.vehicles.launched if vehicle.real is None]
+    alone = {vehicle.sysid: failsafe_of(vehicle, scenario) for vehicle in vehicles}
+    return _timetable(vehicles, alone, scenario)[1]
 
 
 def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
@@ -57,7 +67,7 @@ def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
         return []
     vehicles = [vehicle for vehicle in scenario.vehicles.launched if vehicle.real is None]
     heights = {sysid: failsafe.altitude_m for sysid, failsafe in failsafes_of(scenario).items()}
-    meet, found = _meeting(_boxes(vehicles, scenario)), dict[float, set[int]]()
+    meet, found = meeting(boxes_of(vehicles, scenario)), dict[float, set[int]]()
     pair_m, _ = widest_m(scenario)
     for i, j in np.argwhere(np.triu(meet, 1)).tolist():
         one, other = vehicles[i], vehicles[j]
@@ -70,8 +80,8 @@ def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
 def facts(scenario: Scenario) -> list[str]:
     """Plan B in sentences, for people: heights and times, and for which vehicles there is none."""
     lines = []
-    found = failsafes_of(scenario)
-    if keeps_apart(scenario):
+    found, foreign = failsafes_of(scenario), foreign_returns_of(scenario)
+    if found and _by_timetable(scenario):
         heights_m = sorted(failsafe.altitude_m for failsafe in found.values())
         one = next(iter(found.values()))
         lines.append(
@@ -80,107 +90,83 @@ def facts(scenario: Scenario) -> list[str]:
         )
     for sysids in shared_heights(scenario):
         lines.append(f"plan B: {_named(sysids)} return at one height, and keep apart there by their radio alone")
-    if others := [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.sysid not in found]:
+    if foreign:
+        lines.append(_foreign_fact(foreign))
+    if late := [sysid for sysid, one in foreign.items() if not one.in_time]:
+        lines.append(
+            f"plan B: for {_named(late)} there is no time of their own: too many ways meet for autopilots' waits"
+        )
+    if len(foreign) > 1 and scenario.rally_m:
+        lines.append(f"plan B: {_named(list(foreign))} return to the nearest rally point, which several may share")
+    if others := [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.sysid not in {*found, *foreign}]:
         lines.append(f"plan B: none for {_named(others)}: autopilots that are not ours return by their own parameters")
     return lines
+
+
+def _foreign_fact(foreign: dict[int, ForeignReturn]) -> str:
+    """Heights and times of the returns of vehicles that are not ours."""
+    heights_m = sorted(one.height_m for one in foreign.values())
+    begins_s = sorted(one.begins_after_s for one in foreign.values())
+    high = f"at {heights_m[0]:.1f}" if heights_m[0] == heights_m[-1] else f"{heights_m[0]:.1f} to {heights_m[-1]:.1f}"
+    many = f"s {', '.join(map(str, sorted(foreign)))} return" if len(foreign) > 1 else f" {next(iter(foreign))} returns"
+    begin = f"{begins_s[0]:.0f}" if begins_s[0] == begins_s[-1] else f"{begins_s[0]:.0f} to {begins_s[-1]:.0f}"
+    down_s = max(one.lands_after_s for one in foreign.values())
+    return (
+        f"plan B: without the station vehicle{many} {high} m above height 0, beginning after {begin} s, down after "
+        f"{down_s:.0f} s, by parameters that are set and read back before they are armed"
+    )
 
 
 def _named(sysids: Sequence[int]) -> str:
     return f"vehicle{'s' * (len(sysids) > 1)} {', '.join(map(str, sysids))}"
 
 
-def _timetable(vehicles: Sequence[VehicleBase], alone: dict[int, Failsafe], scenario: Scenario) -> dict[int, Failsafe]:
-    """Heights and times of a fleet's return; a height that a vehicle's own parameters give stays."""
-    boxes = _boxes(vehicles, scenario)
-    layers = _coloured(_meeting(boxes))
+def _by_timetable(scenario: Scenario) -> bool:
+    """Whether several have to return without meeting."""
+    rules, vehicles = scenario.planner, scenario.vehicles
+    mixed = rules.safety and rules.vehicles_repel and bool(vehicles.foreign) and len(vehicles.all) > 1
+    return mixed or keeps_apart(scenario)
+
+
+def _timetable(
+    vehicles: Sequence[VehicleBase], alone: dict[int, Failsafe], scenario: Scenario
+) -> tuple[dict[int, Failsafe], dict[int, ForeignReturn]]:
+    """Heights and times of a fleet's return, of our vehicles and of others; a height that a vehicle's own parameters
+    give stays. Ours climb at once, above all others, and come down with them."""
+    every = scenario.vehicles.all
+    rows = [row for row, vehicle in enumerate(every) if vehicle.foreign is None]
+    boxes = boxes_of(every, scenario)[rows]
+    layers, below = coloured(meeting(boxes)), layers_of(scenario)
     gap_m = scenario.planner.separation_m + widest_m(scenario)[0] + LAYER_SPARE_M
     over_m = max(
-        _highest_place_m(vehicles, scenario) + OVER_M, *(alone[v.sysid].altitude_m - v.start_m[2] for v in vehicles)
+        highest_place_m(every, scenario) + OVER_M,
+        highest_obstacle_m(scenario.obstacles) + OVER_M if below else 0.0,
+        *(alone[v.sysid].altitude_m - v.start_m[2] for v in vehicles),
     )
+    first = max(below.values(), default=-1) + 1
     found = {}
     for vehicle, layer in zip(vehicles, layers, strict=True):
         failsafe = alone[vehicle.sysid]
         if "RTL_RETURN_ALT" not in vehicle.params:
-            altitude_m = over_m + gap_m * layer + vehicle.start_m[2]
+            altitude_m = over_m + gap_m * (first + layer) + vehicle.start_m[2]
             altitude_m = min(max(altitude_m, LEAST_ALTITUDE_M), MOST_ALTITUDE_M)
             failsafe = replace(failsafe, altitude_m=altitude_m)
         found[vehicle.sysid] = replace(failsafe, descend_m=DESCEND_M)
+    hold_s = _waits_s(scenario)
+    if not found:
+        return {}, foreign_returns(scenario, below, over_m, gap_m, BEGINS_S, hold_s)
     slowest = min(failsafe.speed_m_s for failsafe in found.values())
     highest_m = max(failsafe.altitude_m for failsafe in found.values())
     wide_m = max(elementary.hypot(*(box[2:] - box[:2]).tolist()) for box in boxes)
     level_s = highest_m / slowest + SLACK_S
+    lost_s = max(failsafe.loss_s for failsafe in found.values())
+    foreign = foreign_returns(scenario, below, over_m, gap_m, max(lost_s + level_s, BEGINS_S), hold_s)
     down_s = level_s + wide_m / slowest + SLACK_S
+    down_s = max([down_s, *(one.lands_after_s - lost_s for one in foreign.values())])
     lands_s = max(min(one.descend_m, one.altitude_m) / one.sink_m_s for one in found.values())
     again_s = down_s + highest_m / slowest + lands_s + SLACK_S
     times = {"level_after_s": level_s, "down_after_s": down_s, "again_after_s": again_s}
-    return {sysid: replace(failsafe, **times) for sysid, failsafe in found.items()}
-
-
-def _places(vehicle: VehicleBase, scenario: Scenario) -> Iterator[Vec3]:
-    """To where the scenario sends a vehicle, its start first."""
-    yield vehicle.start_m
-    n, e, d = vehicle.start_m
-    yield (n, e, d - vehicle.takeoff_m)
-    yield from getattr(vehicle, "waypoints_m", ())
-    yield from getattr(vehicle, "path_m", ())
-    if (home_m := getattr(vehicle, "home_m", None)) is not None:
-        yield home_m
-    for base in scenario.bases:
-        yield base.above_m
-
-
-def _boxes(vehicles: Sequence[VehicleBase], scenario: Scenario) -> FloatArray:
-    """(n, 4) least north and east, greatest north and east of where each may be when it begins to return, and of its
-    home. Pursuers without way points are where targets are, tankers where pursuers are."""
-    rows, targets, pursuers = [], np.empty((0, 3)), np.empty((0, 3))
-    ring_m = scenario.formation.ring_m or 0.0
-    places = {vehicle.sysid: np.array(list(_places(vehicle, scenario))) for vehicle in vehicles}
-    for role in ("target", "pursuer", "tanker"):
-        for vehicle in vehicles:
-            if vehicle.role != role:
-                continue
-            own = places[vehicle.sysid]
-            if role == "pursuer" and not getattr(vehicle, "waypoints_m", ()) and len(targets):
-                own = np.vstack([own, targets - ring_m, targets + ring_m])
-            if role == "tanker":
-                own = np.vstack([own, pursuers])
-            places[vehicle.sysid] = own
-        of_role = [places[vehicle.sysid] for vehicle in vehicles if vehicle.role == role]
-        if of_role and role == "target":
-            targets = np.vstack(of_role)
-        elif of_role and role == "pursuer":
-            every = np.vstack(of_role)
-            pursuers = np.array([every.min(axis=0), every.max(axis=0)])
-    for vehicle in vehicles:
-        own = places[vehicle.sysid][:, :2]
-        rows.append([*own.min(axis=0), *own.max(axis=0)])
-    half_m = 0.5 * (scenario.planner.separation_m + widest_m(scenario)[0]) + LAYER_SPARE_M
-    return np.array(rows) + np.array([-half_m, -half_m, half_m, half_m])
-
-
-def _highest_place_m(vehicles: Sequence[VehicleBase], scenario: Scenario) -> float:
-    """Height of the highest place to which the scenario sends any of them, above its height 0."""
-    highest_m = max(-place[2] for vehicle in vehicles for place in _places(vehicle, scenario))
-    if scenario.vehicles.targets:
-        highest_m += max(scenario.formation.height_m, 0.0)
-    return highest_m + (scenario.refuelling.height_m if scenario.vehicles.tankers else 0.0)
-
-
-def _meeting(boxes: FloatArray) -> Flags:
-    """(n, n) whose boxes (n, 4) overlap."""
-    low, high = boxes[:, :2], boxes[:, 2:]
-    begins = low[:, np.newaxis] <= high[np.newaxis]
-    meet: Flags = np.all(begins & begins.transpose(1, 0, 2), axis=2)
-    return meet
-
-
-def _coloured(meet: Flags) -> list[int]:
-    """A number for each row, different from those that it meets; the lowest that is free."""
-    numbers: list[int] = []
-    for i in range(len(meet)):
-        taken = {numbers[j] for j in np.flatnonzero(meet[i, :i]).tolist()}
-        numbers.append(next(k for k in range(i + 1) if k not in taken))
-    return numbers
+    return {sysid: replace(failsafe, **times) for sysid, failsafe in found.items()}, foreign
 
 
 def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
@@ -192,8 +178,20 @@ def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
     params, usual = vehicle.params, Failsafe()
     altitude_m = params.get("RTL_RETURN_ALT")
     if altitude_m is None:
-        over_m = _highest_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
+        over_m = highest_obstacle_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
         altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
+    return Failsafe(
+        params.get("COM_DL_LOSS_T", usual.loss_s),
+        params.get("COM_OF_LOSS_T", _waits_s(scenario)),
+        altitude_m,
+        params.get("MPC_XY_CRUISE", usual.speed_m_s),
+        params.get("MPC_LAND_SPEED", usual.sink_m_s),
+    )
+
+
+def _waits_s(scenario: Scenario) -> float:
+    """Wait of a vehicle for a set point before it holds, as long as for a few that were lost, or for the radio's
+    jitter."""
     radio, lockstep = scenario.radio, scenario.clock.mode == "lockstep"
     frames_go_missing = (
         radio.loss or radio.reorder or any(fault.fault in ("loss", "delay") for fault in scenario.faults)
@@ -201,18 +199,4 @@ def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
     flies_itself = scenario.competition.where == "vehicles"  # and begins to a moment before it would hold
     sure = lockstep and not frames_go_missing and not flies_itself
     periods = GONE_AFTER_PERIODS if sure else LOST_AFTER_PERIODS
-    waits_s = periods * scenario.clock.period_s + radio.jitter_s
-    return Failsafe(
-        params.get("COM_DL_LOSS_T", usual.loss_s),
-        params.get("COM_OF_LOSS_T", min(max(waits_s, LEAST_LOST_S), MOST_LOST_S)),
-        altitude_m,
-        params.get("MPC_XY_CRUISE", usual.speed_m_s),
-        params.get("MPC_LAND_SPEED", usual.sink_m_s),
-    )
-
-
-@functools.lru_cache(4)
-def _highest_m(obstacles: tuple[Obstacle, ...]) -> float:
-    """Height of the highest obstacle's top above the scenario's height 0; 0 without any."""
-    low, _ = bounds(of_scenario(obstacles)) if obstacles else (np.zeros((1, 3)), None)
-    return -float(low[:, 2].min())
+    return min(max(periods * scenario.clock.period_s + radio.jitter_s, LEAST_LOST_S), MOST_LOST_S)

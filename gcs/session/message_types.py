@@ -55,9 +55,10 @@ class PlanBRow(Struct):
     """How a vehicle comes home by itself: on `return`, and where it loses the station."""
 
     return_m: float
-    """height above its home at which it flies home"""
+    """height above its home at which it flies home; of an external vehicle above the scenario's height 0"""
     level_after_s: float
-    """of a timetable for the fleet: it climbs until then; 0: no timetable"""
+    """of a timetable for the fleet: it flies level no earlier than then, and 0: no timetable; one whose autopilot is
+    not ours holds until then, and climbs"""
     down_after_s: float
     """and comes down no earlier than then"""
 

@@ -12,7 +12,7 @@ from msgspec import UNSET, UnsetType
 from gcs.link.quality import LinkQuality
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
-from gcs.planner.failsafes import failsafes_of
+from gcs.planner.failsafes import failsafes_of, foreign_returns_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
@@ -282,10 +282,12 @@ def session_message(
 
 def _members(scenario: Scenario) -> list[MemberRow]:
     members = [vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)]
-    failsafes = failsafes_of(scenario)
+    failsafes, foreign = failsafes_of(scenario), foreign_returns_of(scenario)
     for member in members:
         if (own := failsafes.get(member.sysid)) is not None:
             member.plan_b = PlanBRow(own.altitude_m, own.level_after_s, own.down_after_s)
+        elif (other := foreign.get(member.sysid)) is not None:
+            member.plan_b = PlanBRow(other.height_m, other.begins_after_s, other.lands_after_s)
     return members
 
 

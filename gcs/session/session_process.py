@@ -30,6 +30,7 @@ from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, ForkServerDied, 
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
+from gcs.session.old_parameters import OldParameters
 from gcs.session.own_vehicles import OwnVehicles
 from gcs.session.parent import has_gone, say
 from gcs.session.program.channel import Program
@@ -50,6 +51,8 @@ GIVE_UP_S, GIVE_UP_SOON_S = 60.0, 5.0
 external vehicles, which fly on meanwhile."""
 HAND_BACK_S = 2.5
 """Time that external vehicles have at the end to obey; their HEARTBEAT, once a second, shows that they do."""
+PUT_BACK_S = 6.0
+"""Time that they have then to take the parameters that they had."""
 
 
 class _Stopped(Exception):
@@ -116,6 +119,7 @@ class SessionProcess:
         self._answered_s = self._said_waiting_s = math.inf
         self._suspension = SuspensionWatch()
         self._published_s = self._watched_s = 0.0
+        self._old_parameters = OldParameters(folder)
         self._phase = "starting"
         self._begun = False
         self._wall_time_s = 0.0
@@ -190,6 +194,12 @@ class SessionProcess:
                     supervisor.report_disobedience()
                     break
                 self._sleep(WATCH_EVERY_S)
+            supervisor.begin_putting_back()
+            deadline_s = time.monotonic() + PUT_BACK_S
+            while supervisor.preflight.putting_back and time.monotonic() < deadline_s:
+                supervisor.exchange(self._pace.running_s)
+                self._sleep(WATCH_EVERY_S)
+            supervisor.report_put_back()
 
     # start
 
@@ -222,6 +232,8 @@ class SessionProcess:
             self._await_program()
             periods = pace.next(self._scenario.clock.period_s)
             supervisor.tick(self._watch, periods)
+            if supervisor.preflight.under_way and self._external_link is not None:
+                self._old_parameters.keep(supervisor.preflight.before())
             self._answered_s = self._said_waiting_s = time.monotonic()
             if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
                 self._watch()

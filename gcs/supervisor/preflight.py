@@ -1,11 +1,13 @@
-"""The check list of every vehicle before it is armed: fence and rally points uploaded and read back, clock compared.
+"""The check list of every vehicle before it is armed: fence, rally points and return parameters set and read back,
+clock compared.
 
 1. What the scenario has no fence or rally points for is not touched on a vehicle.
 2. A vehicle that takes no such plan (MAV_MISSION_UNSUPPORTED) passes: that is reported, and it flies without.
 3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not report it, passes.
    At another speed than 1 only the pace of its own time counts, by `time_boot_ms`, over PACE_OVER_S of the session: a
    simulator has to keep the session's, within PACE_OFF.
-4. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
+4. Return parameters are set on vehicles whose autopilots are not ours, and put back at the end (return_setting.py).
+5. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
 Origins are judged where frames are (`arming_external`): one that is too far away is left out.
 """
 
@@ -21,9 +23,13 @@ from gcs.mavlink.boot_clock import CLOCKS
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.parameters.value import ParameterValue
 from gcs.mavlink.plan_client import PlanClient, PlanItem
+from gcs.planner.failsafes import foreign_returns_of
 from gcs.scenario.model import Scenario
-from gcs.telemetry.events import Event
+from gcs.supervisor import return_setting
+from gcs.supervisor.return_setting import ReturnSetting
+from gcs.telemetry.events import Event, Level
 from gcs.telemetry.state import FleetSnapshot
 from skytender import geodesy
 from skytender import mavlink as mav
@@ -37,6 +43,9 @@ NO_TIME_BEFORE_S = 1_420_070_400.0
 ASK_EVERY_S, ASK_TIMES = 0.5, 2
 PLANS = {"fence": int(mav.MAV_MISSION_TYPE_FENCE), "rally": int(mav.MAV_MISSION_TYPE_RALLY)}
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_PARAMETERS = frozenset(map(codec.msgid, return_setting.MESSAGES))
+BEFORE_FILE = "parameters-before.param"
+"""File in a session's folder, for `gcs params load`: what vehicles had before the session wrote it."""
 _WORDS = {
     "kept": "there already",
     "uploaded": "uploaded and read back",
@@ -52,7 +61,7 @@ class CheckItem(NamedTuple):
     """An entry of a vehicle's check list."""
 
     key: str
-    """fence, rally, clock, or pace at another speed than 1"""
+    """fence, rally, return, clock, or pace at another speed than 1"""
     passed: bool
     text: str
 
@@ -60,8 +69,11 @@ class CheckItem(NamedTuple):
 class _CheckList:
     """One vehicle's."""
 
-    def __init__(self, clients: Mapping[str, PlanClient], *, external: bool, paced: bool) -> None:
+    def __init__(
+        self, clients: Mapping[str, PlanClient], homecoming: ReturnSetting | None, *, external: bool, paced: bool
+    ) -> None:
         self.clients = clients
+        self.homecoming = homecoming
         self.items: dict[str, CheckItem] = {}
         self.asks_clock = ASK_TIMES if external and not paced else 0
         self.clock_open = external and not paced
@@ -71,24 +83,39 @@ class _CheckList:
         self.due_s = 0.0
         self.ended = False
 
+    @property
+    def complete(self) -> bool:
+        """Whether nothing of it is open."""
+        due = self.clients.keys() | ({"return"} if self.homecoming is not None else set())
+        return self.items.keys() >= due and not self.clock_open and not self.pace_open
+
 
 class Preflight:
     """The check lists of all vehicles of a session."""
 
-    def __init__(self, scenario: Scenario) -> None:
+    def __init__(self, scenario: Scenario, *, returns_set: bool = True) -> None:
+        """`returns_set`: whether return parameters are written; else it is only said what they would be."""
         self.enforced = scenario.preflight == "enforce"
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
         plans = {"fence": fence_items(scenario), "rally": rally_items(scenario)}
+        returns = foreign_returns_of(scenario)
         self._lists = {
             v.sysid: _CheckList(
                 {key: PlanClient(v.sysid, AUTOPILOT, PLANS[key], items) for key, items in plans.items() if items},
+                ReturnSetting(
+                    v.sysid, returns[v.sysid], v.params, external=v.external is not None, dry_run=not returns_set
+                )
+                if v.sysid in returns
+                else None,
                 external=v.external is not None,
                 paced=self._speed != 1.0,
             )
             for v in scenario.vehicles.all
-            if any(plans.values()) or v.external is not None
+            if any(plans.values()) or v.external is not None or v.sysid in returns
         }
         self._events: list[Event] = []
+        self._back: tuple[int, ...] = ()
+        """system ids of the vehicles that get back what they had"""
         self.under_way = tuple(self._lists)
         """system ids of the vehicles whose list has not ended"""
 
@@ -109,7 +136,7 @@ class Preflight:
 
     def receive(self, delivered: Mapping[int, Iterable[Frame]], unix_us: int, now_s: float) -> None:
         """Take what vehicles have said; `unix_us` is the time by our clock."""
-        for sysid in self.under_way:
+        for sysid in (*self.under_way, *self._back):
             checks = self._lists[sysid]
             for frame in delivered.get(sysid, ()):
                 if (frame.sysid, frame.compid) != (sysid, AUTOPILOT):
@@ -118,6 +145,8 @@ class Preflight:
                     content = codec.fields(frame)
                     for client in checks.clients.values():
                         client.receive(codec.name(frame.msgid), content, now_s)
+                elif frame.msgid in _PARAMETERS and checks.homecoming is not None:
+                    checks.homecoming.receive(codec.name(frame.msgid), codec.fields(frame), now_s)
                 elif frame.msgid == _SYSTEM_TIME and checks.clock_open:
                     self._clock(checks, codec.fields(frame).time_unix_usec, unix_us)
                 elif frame.msgid in CLOCKS and checks.pace_open:
@@ -139,13 +168,53 @@ class Preflight:
             under_way = next(((key, one) for key, one in checks.clients.items() if key not in checks.items), None)
             if under_way is not None:
                 messages += self._plan(*under_way, checks, now_s)
+            if checks.homecoming is not None and "return" not in checks.items:
+                messages += checks.homecoming.poll(view, now_s)
+                if (verdict := checks.homecoming.verdict) is not None:
+                    checks.items["return"] = CheckItem("return", *verdict)
             if messages:
                 out[sysid] = messages
-            if checks.items.keys() >= checks.clients.keys() and not checks.clock_open and not checks.pace_open:
+            if checks.complete:
                 checks.ended = True
                 self._report(sysid, checks, now_s)
         self.under_way = tuple(sysid for sysid in self.under_way if not self._lists[sysid].ended)
         return out
+
+    def before(self) -> dict[int, dict[str, ParameterValue]]:
+        """Values before the session, of parameters that it has written, by system id and name."""
+        settings = {sysid: checks.homecoming for sysid, checks in self._lists.items()}
+        return {sysid: one.before for sysid, one in settings.items() if one is not None and one.before}
+
+    def begin_putting_back(self, snapshot: FleetSnapshot) -> None:
+        """At the end: vehicles get back what they had."""
+        self.under_way = ()
+        self._back = tuple(self.before())
+        for sysid in self._back:
+            setting = self._lists[sysid].homecoming
+            assert setting is not None
+            setting.put_back(snapshot.vehicle(sysid).profile)
+
+    def put_back(self, sysid: int, now_s: float) -> list[Message]:
+        """Messages that give a vehicle back what it had."""
+        setting = self._lists[sysid].homecoming if sysid in self._back else None
+        return [] if setting is None else setting.poll_back(now_s)
+
+    @property
+    def putting_back(self) -> bool:
+        """Whether a vehicle has not got back yet what it had."""
+        settings = (self._lists[sysid].homecoming for sysid in self._back)
+        return any(setting is not None and setting.putting_back for setting in settings)
+
+    def report_put_back(self, now_s: float) -> None:
+        """Say which parameters have been put back, and which vehicles keep the session's."""
+        for sysid in self._back:
+            setting = self._lists[sysid].homecoming
+            kept = [] if setting is None else setting.kept()
+            text = f"Keeps {', '.join(kept)} of this session: {BEFORE_FILE} in its folder has what it had"
+            level: Level = "warning" if kept else "info"
+            self._events.append(
+                Event(now_s, sysid, level, text if kept else "Has its own return parameters again", "session")
+            )
 
     def pop_events(self) -> list[Event]:
         """Events since the last call."""

@@ -600,6 +600,15 @@ class Supervisor:
         self.externals.report_disobedience(self.snapshot)
         self.events += self.externals.pop_events()
 
+    def begin_putting_back(self) -> None:
+        """Let external vehicles have the parameters that they had, now that they have their last order."""
+        self.preflight.begin_putting_back(self.snapshot)
+
+    def report_put_back(self) -> None:
+        """Say which vehicles have their own parameters again."""
+        self.preflight.report_put_back(self.time_s)
+        self.events += self.preflight.pop_events()
+
     def exchange(self, now_s: float) -> bool:
         """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
@@ -610,7 +619,7 @@ class Supervisor:
         for sysid in self.externals.rules:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
-            messages = self.command_queue.pop(sysid)
+            messages = [*self.command_queue.pop(sysid), *self.preflight.put_back(sysid, now_s)]
             if (sysid, AUTOPILOT) in self.link.joined:
                 sent += self.link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)

@@ -106,7 +106,12 @@ TABLE: tuple[ParameterRow, ...] = (
     ParameterRow("SYS_AUTOSTART", 0, 99999, 4001, "airframe number, for ground stations that ask", whole=True),
     ParameterRow("SYS_FAILURE_EN", 0, 1, 0, "1 lets MAV_CMD_INJECT_FAILURE make things fail", whole=True),
 )
-_ROWS = {row.name: row for row in TABLE}
+ALONE: tuple[ParameterRow, ...] = (
+    ParameterRow("RTL_LAND_DELAY", 0.0, 300.0, 0.0, "s over home, as high as it returned, before the vehicle lands"),
+)
+"""Rows behind the table's, of a vehicle that no session has launched: a launched one returns by its fleet's
+timetable."""
+_ROWS = {row.name: row for row in (*TABLE, *ALONE)}
 _ONLY_AT_START = {"SIM_BAT_INIT_J", "SIM_GAIN_SET"}
 
 
@@ -118,9 +123,12 @@ def float32(value: float) -> float:
 class Parameters:
     """The values of one vehicle, by name, in the table's order."""
 
-    def __init__(self, given: dict[str, float] | None = None) -> None:
-        """`given` overrides defaults; raises ParameterError."""
-        self._values = {row.name: float32(row.default) for row in TABLE}
+    def __init__(self, given: dict[str, float] | None = None, *, alone: bool = False) -> None:
+        """`given` overrides defaults; `alone`: no session has launched the vehicle. Raises ParameterError."""
+        self.alone = alone
+        self.table = (*TABLE, *ALONE) if alone else TABLE
+        """rows that it tells, and lets be changed"""
+        self._values = {row.name: float32(row.default) for row in (*TABLE, *ALONE)}
         given = given or {}
         self._given = dict(given)
         for name, value in given.items():
@@ -135,10 +143,16 @@ class Parameters:
         return self._values[name]
 
     def __iter__(self) -> Iterator[tuple[ParameterRow, float]]:
-        return ((row, self._values[row.name]) for row in TABLE)
+        return ((row, self._values[row.name]) for row in self.table)
 
     def __len__(self) -> int:
-        return len(TABLE)
+        return len(self.table)
+
+    def row_at(self, key: str | int) -> tuple[int, ParameterRow] | None:
+        """Index and row of a parameter by name or by its place in the table; None where there is none."""
+        if isinstance(key, int):
+            return (key, self.table[key]) if 0 <= key < len(self.table) else None
+        return next(((index, row) for index, row in enumerate(self.table) if row.name == key), None)
 
     @staticmethod
     def _checked(name: str, value: float) -> float:
@@ -170,7 +184,7 @@ class Parameters:
 
     def with_kept(self, kept: dict[str, float]) -> Parameters:
         """These values with others that were kept from an earlier life; raises ParameterError."""
-        return Parameters({**self._given, **kept})
+        return Parameters({**self._given, **kept}, alone=self.alone)
 
     def restore(self, values: dict[str, float]) -> None:
         """Put values back that were in force before."""
@@ -201,11 +215,3 @@ class Parameters:
             acceleration_m_s2=self["MPC_ACC_HOR"],
         )
         return replace(base, gains=gains, limits=limits, battery=battery)
-
-
-def row_at(key: str | int) -> tuple[int, ParameterRow] | None:
-    """Index and row of a parameter by name or by its place in the table; None where there is none."""
-    if isinstance(key, int):
-        return (key, TABLE[key]) if 0 <= key < len(TABLE) else None
-    row = _ROWS.get(key)
-    return None if row is None else (TABLE.index(row), row)

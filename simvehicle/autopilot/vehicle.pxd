@@ -49,6 +49,7 @@ cdef class Vehicle(Body):
     cdef object _leg  # of a return; None: as it is high
     cdef object _plan  # timetable of a return; None: at once
     cdef double _began_s  # to return
+    cdef double _over_home_s  # when a return came there; NaN: not yet
     cdef double _granted_s  # when the present flight began
     cdef double _takeoff_down_m
     cdef readonly double yaw_ned

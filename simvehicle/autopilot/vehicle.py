@@ -87,6 +87,7 @@ class Vehicle(Body):
     _leg: ReturnLeg | None
     _plan: Any
     _began_s: float
+    _over_home_s: float
     _granted_s: float
     _takeoff_down_m: float
     yaw_ned: float
@@ -121,6 +122,7 @@ class Vehicle(Body):
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
         self._leg = self._plan = None
         self._began_s = self._granted_s = 0.0
+        self._over_home_s = math.nan
         self._takeoff_down_m = start.p_ned[2]
         self.yaw_ned = start.attitude_ned_rad[2]
         if start.airborne:
@@ -471,7 +473,11 @@ class Vehicle(Body):
             self._leg = self._leg_of(plan, p_ned)
             low = self._leg is ReturnLeg.DOWN and p_ned[2] >= self._return_ned[2] - plan.descend_m - REACHED_M
         there = low and elementary.distance(p_ned[:2], self._return_ned[:2]) < REACHED_M
-        if there and elementary.norm(self.v_ned) < REACHED_M:
+        if not there or elementary.norm(self.v_ned) >= REACHED_M:
+            return
+        if isnan(self._over_home_s):
+            self._over_home_s = self.time_s
+        if plan is not None or self.time_s - self._over_home_s >= self.parameters["RTL_LAND_DELAY"]:
             self.trigger(Trigger.HOME_REACHED)
 
     def _leg_of(self, plan: Any, p_ned: Vec3) -> ReturnLeg:
@@ -576,7 +582,7 @@ class Vehicle(Body):
         elif mode is Mode.MISSION and self.mission is not None:
             self.mission.enter()
         elif mode is Mode.RETURN:
-            self._leg, self._plan, self._began_s = None, None, self.time_s
+            self._leg, self._plan, self._began_s, self._over_home_s = None, None, self.time_s, math.nan
             self._return_ned = min(
                 (self.home_ned, *self.rally_ned), key=lambda p: elementary.distance(p[:2], p_ned[:2])
             )

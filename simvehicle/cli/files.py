@@ -75,12 +75,13 @@ def open_state(folder: Path, sysid: int) -> StateFile:
         return StateFile(folder, sysid)
 
 
-def read_parameters(path: Path | None, kept: dict[str, float]) -> Parameters:
-    """Parameters of a vehicle: the file's over the defaults, and over both what was `kept` over a reboot."""
+def read_parameters(path: Path | None, kept: dict[str, float], *, alone: bool = False) -> Parameters:
+    """Parameters of a vehicle: the file's over the defaults, and over both what was `kept` over a reboot; `alone` as
+    `Parameters` has it."""
     from simvehicle.autopilot.parameters import ParameterError, Parameters
 
     try:
-        given = Parameters({} if path is None else _read_params(path))
+        given = Parameters({} if path is None else _read_params(path), alone=alone)
     except ParameterError as error:
         raise click.UsageError(f"--params {path}: {error}") from error
     try:

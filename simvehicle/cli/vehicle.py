@@ -85,7 +85,8 @@ def prepare(
     plants = {} if world is None else read_plants(world)
     for i, (values, own_truth) in enumerate(files):
         store = None if state is None else open_state(state, sysid + i)
-        parameters = read_parameters(values, store.values if store is not None else {})
+        kept = store.values if store is not None else {}
+        parameters = read_parameters(values, kept, alone=supervised is None)
         plant = plants.get(sysid + i)
         if plant is not None:
             _check_flies(plant, parameters, world)

@@ -7,7 +7,7 @@ import struct
 from typing import Any
 
 from simvehicle.autopilot import parameters
-from simvehicle.autopilot.parameters import TABLE, WRONG_TYPE, ParameterError, ParameterRow
+from simvehicle.autopilot.parameters import WRONG_TYPE, ParameterError, ParameterRow
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 from skytender import mavlink as mav
@@ -23,7 +23,8 @@ def send_all(context: ServiceContext, call: Call) -> None:
 
 def read(context: ServiceContext, call: Call) -> None:
     content = call.content
-    found = parameters.row_at(content.param_id if content.param_index < 0 else content.param_index)
+    key = content.param_id if content.param_index < 0 else content.param_index
+    found = context.vehicle.parameters.row_at(key)
     if found is None:
         error = error_message(content.param_id, content.param_index, parameters.UNKNOWN, call.sender)
         return call.connection.put(error)
@@ -33,7 +34,7 @@ def read(context: ServiceContext, call: Call) -> None:
 
 def change(context: ServiceContext, call: Call) -> None:
     content, vehicle = call.content, context.vehicle
-    found = parameters.row_at(content.param_id)
+    found = vehicle.parameters.row_at(content.param_id)
     if found is None:
         error = error_message(content.param_id, NO_INDEX, parameters.UNKNOWN, call.sender)
         return call.connection.put(error)
@@ -56,7 +57,8 @@ def change(context: ServiceContext, call: Call) -> None:
 
 
 def _param_value(context: ServiceContext, row: parameters.ParameterRow, value: float, index: int) -> Any:
-    return value_message(row, value, index, bytewise=context.vehicle.identity.integers_bytewise)
+    vehicle = context.vehicle
+    return value_message(row, value, index, len(vehicle.parameters), bytewise=vehicle.identity.integers_bytewise)
 
 
 MESSAGES: dict[int, MessageHandler] = {
@@ -66,15 +68,15 @@ MESSAGES: dict[int, MessageHandler] = {
 }
 
 
-def value_message(row: ParameterRow, value: float, index: int, *, bytewise: bool) -> Any:
-    """PARAM_VALUE of one parameter; `index` is its place in the table, or 65535 in the answer to a change by name."""
+def value_message(row: ParameterRow, value: float, index: int, count: int, *, bytewise: bool) -> Any:
+    """PARAM_VALUE of one parameter; `index` is its place among `count`, or 65535 in the answer to a change by name."""
     wire, kind = value, mav.MAV_PARAM_TYPE_REAL32
     if row.whole:
         kind = mav.MAV_PARAM_TYPE_INT32
         if bytewise:
             wire = struct.unpack("<f", struct.pack("<i", int(value)))[0]
     return message("PARAM_VALUE")(
-        param_id=row.name, param_value=wire, param_type=kind, param_count=len(TABLE), param_index=index
+        param_id=row.name, param_value=wire, param_type=kind, param_count=count, param_index=index
     )
 
 

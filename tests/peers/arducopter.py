@@ -20,10 +20,12 @@ import socket
 import sys
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 from arducopter_files import Files, packed
 from arducopter_motion import GUIDED, LAND, LOITER, MODES, PARAMETERS, REAL32, RTL, RUNTIME_EVERY_S, Copter
+from arducopter_parameters import Told
 from arducopter_plans import RallyPoints
 from arducopter_telemetry import Telemetry
 from motion import STEP_S, ZERO, Vec3
@@ -88,9 +90,11 @@ class ArduCopter:
         self.due: dict[str, float] = {}
         self.interval: dict[str, float] = {}
         self.parameters_to_tell: list[int] = []
+        self.told = Told(self.copter, si_names=options.si_names, locked=options.locked)
         self.files = Files({})
         self.rally = RallyPoints()
         self.origin_told = False
+        self.way = options.way.open("w", encoding="utf-8", buffering=1) if options.way is not None else None
         self.heartbeat_s = 0.0
         self.runtime_s = 1.0
         self.reasons: list[tuple[int, str]] = []
@@ -120,8 +124,8 @@ class ArduCopter:
         return message is not None
 
     def _parameter(self, name: str, index: int = UNASKED) -> None:
-        kind, _ = PARAMETERS[name]
-        self.out.param_value_send(name.encode(), self.copter.parameters[name], kind, len(PARAMETERS), index)
+        told = self.told
+        self.out.param_value_send(name.encode(), told.number(name), told.kind(name), len(told.names), index)
 
     # what it is told
 
@@ -133,6 +137,10 @@ class ArduCopter:
             handler = getattr(self, f"on_{message.get_type().lower()}", None)
             if handler is not None:
                 handler(message)
+
+    def on_heartbeat(self, m: Any) -> None:
+        if m.type == mav.MAV_TYPE_GCS:
+            self.copter.station_s = self.copter.now_s
 
     def on_command_long(self, m: Any) -> None:
         place = (m.param5 * 1e7, m.param6 * 1e7)
@@ -162,24 +170,23 @@ class ArduCopter:
             self.due.pop(name, None)
 
     def on_param_request_list(self, m: Any) -> None:
-        self.parameters_to_tell = list(range(len(PARAMETERS)))
+        self.parameters_to_tell = list(range(len(self.told.names)))
 
     def on_param_request_read(self, m: Any) -> None:
-        names = list(PARAMETERS)
+        names = self.told.names
         if 0 <= m.param_index < len(names):
             self._parameter(names[m.param_index], m.param_index)
         elif m.param_index < 0 and m.param_id in names:
             self._parameter(m.param_id)
 
     def on_param_set(self, m: Any) -> None:
-        if m.param_id in PARAMETERS and math.isfinite(m.param_value):
-            kind = PARAMETERS[m.param_id][0]
-            self.copter.parameters[m.param_id] = m.param_value if kind == REAL32 else float(round(m.param_value))
+        if self.told.write(m.param_id, m.param_value):
             self._parameter(m.param_id)
 
     def on_file_transfer_protocol(self, m: Any) -> None:
         """By MAVFTP its parameters come in one file."""
-        kinds = {name: (self.copter.parameters[name], PACKED[kind]) for name, (kind, _) in PARAMETERS.items()}
+        told = self.told
+        kinds = {name: (told.number(name), PACKED[told.kind(name)]) for name in told.names}
         self.files.files = {"@PARAM/param.pck": packed(kinds)}
         for answer in self.files.hear(m):
             self.out.send(answer)
@@ -282,6 +289,8 @@ class ArduCopter:
     def step(self) -> None:
         """One step, and what is due after it."""
         self.copter.step()
+        if self.way is not None:
+            print(self.copter.now_s, *self.copter.body.p, file=self.way)
         now_s = self.copter.now_s
         if now_s >= self.heartbeat_s:
             self.tell("HEARTBEAT")
@@ -301,7 +310,7 @@ class ArduCopter:
                 self.due[name] = max(due_s + self.interval[name], now_s - self.interval[name])
         tell, self.parameters_to_tell = self.parameters_to_tell, self.parameters_to_tell[PARAMETERS_PER_STEP:]
         for index in tell[:PARAMETERS_PER_STEP]:
-            self._parameter(list(PARAMETERS)[index], index)
+            self._parameter(self.told.names[index], index)
         if now_s >= self.runtime_s:
             self.runtime_s += RUNTIME_EVERY_S
             self.copter.parameters["STAT_RUNTIME"] = math.floor(now_s)
@@ -377,6 +386,9 @@ def main() -> None:
     says.add_argument("--lose", type=float, default=0.0, help="share of its positions and attitudes that never come")
     says.add_argument("--lies", action="store_true", help="tell a place where nothing can be, once it flies")
     says.add_argument("--says", default="", help="a text, in as many chunks as it needs, once it flies")
+    says.add_argument("--si-names", action="store_true", help="have the names of 4.7, in SI units")
+    says.add_argument("--locked", action="append", default=[], metavar="NAME", help="keep it, whatever is written")
+    says.add_argument("--way", type=Path, help="file for its time and place, s and m, after each step")
     says.add_argument("--param", type=parameter, action="append", default=[], metavar="NAME=VALUE")
     ArduCopter(says.parse_args()).live()
 

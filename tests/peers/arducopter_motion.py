@@ -24,18 +24,25 @@ PARAMETERS = {
     "BATT_CAPACITY": (INT32, 0),
     "BATT_MONITOR": (INT8, 4),
     "DISARM_DELAY": (INT8, 10),
+    "FS_GCS_ENABLE": (INT8, 0),
+    "FS_GCS_TIMEOUT": (REAL32, 5.0),
     "FRAME_CLASS": (INT8, 1),
     "GUID_TIMEOUT": (REAL32, 3.0),
     "LAND_SPEED": (INT16, 50),
     "LOG_BITMASK": (INT32, 176126),
     "PILOT_SPEED_UP": (INT16, 250),
     "RTL_ALT": (INT32, 1500),
+    "RTL_CLIMB_MIN": (INT16, 0),
+    "RTL_CONE_SLOPE": (REAL32, 3.0),
+    "RTL_LOIT_TIME": (INT32, 5000),
     "STAT_RUNTIME": (INT32, 0),
     "SYSID_THISMAV": (INT16, 1),
     "WPNAV_ACCEL": (REAL32, 250.0),
     "WPNAV_SPEED": (REAL32, 500.0),
     "WPNAV_SPEED_DN": (REAL32, 150.0),
 }
+SHALLOWEST_CONE, LEAST_CLIMB_M = 0.5, 2.5
+"""RTL_MIN_CONE_SLOPE; RTL_ABS_MIN_CLIMB, 2.5 m."""
 
 
 class Copter:
@@ -51,6 +58,10 @@ class Copter:
         self.target_v: Vec3 = ZERO
         self.target_yaw: float | None = None
         self.returning = False
+        self.over_home_s: float | None = None
+        """since when it waits there before it comes down"""
+        self.station_s: float | None = None
+        """when the last HEARTBEAT of its ground station came"""
         self.lift_m: float | None = None
         """the height of a take-off that has been accepted and has not left the ground yet"""
         self.climbing = False
@@ -84,9 +95,18 @@ class Copter:
             self.mode, self.returning = mode, mode == RTL
             self.hold()
             if mode == RTL:
-                high = min(self.body.p[2], self.home[2] - 0.01 * self.parameters["RTL_ALT"])
-                self.target_p = (self.body.p[0], self.body.p[1], high)
+                self.over_home_s = None
+                self.target_p = (self.body.p[0], self.body.p[1], self.home[2] - self._return_height_m())
         return mode in MODES
+
+    def _return_height_m(self) -> float:
+        """Above home: no lower than it is, and near home no higher than the cone over it lets it."""
+        own_m, values = self.home[2] - self.body.p[2], self.parameters
+        high_m = max(own_m + max(0.0, 0.01 * values["RTL_CLIMB_MIN"]), 0.01 * values["RTL_ALT"])
+        if values["RTL_CONE_SLOPE"] >= SHALLOWEST_CONE:
+            away_m = math.dist(self.body.p[:2], self.home[:2])
+            high_m = min(high_m, max(away_m * values["RTL_CONE_SLOPE"], own_m + LEAST_CLIMB_M))
+        return max(own_m, high_m)
 
     def hold(self) -> None:
         """Stay where it stops."""
@@ -131,6 +151,11 @@ class Copter:
         if self.remaining <= 0.0 and self.mode != LAND:
             self.told.append("Battery 1 failsafe")
             self.enter(LAND)
+        silent_s = 0.0 if self.station_s is None else self.now_s - self.station_s
+        lost = self.parameters["FS_GCS_ENABLE"] == 1 and silent_s > self.parameters["FS_GCS_TIMEOUT"]
+        if lost and self.mode not in (RTL, LAND):
+            self.told.append("GCS Failsafe")
+            self.enter(RTL)
         if self.target_yaw is not None:
             self.body.turn(self.target_yaw)
         down = self.landing
@@ -157,8 +182,12 @@ class Copter:
         return wanted[0], wanted[1], max(-up, min(wanted[2], 0.01 * self.parameters["WPNAV_SPEED_DN"]))
 
     def _return(self) -> None:
-        """First up, then over home, then down."""
-        if self.returning and self.target_p is not None and math.dist(self.body.p, self.target_p) < THERE_M:
-            over_home = (self.home[0], self.home[1], self.target_p[2])
-            self.returning = math.dist(self.target_p, over_home) > 1e-9
+        """First up, then over home, a while there, then down."""
+        if not self.returning or self.target_p is None or math.dist(self.body.p, self.target_p) >= THERE_M:
+            return
+        over_home = (self.home[0], self.home[1], self.target_p[2])
+        if math.dist(self.target_p, over_home) > 1e-9:
             self.target_p = over_home
+            return
+        self.over_home_s = self.now_s if self.over_home_s is None else self.over_home_s
+        self.returning = self.now_s - self.over_home_s < 0.001 * self.parameters["RTL_LOIT_TIME"]

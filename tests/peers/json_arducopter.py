@@ -274,7 +274,7 @@ def main() -> None:
     options = argparse.Namespace(
         sysid=given.sysid, connect="udpout:127.0.0.1:9", origin=(lat, lon, alt), start=(0.0, 0.0, 0.0), lose=0.0,
         refuse_arming_s=0.0 if on_truth else float(parameters.get("READY_S", 2.0)), refuse_intervals=False,
-        battery_wh=70.0, battery_told="current", lies=False, says="", param=[],
+        battery_wh=70.0, battery_told="current", lies=False, says="", param=[], si_names=False, locked=(), way=None,
     )  # fmt: skip
     serial = Serial(5760 + 10 * given.instance)
     copter = JsonArduCopter(options, serial)

@@ -97,6 +97,8 @@ class ParameterClient:
         self.profile = profile
         self.known: dict[str, ParameterValue] = {}
         self.results: list[ParameterResult] = []
+        self.written: dict[str, ParameterValue] = {}
+        """value before, of each that has been written, or is about to be"""
         self.incomplete = ""
         """what a list lacks, in words; empty where nothing"""
         self._dry_run = dry_run
@@ -117,6 +119,11 @@ class ParameterClient:
         self._tasks |= {name: _Task(name, number) for name, number in numbers.items()}
         if self._has_file and not self.profile.integers_bytewise and not all(map(value.cast_keeps, numbers.values())):
             self._begin_file()
+
+    def leave(self, names: Iterable[str]) -> None:
+        """Ask no more about these, and have no result of them."""
+        for name in names:
+            self._tasks.pop(name, None)
 
     def read_all(self) -> None:
         """Read whatever it has."""
@@ -229,6 +236,7 @@ class ParameterClient:
             self._end(task, "would", parameter)
         else:
             task.stage, task.tries, task.due_s = "write", 0, 0.0
+            self.written[task.name] = parameter
 
     def _verdict(self, task: _Task, error: int) -> tuple[Outcome, ParameterValue | None, str]:
         """End of a task by PARAM_ERROR's code."""

@@ -1,4 +1,4 @@
-"""Values of external vehicles before a session changed them, in its folder: for the case that it cannot put them back."""
+"""Values of external vehicles before a session changed them, in its folder: for a session that cannot put them back."""
 
 from __future__ import annotations
 

@@ -94,6 +94,7 @@ class ArduCopter:
         self.files = Files({})
         self.rally = RallyPoints()
         self.origin_told = False
+        self.began_s = 0.0
         self.way = options.way.open("w", encoding="utf-8", buffering=1) if options.way is not None else None
         self.heartbeat_s = 0.0
         self.runtime_s = 1.0
@@ -290,7 +291,7 @@ class ArduCopter:
         """One step, and what is due after it."""
         self.copter.step()
         if self.way is not None:
-            print(self.copter.now_s, *self.copter.body.p, file=self.way)
+            print(self.began_s + self.copter.now_s / self.options.speedup, *self.copter.body.p, file=self.way)
         now_s = self.copter.now_s
         if now_s >= self.heartbeat_s:
             self.tell("HEARTBEAT")
@@ -318,7 +319,8 @@ class ArduCopter:
 
     def live(self) -> None:
         """Until stdin ends."""
-        began_s, speed = time.monotonic(), self.options.speedup
+        self.began_s, speed = time.monotonic(), self.options.speedup
+        began_s = self.began_s
         while True:
             wait_s = max(0.0, began_s + (self.copter.now_s + STEP_S) / speed - time.monotonic())
             ready, _, _ = select.select([self.link.socket, sys.stdin], [], [], wait_s)
@@ -388,7 +390,7 @@ def main() -> None:
     says.add_argument("--says", default="", help="a text, in as many chunks as it needs, once it flies")
     says.add_argument("--si-names", action="store_true", help="have the names of 4.7, in SI units")
     says.add_argument("--locked", action="append", default=[], metavar="NAME", help="keep it, whatever is written")
-    says.add_argument("--way", type=Path, help="file for its time and place, s and m, after each step")
+    says.add_argument("--way", type=Path, help="file for the monotonic clock and its place, s and m, after each step")
     says.add_argument("--param", type=parameter, action="append", default=[], metavar="NAME=VALUE")
     ArduCopter(says.parse_args()).live()
 

@@ -93,9 +93,7 @@ def facts(scenario: Scenario) -> list[str]:
     if foreign:
         lines.append(_foreign_fact(foreign))
     if late := [sysid for sysid, one in foreign.items() if not one.in_time]:
-        lines.append(
-            f"plan B: for {_named(late)} there is no time of their own: too many ways meet for autopilots' waits"
-        )
+        lines.append(f"plan B: {_named(late)} return among others: more ways meet than autopilots can wait for")
     if len(foreign) > 1 and scenario.rally_m:
         lines.append(f"plan B: {_named(list(foreign))} return to the nearest rally point, which several may share")
     if others := [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.sysid not in {*found, *foreign}]:

@@ -128,7 +128,7 @@ class ReturnSetting:
             if result is None:
                 if row.is_height:
                     return ReturnVerdict(False, f"return height not set: it has no {' or '.join(row.names)}")
-                missing.append(row.names[-1])
+                missing.append(row.names[0])
             elif result.outcome in ("refused", "silent"):
                 how = "refused" if result.outcome == "refused" else "not read back"
                 return ReturnVerdict(False, f"return parameter {result.name} {how}: {result.why}")

@@ -49,12 +49,9 @@ class ReturnParameter(NamedTuple):
         return {name: number(home) for name, number in zip(self.names, self.wanted, strict=True)}
 
 
-def _one(name: str, number: Callable[[Homecoming], int | float]) -> ReturnParameter:
-    return ReturnParameter((name,), (number,))
-
-
-def _always(number: int) -> Callable[[Homecoming], int]:
-    return lambda _: number
+def _named(*names: str, wanted: Callable[[Homecoming], int | float]) -> ReturnParameter:
+    """One number by whichever name."""
+    return ReturnParameter(names, (wanted,) * len(names))
 
 
 def _metres(home: Homecoming) -> float:
@@ -62,24 +59,45 @@ def _metres(home: Homecoming) -> float:
     return math.ceil(round(100.0 * home.height_m, 6)) / 100.0
 
 
+def _centimetres(home: Homecoming) -> int:
+    return round(100.0 * _metres(home))
+
+
+def _waits_s(home: Homecoming) -> int:
+    return math.ceil(home.waits_s)
+
+
+def _waits_ms(home: Homecoming) -> int:
+    return 1000 * _waits_s(home)
+
+
+def _begins_s(home: Homecoming) -> int:
+    return math.ceil(home.begins_after_s)
+
+
+def _holds_s(home: Homecoming) -> float:
+    return home.holds_after_s
+
+
 _COPTER = (
-    ReturnParameter(("RTL_ALT_M", "RTL_ALT"), (_metres, lambda home: round(100.0 * _metres(home))), is_height=True),
-    _one("RTL_CONE_SLOPE", _always(0)),
-    ReturnParameter(("RTL_CLIMB_MIN_M", "RTL_CLIMB_MIN"), (_always(0), _always(0))),
-    _one("RTL_LOIT_TIME", lambda home: 1000 * math.ceil(home.waits_s)),
-    _one("FS_GCS_ENABLE", _always(1)),
-    _one("FS_GCS_TIMEOUT", lambda home: math.ceil(home.begins_after_s)),
-    _one("GUID_TIMEOUT", lambda home: home.holds_after_s),
+    ReturnParameter(("RTL_ALT_M", "RTL_ALT", "RTL_RETURN_ALT"), (_metres, _centimetres, _metres), is_height=True),
+    _named("RTL_CONE_SLOPE", wanted=lambda _: 0),
+    _named("RTL_CLIMB_MIN_M", "RTL_CLIMB_MIN", wanted=lambda _: 0),
+    ReturnParameter(("RTL_LOIT_TIME", "RTL_LAND_DELAY"), (_waits_ms, _waits_s)),
+    _named("FS_GCS_ENABLE", wanted=lambda _: 1),
+    _named("FS_GCS_TIMEOUT", "COM_DL_LOSS_T", wanted=_begins_s),
+    _named("GUID_TIMEOUT", "COM_OF_LOSS_T", wanted=_holds_s),
 )
+"""`simvehicle`, where it says that it is an ArduCopter, still has PX4's names."""
 _PX4 = (
     ReturnParameter(("RTL_RETURN_ALT",), (_metres,), is_height=True),
-    _one("RTL_CONE_ANG", _always(0)),
-    _one("RTL_DESCEND_ALT", _metres),
-    _one("RTL_LAND_DELAY", lambda home: math.ceil(home.waits_s)),
-    _one("NAV_DLL_ACT", _always(2)),
-    _one("COM_DL_LOSS_T", lambda home: math.ceil(home.begins_after_s)),
-    _one("COM_OF_LOSS_T", lambda home: home.holds_after_s),
-    _one("COM_OBL_RC_ACT", _always(5)),
+    _named("RTL_CONE_ANG", wanted=lambda _: 0),
+    _named("RTL_DESCEND_ALT", wanted=_metres),
+    _named("RTL_LAND_DELAY", wanted=_waits_s),
+    _named("NAV_DLL_ACT", wanted=lambda _: 2),
+    _named("COM_DL_LOSS_T", wanted=_begins_s),
+    _named("COM_OF_LOSS_T", wanted=_holds_s),
+    _named("COM_OBL_RC_ACT", wanted=lambda _: 5),
 )
 TABLES: Mapping[str, tuple[ReturnParameter, ...]] = {"copter": _COPTER, "main and sub": _PX4}
 """By whose modes an autopilot numbers (Profile.mode_table); others have none."""

@@ -128,7 +128,7 @@ def test_what_it_does_not_have_is_named_but_a_height_it_needs() -> None:
     assert few.setting.verdict == (True, text)
     none = Talk(COPTER, ARDUCOPTER)
     none.go_on(8.0)
-    assert none.setting.verdict == (False, "return height not set: it has no RTL_ALT_M or RTL_ALT")
+    assert none.setting.verdict == (False, "return height not set: it has no RTL_ALT_M or RTL_ALT or RTL_RETURN_ALT")
 
 
 def test_who_does_not_answer_or_keeps_another_value_fails() -> None:

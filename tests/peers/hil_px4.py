@@ -43,6 +43,7 @@ EVERY = {"ATTITUDE": 15.0, "LOCAL_POSITION_NED": 1.0, "GLOBAL_POSITION_INT": 5.0
 LACKS = {"1.15": frozenset[int](), "1.18": frozenset({mav.MAV_CMD_GET_HOME_POSITION})}
 """Commands that it does not know any more; it streams HOME_POSITION."""
 HOME_HZ = 0.5
+RETURNS = {"RTL_RETURN_ALT": "60", "RTL_DESCEND_ALT": "30", "RTL_LAND_DELAY": "0", "COM_OF_LOSS_T": "1"}
 
 
 class HilCopter(JsonCopter):
@@ -63,6 +64,9 @@ class HilCopter(JsonCopter):
     @property
     def remaining(self) -> float:
         return 1.0
+
+    def _return_height_m(self) -> float:
+        return max(self.home[2] - self.body.p[2], self.parameters["RTL_RETURN_ALT"])
 
 
 class Px4Telemetry(JsonTelemetry):
@@ -221,7 +225,7 @@ def main() -> None:
     assert os.environ["PATH"].split(":")[0] == "."
     assert os.environ["PX4_SIM_MODEL"] == "none_iris"
     parameters = given_parameters(given.like)
-    hold(parameters)
+    hold(RETURNS | parameters)
     if "CRASH" in parameters:
         print("ERROR [init] a parameter that it cannot bear", flush=True)
         sys.exit(3)
@@ -232,7 +236,7 @@ def main() -> None:
     options = argparse.Namespace(
         sysid=sysid, connect=f"udpout:127.0.0.1:{ports[2]}", origin=(0.0, 0.0, 0.0), start=(0.0, 0.0, 0.0), lose=0.0,
         refuse_arming_s=float(parameters.get("READY_S", 2.0)), refuse_intervals=False, battery_wh=70.0,
-        battery_told="current", lies=False, says="", param=[], like=given.like,
+        battery_told="current", lies=False, says="", param=[], si_names=False, locked=(), way=None, like=given.like,
         declination_deg=float(parameters.get("DECLINATION_DEG", 0.0)),
     )  # fmt: skip
     link = Datagrams(options.connect)

@@ -115,6 +115,7 @@ class Vehicle:
         self.mission = MissionRawServer(component)
         for name, value in SPEEDS.items():
             self.params.provide_param_float(name, value)
+        self.params.provide_param_float("RTL_RETURN_ALT", RETURN_HEIGHT_M)
         self.params.provide_param_int("SYS_AUTOSTART", 4001)
         self.action.set_disarmable(True, True)
         self.action.set_allow_takeoff(True)
@@ -177,7 +178,7 @@ class Vehicle:
         if mode is FlightMode.HOLD:
             self.target_p, self.target_v = None, ZERO
         elif mode is FlightMode.RETURN_TO_LAUNCH:
-            high = min(self.body.p[2], self.home[2] - RETURN_HEIGHT_M)
+            high = min(self.body.p[2], self.home[2] - self.param("RTL_RETURN_ALT"))
             self.target_p, self.target_v = (self.home[0], self.home[1], high), ZERO
 
     def on_message(self, message: Any) -> None:

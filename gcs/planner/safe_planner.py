@@ -34,7 +34,7 @@ from skytender import elementary
 from skytender.geometry import FloatArray
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import KINDS, Filtered, FilterSettings, Leaders, filter_step
-from skytender.safety.silence import STEP_M, between, braked, flown_on, presumed_places
+from skytender.safety.silence import BRAKES_M_S2, STEP_M, between, braked, flown_on, presumed_places
 from skytender.safety.traffic import TrafficReach
 
 MOST_MARGIN_M = 1.5
@@ -42,6 +42,9 @@ SPARE_M = 0.05
 """Added to the measured error."""
 OFF_LEADER_M = 2.0
 """A vehicle farther from its leader's way gets a new leader where it is."""
+LATE_PERIODS = 3
+"""[choice] A tick that stands for so many periods is late: what vehicles that live on the wall clock flew meanwhile is
+where they say they are, and not where their leaders would be."""
 SETTLE_S = 0.5
 """A leader that is not where a planner of a user's own wants it comes there in about so long."""
 PARTNERS_SHARE = 0.5
@@ -83,6 +86,8 @@ class SafePlanner(TickPlanner):
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
+        self._external = np.array([v.external is not None for v in every], np.bool_)
+        self._late = False
         failsafes = failsafes_of(scenario)
         self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if v.foreign is None}
         self._link_age = LinkAge(n)
@@ -119,6 +124,7 @@ class SafePlanner(TickPlanner):
         """The planner's set points, filtered, as `SetPoints`."""
         snapshot, period_s = request.snapshot, request.period_s
         columns = snapshot.columns
+        self._late = period_s > (LATE_PERIODS - 0.5) * self._scenario.clock.period_s
         self._link_age.receive(columns.age_s, period_s)
         self._follow(request, columns)
         if request.approaches and self._scenario.planner.vehicles_repel:
@@ -132,6 +138,9 @@ class SafePlanner(TickPlanner):
         rows = self._rows
         values = np.empty((len(rows), 6))
         values[:, :3], values[:, 3:] = self._p_ned[rows], self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
+        if self._late:  # flown on for as long as the next tick takes, too
+            flown_on = self._external[rows]
+            values[flown_on, 3:] = filtered.v_next_ned[flown_on]
         set_points = SetPoints(points.sysids, values)
         self._p_ned[rows], self._v_ned[rows] = filtered.p_next_ned, filtered.v_next_ned
         self.tracking.lead(rows, snapshot.time_s + period_s, filtered.p_next_ned)
@@ -148,10 +157,16 @@ class SafePlanner(TickPlanner):
         known = ~(self._link_age.silent | np.isnan(columns.p_now_ned[:, 0]))
         following = rows[(known & columns.steerable)[rows]]
         tracking.measure(following, columns.p_now_ned[following], request.snapshot.time_s, request.period_s, self.lag_s)
-        lost = known & (~columns.steerable | (tracking.now_m > OFF_LEADER_M))
+        lost = known & (~columns.steerable | (tracking.now_m > OFF_LEADER_M) | (self._external & self._late))
         for row in rows[lost[rows]].tolist():
-            self._v_ned[row] = self._within_speed(row, columns.v_ned[row])
-            self._p_ned[row] = columns.p_now_ned[row] + self.lag_s * self._v_ned[row]
+            v_ned = self._within_speed(row, columns.v_ned[row])
+            if self._external[row]:  # it brakes, or has to: it is led on from where it comes to rest
+                self._p_ned[row] = columns.p_now_ned[row] + v_ned * elementary.norm(v_ned.tolist()) / (
+                    2.0 * BRAKES_M_S2
+                )
+                self._v_ned[row] = 0.0
+            else:
+                self._p_ned[row], self._v_ned[row] = columns.p_now_ned[row] + self.lag_s * v_ned, v_ned
             tracking.restart(row)
             self._planner.anchor((columns.sysids[row],), self._p_ned[row : row + 1])
         lags_s = sorted(tracking.lag_s[rows].tolist())
@@ -185,7 +200,7 @@ class SafePlanner(TickPlanner):
         rules, rows = self._scenario.planner, self._rows
         p = self._p_ned[rows]
         wanted_ned = points.v_ned + (points.p_ned - p) / SETTLE_S
-        wanted_ned[self._link_age.silent[rows]] = 0.0
+        wanted_ned[self._link_age.silent[rows] | self._late] = 0.0
         floor = np.full((len(rows), 3), np.inf)
         floor[:, 2] = self._floors.at(columns.ground_down_m)[rows]
         margin_m = np.minimum(np.maximum(self.tracking.error_m[rows] + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)

@@ -42,9 +42,9 @@ says by its mode that its take-off is over need not have come so far: a PX4 is c
 commanded, and moves its home's altitude, from which the height is reported, while it flies."""
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
-LATE_S, STALE_S = 0.5, 1.0
-"""Autopilots leave offboard so soon after the last set point (PX4's COM_OF_LOSS_T: 1 s, 0.5 s in older ones): a session
-that stood still for longer, or a link that was silent for longer, may have been why."""
+LATE_S, STALE_S = 0.3, 1.0
+"""Autopilots leave offboard soon after the last set point (0.5 s by what plan B sets, and a period of ours is part of
+that): a session that stood still for longer, or a link that was silent for longer, may have been why."""
 BLAMED_S = 3.0
 """How long after that a hold is our own doing: it may need a HEARTBEAT or two to be reported. A return or a landing is
 left alone even then, for a pilot may have wanted it; a PX4 that did so by itself, as it does by its defaults,

@@ -28,12 +28,12 @@ from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.separation_rules import SeparationRules
-from simvehicle.fleet.spare_distance import sure_acceleration
+from simvehicle.fleet.spare_distance import braked, sure_acceleration
 from skytender import elementary
 from skytender.safety.braking_clearance import braking, stop_way
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
-from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, stretch, tube, way_home
+from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, nearest_rest, stretch, tube, way_home
 from skytender.safety.traffic import KnownTraffic, TrafficReach
 
 LAG_S = 0.37
@@ -48,6 +48,8 @@ SILENT_S, FORGOTTEN_S = 1.0, 10.0
 was after the second time."""
 PARTED_S = 0.5
 """[choice] The same while the station is silent too."""
+SAID_S = 3.0
+"""[choice] A peer that is found silent received this vehicle no longer ago: ALONE_S, and a second of HEARTBEATs."""
 LATE_S = 2.0
 """[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
 STILL_NEAR_M, SPARE_NEAR_M, AHEAD_NEAR_S = 10.0, 1.5, 3.6
@@ -111,6 +113,7 @@ class Separation:
         self._v_ned: Vec3 = AT_REST
         self._wanted_ned: Vec3 | None = None
         self._way: deque[tuple[float, Vec3]] = deque(maxlen=16)
+        self._said: deque[tuple[float, Vec3, Vec3]] = deque(maxlen=math.ceil(SAID_S / rules.period_s))
         self._silent: set[int] = set()
         self._waits = False
         self._from_ned: dict[int, Vec3] = {}
@@ -169,6 +172,7 @@ class Separation:
             wanted = self._wanted() if vehicle.mode not in STEERED else AT_REST
             asked = _as_sent(_along(AT_REST, _minus(wanted, self._v_ned), 1.0 / self._rules.period_s))
             self._wanted_ned = _along(self._v_ned, asked, self._rules.period_s)
+            self._said.append((vehicle.time_s, self._p_ned, self._v_ned))
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
 
     def _presumed(self, peer: _Peer, sysid: int) -> list[Vec3]:
@@ -186,7 +190,8 @@ class Separation:
         own = self._from_ned[self._sysid]
         beside_m = self._rules.separation_m + 4.0 * ASIDE_M
         if due_s == 0.0 and elementary.distance(own[:2], here[:2]) < beside_m:
-            if self._higher.setdefault(sysid, (own[2], -self._sysid) < (here[2], -sysid)):
+            known_ned, _ = self._known(peer.silent_s)
+            if self._higher.setdefault(sysid, (known_ned[2], -self._sysid) < (here[2], -sysid)):
                 return rests
             self._waits = True
         legs = way_home(here, member.home_ned, plan)
@@ -210,16 +215,26 @@ class Separation:
         """Whether no station keeps others away from it."""
         return self._vehicle.alone(ALONE_S) or self._vehicle.returning_s() >= 0.0
 
-    def _part(self, silent: set[int]) -> None:
-        """Stay, while peers are silent, where they presume this vehicle, as it presumes them, and all those that it
-        receives: on the way home from where it came to rest."""
+    def _known(self, silent_s: float) -> tuple[Vec3, Vec3]:
+        """Resting place and velocity of its leader, as a peer has last received them that has been silent for so long:
+        such a peer knows of no turn since."""
+        then_s = self._vehicle.time_s - silent_s
+        for said_s, p_ned, v_ned in self._said:
+            if abs(said_s - then_s) < 0.5 * self._rules.period_s:
+                return self._rest(self._sysid, p_ned, v_ned), v_ned
+        return self.resting_place(), AT_REST
+
+    def _part(self, silent: dict[int, float]) -> None:
+        """Stay, while peers are silent (by system id, for how long), where they presume this vehicle, as it presumes
+        them, and all those that it receives: on the way home from where it came to rest."""
         self._waits = False
         if not silent:
             self._silent, self._from_ned, self._higher = set(), {}, {}
             return
         if self._sysid not in self._from_ned:
-            self._from_ned[self._sysid] = self.resting_place()
-        self._silent |= silent
+            known = self._known(min(silent.values()))
+            self._from_ned[self._sysid] = nearest_rest(self.resting_place(), *known, PARTED_S)
+        self._silent |= silent.keys()
         self._vehicle.return_from(self._from_ned[self._sysid])
 
     def _tubes(self, near: _Near, margin_m: NDArray[np.float64]) -> tuple[Any, Any]:
@@ -313,10 +328,16 @@ class Separation:
         return self._sure(filtered.u_ned[0], [sysid for sysid in beside if sysid != self._sysid], LAG_S)
 
     def _sure(
-        self, u_ned: NDArray[np.float64], sysids: Sequence[int], lead_s: float, leaders: _Near | None = None
+        self,
+        u_ned: NDArray[np.float64],
+        sysids: Sequence[int],
+        lead_s: float,
+        leaders: _Near | None = None,
+        late: Sequence[int] = (),
     ) -> Vec3:
         """The nearest acceleration that is safe whatever `leaders` and these peers do (simvehicle/fleet/
-        spare_distance.py), which are looked at where they will be `lead_s` from now."""
+        spare_distance.py), which are looked at where they will be `lead_s` from now; those of `late` also where they
+        are that have braked since their last report."""
         near = leaders or _Near([self._sysid], [self._p_ned], [self._v_ned], [])
         ids, places, velocities = list(near.ids), list(near.p_ned), list(near.v_ned)
         for sysid in sysids:
@@ -324,12 +345,21 @@ class Separation:
             ids.append(sysid)
             places.append(_along(p_ned, v_ned, (self._vehicle.time_ms - place_ms) / 1e3 + lead_s))
             velocities.append(v_ned)
+        for sysid in late:
+            brake_m_s2 = BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2
+            motion = braked(*self.peers.newest(sysid), brake_m_s2, self._rules.period_s, self._missed(sysid))
+            ids, places, velocities = [*ids, sysid], [*places, motion[0]], [*velocities, motion[1]]
         if len(ids) == 1:
             return _vec(u_ned.tolist())
-        brake_m_s2 = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
+        brakes = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
         required_m = np.full(len(ids) - 1, self._rules.separation_m + self._margin_m() + LEAST_MARGIN_M)
         dt = self._rules.period_s
-        return sure_acceleration(u_ned, np.array(places), np.array(velocities), brake_m_s2, required_m, dt)
+        return sure_acceleration(u_ned, np.array(places), np.array(velocities), brakes, required_m, dt)
+
+    def _missed(self, sysid: int) -> int:
+        """Periods in which nothing of a peer came, up to this one."""
+        newest_ms = max(self.peers.place(sysid)[0], self.peers.leader(sysid)[0])
+        return round((self._vehicle.time_ms - newest_ms) / (1e3 * self._rules.period_s)) - 1
 
     def _margin_m(self) -> float:
         return min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
@@ -370,7 +400,8 @@ class Separation:
             return _vec(filtered.u_ned[0].tolist())
         # One that returns while others have the station: each may be steered at any time, from where it is.
         steerable = [] if self._vehicle.alone(ALONE_S) else [*near.ids[1:], *near.unled]
-        return self._sure(filtered.u_ned[0], steerable, 0.0, near)
+        late = [sysid for sysid in (*near.ids[1:], *near.unled) if self._missed(sysid) > 0]
+        return self._sure(filtered.u_ned[0], steerable, 0.0, near, late)
 
     def _near(self, leads: bool) -> _Near:
         wanted = self._wanted_ned if leads and self._wanted_ned is not None else self._wanted()
@@ -399,7 +430,7 @@ class Separation:
                 p_ned, v_ned = table.newest(sysid)
                 unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, p_ned, v_ned), v_ned=v_ned)))
         near.intruders += self._aircraft()
-        self._part({sysid for sysid, _ in unheard})
+        self._part({sysid: peer.silent_s for sysid, peer in unheard})
         for sysid, peer in unheard:
             near.intruders += self._out_of_reach(sysid, peer)
         return near

@@ -6,7 +6,8 @@ m the braking clearance (docs/model/safety.md#safety-filter) of vehicle and peer
 
     m(u, peer brakes) >= min(m_b, (m_b + D) / 2),    m_b = m(u_b, peer brakes)
 
-Both halves together leave D. u_b always satisfies it, so that there is always an answer. NED, SI units.
+A peer of which nothing came for some periods may have braked in all of them. Both halves together leave D. u_b always
+satisfies it, so that there is always an answer. NED, SI units.
 """
 
 from __future__ import annotations
@@ -44,6 +45,16 @@ def sure_acceleration(
         if (_least(pairs, enough_m, p_ned, v_ned, u, brake_m_s2, dt) >= least_m).all():
             return float(u[0, 0]), float(u[0, 1]), float(u[0, 2])
     return float(stops[0]), float(stops[1]), float(stops[2])
+
+
+def braked(p_ned: Vec3, v_ned: Vec3, brake_m_s2: float, dt: float, periods: int) -> tuple[Vec3, Vec3]:
+    """Place and velocity after so many periods of braking."""
+    for _ in range(periods):
+        u_ned = braking(*v_ned, brake_m_s2, dt)
+        n, e, d = (p + dt * (v + 0.5 * dt * u) for p, v, u in zip(p_ned, v_ned, u_ned, strict=True))
+        vn, ve, vd = (v + dt * u for v, u in zip(v_ned, u_ned, strict=True))
+        p_ned, v_ned = (n, e, d), (vn, ve, vd)
+    return p_ned, v_ned
 
 
 def _least(

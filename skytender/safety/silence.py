@@ -131,6 +131,17 @@ def tube(p_ned: Vec3, from_ned: Vec3, home_ned: Vec3, returning_s: float, failsa
     return (from_ned[0], from_ned[1], top), from_ned
 
 
+def nearest_rest(p_ned: Vec3, rest_ned: Vec3, v_ned: Vec3, within_s: float) -> Vec3:
+    """Place nearest to p (NED, m) of those where a vehicle stands that has flown on at v (m/s) and braked within so
+    long, in s; rest_ned: where it stands if it brakes at once."""
+    square = sum(v * v for v in v_ned)
+    if square == 0.0:
+        return rest_ned
+    along = sum((p - rest) * v for p, rest, v in zip(p_ned, rest_ned, v_ned, strict=True))
+    n, e, d = (rest + min(max(along / square, 0.0), within_s) * v for rest, v in zip(rest_ned, v_ned, strict=True))
+    return n, e, d
+
+
 def stretch(legs: list[Leg], least_s: float, most_s: float, begun_s: float = 0.0) -> list[Vec3]:
     """Places on a way that are reached from one time to another, if it was begun at a third; none where it is flown by
     then."""

@@ -10,7 +10,7 @@ from sessions import merged, small
 
 from gcs.planner.failsafes import failsafe_of
 from gcs.scenario.model import Scenario
-from skytender.safety.silence import Failsafe, between, braked, flown_on, presumed_places
+from skytender.safety.silence import Failsafe, Vec3, between, braked, flown_on, nearest_rest, presumed_places
 
 HOME = (0.0, 0.0, -5.0)
 LAST = (20.0, 0.0, -5.0)  # 5 m up to -10, 20 m home, then down: 1 s, 4 s
@@ -100,3 +100,16 @@ def test_between_two_places_there_is_no_gap_and_the_last_is_left_out() -> None:
     assert max(math.dist(a[0], b[0]) for a, b in itertools.pairwise(places)) <= 0.7
     assert all(v[0] == pytest.approx(1.0 + p[0]) for p, v in places), "velocity changes in proportion"
     assert between(first, first) == []
+
+
+@pytest.mark.parametrize(
+    ("p_ned", "nearest_ned"),
+    [
+        ((0.0, 1.0, -12.0), (0.0, 0.0, -12.0)),  # 1 m of the 2 m that it flies on in half a second
+        ((0.0, 0.0, -9.0), (0.0, 0.0, -11.0)),  # it cannot have stopped earlier
+        ((0.0, 0.0, -20.0), (0.0, 0.0, -13.0)),
+    ],
+)
+def test_one_that_may_brake_later_rests_along_its_way(p_ned: Vec3, nearest_ned: Vec3) -> None:
+    assert nearest_rest(p_ned, (0.0, 0.0, -11.0), (0.0, 0.0, -4.0), 0.5) == pytest.approx(nearest_ned)
+    assert nearest_rest(p_ned, (0.0, 0.0, -11.0), (0.0, 0.0, 0.0), 0.5) == (0.0, 0.0, -11.0)

@@ -38,15 +38,17 @@ PLAN = {"level_after_s": 8.0, "down_after_s": 16.0, "again_after_s": 40.0, "desc
 Radio = Callable[[int, int, float], bool]
 
 
-def rules_of(homes: dict[int, Vec3], heights_m: dict[int, float], **changed: Any) -> SeparationRules:
-    """As a file has them."""
+def rules_of(
+    homes: dict[int, Vec3], heights_m: dict[int, float], times: dict[str, float] | None = None, **changed: Any
+) -> SeparationRules:
+    """As a file has them; `times` of the timetable other than PLAN's."""
     members = [
         {
             "sysid": sysid,
             "speed_m_s": 5.0,
             "acceleration_m_s2": 4.0,
             "home_ned": list(home),
-            "failsafe": {"altitude_m": heights_m[sysid], **PLAN},
+            "failsafe": {"altitude_m": heights_m[sysid], **PLAN, **(times or {})},
         }
         for sysid, home in homes.items()
     ]
@@ -177,6 +179,50 @@ def test_two_groups_that_do_not_receive_each_other_keep_apart(from_s: float, los
     assert swarm.least_m >= SEPARATION_M
     for sysid, vehicle in swarm.vehicles.items():
         assert math.dist(vehicle.p_ned[:2], homes[sysid][:2]) < 0.6
+
+
+@pytest.mark.parametrize("parted_s", [0.0, 0.1, 0.3, 0.6])
+def test_the_lower_of_a_column_waits_if_the_radio_parts_it_while_it_climbs(parted_s: float) -> None:
+    """One below the other, from their places, heights and homes of row 56 of the campaign silence, seed 7301: each has
+    climbed past where the other received it last when it finds that other silent."""
+    places = {3: (6.0, 0.0, -6.19), 4: (6.0, 0.0, -4.96)}
+    rules = rules_of({3: (0.0, -1.0, 0.0), 4: (2.0, 1.0, 0.0)}, {3: 10.06, 4: 11.09}, separation_m=0.63)
+    swarm = Swarm(places, rules, lambda _s, _r, now_s: now_s < 5.0 + parted_s, up=True)
+    swarm.fly(30.0)
+    assert swarm.least_m >= 0.63
+
+
+@pytest.mark.parametrize("parted_s", [2.1, 2.5])
+def test_one_that_turns_while_the_radio_parts_it_stays_where_the_other_group_presumes_it(parted_s: float) -> None:
+    """Seven of the 26 of row 4 of that seed, and their heights: 21 evades 6 and 22 on its way up while the radio
+    parts them from 7 and 9, which later fly level past the place where they received it last."""
+    places = {
+        6: (17.81, -0.46, -5.9),
+        7: (20.71, -0.84, -5.48),
+        9: (18.9, 0.47, -5.46),
+        17: (17.59, 0.83, -5.41),
+        21: (17.65, -0.24, -4.33),
+        22: (18.2, -1.42, -4.83),
+        23: (16.91, -1.71, -4.97),
+    }
+    homes = {
+        6: (6.0, -3.0, 0.0),
+        7: (6.0, -1.0, 0.0),
+        9: (4.0, 3.0, 0.0),
+        17: (6.0, 5.0, 0.0),
+        21: (4.0, -3.0, 0.0),
+        22: (2.0, -1.0, 0.0),
+        23: (0.0, 3.0, 0.0),
+    }
+    heights_m = {6: 13.15, 7: 14.48, 9: 17.14, 17: 27.78, 21: 33.1, 22: 34.43, 23: 35.76}
+    times = {"level_after_s": 11.95, "down_after_s": 21.42, "again_after_s": 40.51}
+
+    def passes(sender: int, reader: int, now_s: float) -> bool:
+        return now_s < 5.0 + parted_s or (sender in (7, 9)) == (reader in (7, 9))
+
+    swarm = Swarm(places, rules_of(homes, heights_m, times, separation_m=0.93), passes, up=True)
+    swarm.fly(24.0)
+    assert swarm.least_m >= 0.93
 
 
 def test_they_do_not_without_either() -> None:

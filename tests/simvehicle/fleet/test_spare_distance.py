@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
-from simvehicle.fleet.spare_distance import sure_acceleration
+from simvehicle.fleet.spare_distance import braked, sure_acceleration
 
 DT, BRAKE, REQUIRED_M = 0.1, 3.2, 1.0
 
@@ -30,3 +31,15 @@ def test_vehicles_that_wish_at_random_and_choose_by_themselves_stay_apart() -> N
             nearest_m = min(nearest_m, *(float(np.linalg.norm(q[i] - q[j])) for i in range(4) for j in range(i)))
         p, v = p + DT * v + 0.5 * DT * DT * u, v + DT * u
     assert REQUIRED_M - 0.05 <= nearest_m < 2.0 * REQUIRED_M
+
+
+def test_a_peer_of_which_nothing_came_has_braked_as_far_as_it_can_have() -> None:
+    """3 m/s and 3.2 m/s²: by hand, v t - b t²/2, and a stand after v²/2b, up to b T²/8 beyond it."""
+    start, v_ned = (1.0, 2.0, -5.0), (0.0, 0.0, -3.0)
+    p_ned, left_ned = braked(start, v_ned, BRAKE, DT, 4)
+    assert p_ned == pytest.approx((1.0, 2.0, -5.0 - (3.0 * 0.4 - 0.5 * BRAKE * 0.4**2)))
+    assert left_ned == pytest.approx((0.0, 0.0, -3.0 + BRAKE * 0.4))
+    p_ned, left_ned = braked(start, v_ned, BRAKE, DT, 20)
+    assert p_ned[2] == pytest.approx(-5.0 - 3.0**2 / (2.0 * BRAKE), abs=BRAKE * DT**2 / 8.0)
+    assert left_ned == pytest.approx((0.0, 0.0, 0.0), abs=1e-12)
+    assert braked(start, v_ned, BRAKE, DT, 0) == (start, v_ned)

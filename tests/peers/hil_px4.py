@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 from arducopter import COMMANDS, ArduCopter, Datagrams, done
 from arducopter_motion import GUIDED, LAND, LOITER, RTL
+from arducopter_parameters import Told
 from json_arducopter import JsonArduCopter, JsonCopter, JsonTelemetry, hold
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -88,6 +89,7 @@ class HilPx4(JsonArduCopter):
         self.copter.ready_s = options.refuse_arming_s
         self.copter.mode = LOITER
         self.telemetry = Px4Telemetry(self.copter, options)
+        self.told = Told(self.copter, si_names=options.si_names, locked=options.locked)
         self.steps = 0
         self.frame_of: Place | None = None
         self.quaternion = np.zeros(0)

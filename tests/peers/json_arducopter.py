@@ -23,6 +23,7 @@ from typing import Any
 
 from arducopter import ArduCopter
 from arducopter_motion import GUIDED, INT8, LAND, PARAMETERS, REAL32, Copter
+from arducopter_parameters import Told
 from arducopter_telemetry import Telemetry
 from motion import GRAVITY_M_S2, STEP_S, Place
 from pymavlink.dialects.v20 import ardupilotmega as mav
@@ -160,6 +161,7 @@ class JsonArduCopter(ArduCopter):
         self.copter = JsonCopter(options.start, options.battery_wh)
         self.copter.ready_s = options.refuse_arming_s
         self.telemetry = JsonTelemetry(self.copter, options)
+        self.told = Told(self.copter, si_names=options.si_names, locked=options.locked)
         self.link = serial  # type: ignore[assignment]
         self.out = mav.MAVLink(serial, srcSystem=options.sysid, srcComponent=mav.MAV_COMP_ID_AUTOPILOT1)
         self.out.robust_parsing = True

@@ -12,18 +12,12 @@ from __future__ import annotations
 import json
 import sys
 from itertools import pairwise
-from math import inf, isfinite, sqrt
+from math import dist, inf
 from pathlib import Path
 from typing import Any
 
 TOLERANCE = 1e-6
 """Of times in s, places in m and, times the capacity, of energies in J: schedules are made of rounded numbers."""
-Corners = list[tuple[float, float]]
-"""(time, level) of a line that is straight between them."""
-
-
-def distance(a: list[float], b: list[float]) -> float:
-    return sqrt(sum((x - y) * (x - y) for x, y in zip(a, b, strict=True)))
 
 
 def place(path: Any, t_s: float) -> list[float]:
@@ -37,12 +31,12 @@ def place(path: Any, t_s: float) -> list[float]:
 def followed(path: Any, begin_s: float, end_s: float) -> tuple[float, float]:
     """Length of a path between two times, and its greatest speed there."""
     corners = [begin_s, *(t for t, *_ in path if begin_s < t < end_s), end_s]
-    legs = [(t1 - t0, distance(place(path, t0), place(path, t1))) for t0, t1 in pairwise(corners)]
+    legs = [(t1 - t0, dist(place(path, t0), place(path, t1))) for t0, t1 in pairwise(corners)]
     return sum(way for _, way in legs), max((way / s for s, way in legs if s > TOLERANCE), default=0.0)
 
 
-def levels(energy_j: float, powers: list[tuple[float, float, float]], horizon_s: float) -> Corners:
-    """Energy at each time at which a power changes: `powers` are (begin_s, end_s, watts), added up."""
+def levels(energy_j: float, powers: list[tuple[float, float, float]], horizon_s: float) -> list[tuple[float, float]]:
+    """Energy at each time at which a power changes, (time, energy): `powers` are (begin_s, end_s, watts), added up."""
     times = sorted({0.0, horizon_s, *(t for b, e, _ in powers for t in (b, e) if 0.0 < t < horizon_s)})
     found = [(0.0, energy_j)]
     for t0, t1 in pairwise(times):
@@ -51,7 +45,7 @@ def levels(energy_j: float, powers: list[tuple[float, float, float]], horizon_s:
     return found
 
 
-def first_below(corners: Corners, least_j: float, slack_j: float) -> float:
+def first_below(corners: list[tuple[float, float]], least_j: float, slack_j: float) -> float:
     """When a level first falls below another; infinite where it never does."""
     for (t0, e0), (t1, e1) in pairwise(corners):
         if e1 < least_j - slack_j:
@@ -75,12 +69,9 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
         receiver, tanker, base = (service.get(key) for key in ("receiver", "tanker", "base"))
         start_s, end_s, energy_j = service["start_s"], service["end_s"], service["energy_j"]
         what = f"service {k}"
-        parties = [one for one in (receiver, tanker, base) if one is not None]
-        if len(parties) != 2 or any(one not in busy for one in parties):
+        named = [pair for pair in ((receiver, receivers), (tanker, tankers), (base, bases)) if pair[0] is not None]
+        if len(named) != 2 or any(one not in them for one, them in named):
             problems.append(f"{what} needs two of receiver, tanker and base, each of the instance")
-            continue
-        if receiver not in (None, *receivers) or tanker not in (None, *tankers):
-            problems.append(f"{what} takes a tanker for a receiver, or a receiver for a tanker")
             continue
         begin_s, back_s = (service["leave_s"], service["back_s"]) if tanker is None else (start_s, end_s)
         if not 0.0 <= begin_s <= start_s <= end_s <= back_s or end_s > horizon_s + TOLERANCE or energy_j < 0.0:
@@ -99,21 +90,20 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
         else:
             stock[base] -= energy_j
             powers[takes].append((start_s, end_s, (receivers | tankers)[takes]["power_w"]))  # it stands there
-        for one in parties:
+        for one, _ in named:
             busy[one].append((start_s, end_s, what) if one == base else (begin_s, back_s, what))
         if tanker is not None:
             stops[tanker].append((start_s, end_s, receivers[receiver]["path"] if base is None else None, base, what))
         else:
             one = receivers[receiver]
             for s, t_s in ((start_s - begin_s, begin_s), (back_s - end_s, back_s)):
-                if distance(place(one["path"], t_s), bases[base]["position_m"]) > one["speed_m_s"] * s + TOLERANCE:
+                if dist(place(one["path"], t_s), bases[base]["position_m"]) > one["speed_m_s"] * s + TOLERANCE:
                     problems.append(f"{what}: receiver {receiver} cannot fly between its path and {base} in {s:g} s")
         if receiver is not None:
             ends.append((receiver, end_s, what))
 
     for one, times in busy.items():
-        times.sort()
-        for (_, end_s, first), (start_s, _, second) in pairwise(times):
+        for (_, end_s, first), (start_s, _, second) in pairwise(sorted(times)):
             if start_s < end_s - TOLERANCE:
                 problems.append(f"{second} of {one} begins at {start_s:g} s, before {first} ends")
     for name, left_j in stock.items():
@@ -125,7 +115,7 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
         at, free_s = tanker["position_m"], 0.0
         for start_s, end_s, path, base, what in sorted(stops[id_], key=lambda stop: stop[:2]):
             there = place(path, start_s) if base is None else bases[base]["position_m"]
-            leg_m = distance(at, there)
+            leg_m = dist(at, there)
             if leg_m > tanker["speed_m_s"] * (start_s - free_s) + TOLERANCE:
                 problems.append(f"{what}: tanker {id_} cannot fly {leg_m:.2f} m in {start_s - free_s:.2f} s")
             along_m, speed_m_s = followed(path, start_s, end_s) if base is None else (0.0, 0.0)
@@ -142,9 +132,9 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
         fell_s[id_] = first_below(corners, least_j, slack_j)
         if any(e > one["capacity_j"] + slack_j for t, e in corners if t <= fell_s[id_]):
             problems.append(f"vehicle {id_} gets more than it holds")
-        if isfinite(fell_s[id_]) and id_ in receivers:
+        if fell_s[id_] < inf and id_ in receivers:
             lost.append({"receiver": id_, "at_s": round(fell_s[id_], 6)})
-        elif isfinite(fell_s[id_]):
+        elif fell_s[id_] < inf:
             problems.append(f"tanker {id_} is below its reserve at {fell_s[id_]:.2f} s")
     for receiver, end_s, what in ends:
         if fell_s[receiver] < end_s - TOLERANCE:

@@ -101,6 +101,59 @@ def verify(instance: Path, schedule: Path, as_json: bool) -> int:
     return DONE if verdict["feasible"] else NOT_DONE
 
 
+@benchmark.command(short_help="Find a schedule, and a proven bound on what any schedule loses.")
+@click.argument("instances", type=FILE, nargs=-1, required=True, metavar="INSTANCE...")
+@click.option("--seconds", type=click.FloatRange(min=0.1), default=60.0, show_default=True, help="For each instance.")
+@click.option("--out", type=click.Path(path_type=Path, dir_okay=False), help="Write the schedule there.")
+@click.option(
+    "--table", type=click.Path(path_type=Path, dir_okay=False), help="Add a JSON line of each, but for those there."
+)
+def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: Path | None) -> int:
+    """Find a schedule of each INSTANCE that the verifier accepts, and prove how many receivers any schedule loses at
+    least. Where both are the same, the schedule is an optimum. The limit is processor time of one thread.
+
+    A bound above 0 needs OR-Tools, of the extra `benchmark`.
+
+    \b
+    Examples:
+      gcs benchmark solve instances/tankers-042.json --out mine.json
+      gcs benchmark solve instances/*.json --seconds 10 --table gaps.jsonl
+
+    \b
+    Exit status:
+      0    the schedules are proven optima
+      1    a gap is left
+      2    a file cannot be read, or OR-Tools is needed and missing
+    """
+    from gcs.benchmark import format, gaps
+    from gcs.benchmark.solve import solve as solved
+    from gcs.extras import MissingExtra
+
+    if out is not None and len(instances) > 1:
+        raise click.UsageError("--out takes the schedule of one instance; name one, or leave it out.")
+    left = 0
+    try:
+        known = {one.instance for one in gaps.read(table)} if table is not None and table.exists() else set()
+        for path in instances:
+            given = format.read(path, format.Instance)
+            if given.name in known:
+                continue
+            gap, schedule = solved(given, seconds)
+            left += not gap.proven
+            if out is not None:
+                out.write_bytes(format.raw(schedule))
+            if table is not None:
+                gaps.add(table, gap)
+            what = "proven" if gap.proven else f"at least {gap.lower}"
+            click.echo(f"{gap.instance}: lost {gap.upper} of {len(given.receivers)}, {what}, {gap.cpu_s:.1f} s")
+    except (format.FormatError, MissingExtra) as error:
+        click.echo(f"gcs: {error}", err=True)
+        return BAD_INPUT
+    except OSError as error:
+        raise click.UsageError(f"{error.filename} cannot be written: {error.strerror}.") from None
+    return NOT_DONE if left else DONE
+
+
 @benchmark.command(short_help="The instance of a session's start.")
 @click.argument("scenario", type=ScenarioName())
 @SET

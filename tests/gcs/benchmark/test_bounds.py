@@ -1,0 +1,137 @@
+"""Bounds and schedules of instances: against the verifier, against each other, and against an enumeration."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+import random
+from importlib import resources
+from pathlib import Path
+
+import pytest
+
+from gcs.benchmark import beam, bounds, format, gaps
+from gcs.benchmark.arrays import Arrays
+from gcs.benchmark.format import Instance, Schedule, plain
+from gcs.benchmark.generator import instance, instances
+from gcs.benchmark.solve import lost_of, solve
+from gcs.benchmark.verifier import verify
+from gcs.cli.main import run_argv
+
+TRIED = [
+    ("tankers", 0),
+    ("tankers", 24),
+    ("tankers", 27),
+    ("reloads", 18),
+    ("reloads", 54),
+    ("bases", 9),
+    ("bases", 54),
+]
+
+
+@pytest.mark.parametrize(("kind", "number"), TRIED)
+def test_every_schedule_can_be_carried_out_and_loses_no_fewer_than_the_bound(kind: str, number: int) -> None:
+    one = instance(kind, number)
+    arrays = Arrays(one)
+    at_least = bounds.least_lost(arrays)
+    for weights in beam.PORTFOLIO:
+        verdict = verify(plain(one), plain(beam.search(arrays, weights, 20)))
+        assert verdict["problems"] == []
+        assert len(verdict["lost"]) >= at_least
+
+
+def small(seed: int) -> Instance:
+    """Two receivers that stand still and one tanker, drawn so that some are lost."""
+    draw = random.Random(seed)
+    one = instance("tankers", 0)
+    one.seed, one.receivers = seed, one.receivers[:2]
+    one.rate_w, one.horizon_s = draw.choice((400.0, 800.0, 3000.0)), float(draw.randrange(60, 200, 10))
+    for receiver in one.receivers:
+        receiver.path = [(0.0, draw.uniform(-40.0, 40.0), draw.uniform(-40.0, 40.0), -8.0)]
+        receiver.capacity_j = draw.uniform(4_000.0, 16_000.0)
+        receiver.lands_at_j = 0.05 * receiver.capacity_j
+        receiver.energy_j = receiver.lands_at_j + draw.uniform(5.0, 60.0) * receiver.power_w
+        receiver.energy_j = min(receiver.energy_j, receiver.capacity_j)
+    tanker = one.tankers[0]
+    spare_j = draw.uniform(2_000.0, 60_000.0)
+    tanker.energy_j = tanker.capacity_j = tanker.reserve_j + tanker.power_w * one.horizon_s + spare_j
+    return one
+
+
+def fewest_lost(one: Instance, most_services: int) -> int:
+    """The least lost by any order of services, each begun as soon as it can be or seconds later, with a share of the
+    greatest energy: an enumeration in closed form for receivers that stand still, which shares no code with `gcs`."""
+    tanker, fewest = one.tankers[0], len(one.receivers)
+
+    def gone(lands_s: list[float]) -> int:
+        return sum(s < one.horizon_s - 1e-9 for s in lands_s)
+
+    def go(at: tuple[float, ...], now_s: float, spare_j: float, lands_s: list[float], left: int) -> None:
+        nonlocal fewest
+        fewest = min(fewest, gone(lands_s))
+        if left == 0 or fewest == 0:
+            return
+        for (i, r), wait_s, share in itertools.product(enumerate(one.receivers), (0.0, 12.0), (1.0, 0.5)):
+            place = r.path[0][1:]
+            flows_s = now_s + math.dist(at, place) / tanker.speed_m_s + wait_s + one.setup_s
+            if lands_s[i] < flows_s or flows_s >= one.horizon_s or lands_s[i] >= one.horizon_s:
+                continue
+            held_j = r.power_w * (lands_s[i] - flows_s)
+            takes_s = min(
+                (r.capacity_j - r.lands_at_j - held_j) / (one.rate_w - r.power_w), one.horizon_s - flows_s,
+                spare_j / one.rate_w,
+            ) * share  # fmt: skip
+            new = list(lands_s)
+            new[i] += takes_s * one.rate_w / r.power_w
+            go(place, flows_s + takes_s, spare_j - takes_s * one.rate_w, new, left - 1)
+
+    starts = [(r.energy_j - r.lands_at_j) / r.power_w for r in one.receivers]
+    spare_j = tanker.energy_j - tanker.reserve_j - tanker.power_w * one.horizon_s
+    go(tanker.position_m, 0.0, spare_j, starts, most_services)
+    return fewest
+
+
+def test_no_order_of_services_loses_fewer_than_the_bound_on_tiny_instances() -> None:
+    """The bound stays at or below what an enumeration finds, and is the same for most."""
+    found = [(fewest_lost(one, 4), bounds.least_lost(Arrays(one))) for one in map(small, range(40))]
+    assert all(at_least <= fewest for fewest, at_least in found), found
+    assert {fewest for fewest, _ in found} >= {0, 1}
+    lossy = [pair for pair in found if pair[0] > 0]
+    assert sum(at_least == fewest for fewest, at_least in lossy) >= len(lossy) // 2, found
+
+
+def test_the_search_finds_what_the_enumeration_finds() -> None:
+    for one in map(small, range(12)):
+        gap, schedule = solve(one, 1.0)
+        assert gap.upper == lost_of(one, schedule)
+        assert gap.lower <= gap.upper <= fewest_lost(one, 4)
+
+
+def test_the_shipped_table_has_each_instance_once_and_its_bound() -> None:
+    lines = (resources.files("gcs") / "benchmark" / "gaps.jsonl").read_text().splitlines()
+    shipped = gaps.shipped()
+    assert len(lines) == len(shipped)
+    assert shipped.keys() <= {one.name for one in instances()}
+    assert all(0 <= gap.lower <= gap.upper for gap in shipped.values())
+    for kind, number in (("tankers", 0), ("tankers", 24), ("bases", 50)):
+        assert bounds.least_lost(Arrays(instance(kind, number))) == shipped[f"{kind}-{number:03}"].lower
+
+
+def test_the_command_solves(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    files = {}
+    for kind, number in (("tankers", 0), ("tankers", 5)):
+        files[number] = tmp_path / f"{kind}-{number}.json"
+        files[number].write_bytes(format.raw(instance(kind, number)))
+    mine, table = tmp_path / "mine.json", tmp_path / "gaps.jsonl"
+    assert run_argv(["benchmark", "solve", str(files[0]), "--out", str(mine), "--table", str(table)]) == 0
+    assert "tankers-000: lost 0 of 4, proven" in capsys.readouterr().out
+    assert lost_of(instance("tankers", 0), format.read(mine, Schedule)) == 0
+    assert run_argv(["benchmark", "solve", *map(str, files.values()), "--seconds", "0.5", "--table", str(table)]) == 1
+    lines = [json.loads(line) for line in table.read_text().splitlines()]
+    assert [line["instance"] for line in lines] == ["tankers-000", "tankers-005"]
+    assert "tankers-000" not in capsys.readouterr().out
+    assert run_argv(["benchmark", "solve", *map(str, files.values()), "--out", str(mine)]) == 2
+    table.write_text("{}\n")
+    assert run_argv(["benchmark", "solve", str(files[0]), "--table", str(table)]) == 2
+    assert "no table of gaps" in capsys.readouterr().err

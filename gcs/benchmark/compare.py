@@ -1,0 +1,108 @@
+"""Methods on the same instances, in equal time, as one table."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gcs.benchmark import gaps
+from gcs.benchmark.arrays import Arrays
+from gcs.benchmark.format import Instance, Schedule, plain
+from gcs.benchmark.generator import KINDS, OF_A_KIND, instance
+from gcs.benchmark.peers.dispatching import ApparentTardiness, FirstToLand, LeastWays, NearestPair
+from gcs.benchmark.peers.flight import DispatchedFlight
+from gcs.benchmark.peers.own import CompetitionByTime, PlannedAhead
+from gcs.benchmark.solve import searched
+from gcs.benchmark.verifier import verify
+from gcs.campaign.statistics import Interval, aligned, mean, wilson
+from gcs.extras import require
+
+Method = Callable[[Arrays, float], Schedule]
+EACH = 5
+
+
+def _cp_sat(arrays: Arrays, seconds: float) -> Schedule:
+    from gcs.benchmark.peers.cp_sat import CpSat  # noqa: PLC0415 - an extra
+
+    return DispatchedFlight(arrays).flown(CpSat(arrays, seconds))
+
+
+def _py_vrp(arrays: Arrays, seconds: float) -> Schedule:
+    from gcs.benchmark.peers.py_vrp import PyVrp  # noqa: PLC0415 - an extra
+
+    return DispatchedFlight(arrays).flown(PyVrp(arrays, seconds))
+
+
+METHODS: dict[str, Method] = {
+    "beam_search": searched,
+    "optimal": lambda arrays, _: DispatchedFlight(arrays).flown(PlannedAhead(arrays)),
+    "winner_take_all": lambda arrays, _: DispatchedFlight(arrays).flown(CompetitionByTime(arrays)),
+    "cp_sat": _cp_sat,
+    "pyvrp": _py_vrp,
+    "atcs": lambda arrays, _: DispatchedFlight(arrays).flown(ApparentTardiness()),
+    "earliest_deadline": lambda arrays, _: DispatchedFlight(arrays).flown(FirstToLand()),
+    "hungarian": lambda arrays, _: DispatchedFlight(arrays).flown(LeastWays()),
+    "greedy_nearest": lambda arrays, _: DispatchedFlight(arrays).flown(NearestPair()),
+}
+NEEDS = {
+    "cp_sat": {"ortools": "OR-Tools"}, "pyvrp": {"pyvrp": "PyVRP"}, "hungarian": {"scipy": "SciPy"},
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Result:
+    """One method on one instance, by the verifier."""
+
+    instance: str
+    lost: int
+    delivered_j: float
+    way_m: float
+    wall_s: float
+
+
+def sample() -> list[Instance]:
+    """Every EACH-th of the 300."""
+    return [instance(kind, number) for kind in KINDS for number in range(0, OF_A_KIND, EACH)]
+
+
+def run(method: str, instances: Iterable[Instance], seconds: float) -> list[Result]:
+    """Each instance's result. Raises MissingExtra, and RuntimeError where the verifier refuses a schedule."""
+    require(f"the method {method}", NEEDS.get(method, {}), "benchmark")
+    found = []
+    for one in instances:
+        began_s = time.perf_counter()
+        schedule = METHODS[method](Arrays(one), seconds)
+        wall_s = time.perf_counter() - began_s
+        verdict = verify(plain(one), plain(schedule))
+        if not verdict["feasible"]:
+            raise RuntimeError(f"{method} made no schedule of {one.name}: {verdict['problems'][0]}")
+        found.append(Result(one.name, len(verdict["lost"]), verdict["delivered_j"], verdict["way_m"], wall_s))
+    return found
+
+
+def text(results: Mapping[str, Sequence[Result]]) -> list[str]:
+    """The table's lines: rates with Wilson intervals, means with bootstrap intervals, 95 %."""
+    known = gaps.shipped()
+    lines = [("method", "loses some", "95 %", "lost", "95 %", "gap", "95 %", "kJ", "way m", "wall s")]
+    for method, each in results.items():
+        some = wilson(sum(one.lost > 0 for one in each), len(each))
+        lost = mean(np.array([float(one.lost) for one in each]))
+        proven = [one for one in each if one.instance in known and known[one.instance].proven]
+        gap = mean(np.array([float(one.lost - known[one.instance].lower) for one in proven]))
+        lines.append(
+            (
+                method, f"{100 * some.value:.0f} %", f"{100 * some.low:.0f} to {100 * some.high:.0f} %",
+                f"{lost.value:.2f}", _span(lost), f"{gap.value:.2f}", _span(gap),
+                f"{np.mean([one.delivered_j for one in each]) / 1e3:.0f}",
+                f"{np.mean([one.way_m for one in each]):.0f}", f"{np.mean([one.wall_s for one in each]):.2f}",
+            )
+        )  # fmt: skip
+    return aligned(lines)
+
+
+def _span(one: Interval) -> str:
+    return "-" if math.isnan(one.low) else f"{one.low:.2f} to {one.high:.2f}"

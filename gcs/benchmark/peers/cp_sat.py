@@ -1,0 +1,56 @@
+"""CP-SAT in a rolling horizon: the most services in time, and of these plans the one that begins them soonest."""
+
+from __future__ import annotations
+
+import math
+
+from ortools.sat.python import cp_model
+
+from gcs.benchmark.peers.rolling import UNIT_S, Jobs, Rolling
+
+LOST = 10_000
+"""Units of time that a receiver which is not served in time costs."""
+
+
+class CpSat(Rolling):
+    """Optional intervals, each on one tanker, with ways between them."""
+
+    def plan(self, jobs: Jobs, seconds: float) -> dict[int, int]:
+        """The first job of each tanker that has one."""
+        model, n, m = cp_model.CpModel(), len(jobs.receivers), len(jobs.tankers)
+        starts, on = [], []
+        costs = []
+        for j in range(n):
+            low, high = math.ceil(jobs.from_s[j] / UNIT_S), math.floor(jobs.until_s[j] / UNIT_S)
+            served = [model.NewBoolVar("") for _ in range(m)]
+            start = model.NewIntVar(min(low, max(high, 0)), max(high, low, 0), "")
+            if high < low:
+                model.Add(sum(served) == 0)
+            model.AddAtMostOne(served)
+            for k in range(m):
+                soonest = math.ceil((jobs.free_s[k] + jobs.first_s[k, j]) / UNIT_S)
+                model.Add(start >= soonest).OnlyEnforceIf(served[k])
+            starts.append(start)
+            on.append(served)
+            costs.append(start + LOST * (1 - sum(served)))
+        for j in range(n):
+            for i in range(j + 1, n):
+                before = model.NewBoolVar("")
+                for k in range(m):
+                    both = [on[j][k], on[i][k]]
+                    there = math.ceil((jobs.takes_s[j] + jobs.between_s[k, j, i]) / UNIT_S)
+                    back = math.ceil((jobs.takes_s[i] + jobs.between_s[k, i, j]) / UNIT_S)
+                    model.Add(starts[i] >= starts[j] + there).OnlyEnforceIf([*both, before])
+                    model.Add(starts[j] >= starts[i] + back).OnlyEnforceIf([*both, before.Not()])
+        model.Minimize(sum(costs))
+        for one in (one for served in on for one in served):
+            model.AddHint(one, 0)
+        solver = cp_model.CpSolver()
+        solver.parameters.max_time_in_seconds = seconds
+        solver.parameters.num_workers = 1
+        solver.parameters.random_seed = 1
+        solver.Solve(model)
+        if solver.StatusName() not in ("OPTIMAL", "FEASIBLE"):
+            return {}
+        order = sorted(range(n), key=lambda j: -solver.Value(starts[j]))
+        return {k: j for j in order for k in range(m) if solver.Value(on[j][k])}

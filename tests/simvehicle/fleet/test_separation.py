@@ -225,6 +225,21 @@ def test_one_that_turns_while_the_radio_parts_it_stays_where_the_other_group_pre
     assert swarm.least_m >= 0.93
 
 
+@pytest.mark.parametrize("parted_s", [1.2, 1.3, 1.4])
+def test_a_peer_of_which_nothing_comes_any_more_may_have_braked_since(parted_s: float) -> None:
+    """The lowest of a column is parted from the other three while all climb, and they brake above it."""
+    places = {1: (8.38, -0.19, -2.5), 2: (8.09, -0.42, -3.68), 3: (7.81, -0.05, -5.37), 4: (8.34, 0.41, -7.25)}
+    homes = {1: (0.0, 0.0, 0.0), 2: (4.0, 0.0, 0.0), 3: (6.0, 0.0, 0.0), 4: (2.0, 0.0, 0.0)}
+    heights_m = {1: 13.42, 2: 11.02, 3: 12.22, 4: 9.82}
+
+    def passes(sender: int, reader: int, now_s: float) -> bool:
+        return now_s < 5.0 + parted_s or 1 not in (sender, reader)
+
+    swarm = Swarm(places, rules_of(homes, heights_m), passes, up=True)
+    swarm.fly(30.0)
+    assert swarm.least_m >= SEPARATION_M
+
+
 def test_they_do_not_without_either() -> None:
     """The circle is one in which something has to keep them apart."""
     swarm = returned(8, dict.fromkeys(range(1, 9), 6.0), lambda *_: False)

@@ -17,6 +17,8 @@ from ports import free_port
 from sessions import ROOT
 from strangers import strangers
 
+from gcs.mavlink.parameters import renames
+
 HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "parameter_holder.py")]
 FORMS = {"UINT8": "B", "INT8": "b", "UINT16": "H", "INT16": "h", "UINT32": "I", "INT32": "i", "REAL32": "f"}
 WIDE = {"UINT64": "Q", "INT64": "q", "REAL64": "d"}
@@ -168,3 +170,18 @@ def test_a_file_with_names_that_a_vehicle_does_not_know_differs(fleet: Fleet, tm
     assert loaded.returncode == 1
     assert f"unknown: {advice}" in loaded.stdout
     assert "EKF2_POS_LOCK" in fleet("set", "EKF2_ENGINE_WRM=1", sysid=PX4).stdout
+
+
+@pytest.mark.parametrize(("sysid", "table"), [(PX4, renames.PX4), (ARDUPILOT, renames.ARDUPILOT)])
+def test_each_renamed_parameter_that_is_set_loaded_or_compared_is_answered_by_its_new_name(
+    fleet: Fleet, tmp_path: Path, sysid: int, table: renames.Table
+) -> None:
+    """The vehicle knows neither name, as one of another version knows only the other."""
+    file = tmp_path / "old.param"
+    file.write_text("".join(f"{name} 1\n" for name in table))
+    for argv in (("set", *(f"{name}=1" for name in table)), ("load", str(file)), ("diff", str(file))):
+        done = fleet(*argv, sysid=sysid)
+        assert done.returncode == 1, argv[0]
+        lines = (done.stdout + done.stderr).splitlines()
+        for name, row in table.items():
+            assert [line for line in lines if f" {name}" in line and f"calls it {row.now}" in line], (argv[0], name)

@@ -4,7 +4,8 @@ A parameter that an autopilot does not know may be one that a later version has 
 or one that is newer than the autopilot.
 
 [lineage] ArduPilot: convert_params and convert_parameters of ArduCopter/, libraries/AC_AttitudeControl, AC_WPNav,
-AC_Avoidance, AP_Arming and AP_GPS; PX4: src/lib/parameters/param_translation.cpp
+AC_Avoidance, AP_Arming and AP_GPS; PX4: src/lib/parameters/param_translation.cpp, and where that says nothing the
+commits that renamed a parameter
 """
 
 from __future__ import annotations
@@ -102,6 +103,7 @@ ARDUPILOT: Table = {
         "degrees for hundredths",
     ),
     **{f"SR{port}_{group}": Renamed(f"MAV{port + 1}_{group}", _AP47) for port in range(7) for group in _STREAMS},
+    "SYSID_ENFORCE": Renamed("MAV_OPTIONS", _AP47, also="whose bit 0 stands for 1"),
     "ARMING_CHECK": Renamed("ARMING_SKIPCHK", _AP47, also="whose bits are checks to skip: 1 is now 0, 0 is now -1"),
     **_since(
         "ArduPilot 4.6",
@@ -129,9 +131,15 @@ PX4: Table = {
         1.0,
         """
         EKF2_GPS_POS_X SENS_GPS0_OFFX  EKF2_GPS_POS_Y SENS_GPS0_OFFY  EKF2_GPS_POS_Z SENS_GPS0_OFFZ
-        EKF2_ENGINE_WRM EKF2_POS_LOCK
+        EKF2_ENGINE_WRM EKF2_POS_LOCK  FD_ACT_MOT_C2T MOTFAIL_C2T
+        SENS_IMU_TEMP HEATER1_TEMP     SENS_IMU_TEMP_FF HEATER1_TEMP_FF  SENS_IMU_TEMP_I HEATER1_TEMP_I
+        SENS_IMU_TEMP_P HEATER1_TEMP_P SENS_TEMP_ID HEATER1_SENS_ID    EKF2_AGP_CTRL EKF2_AGP0_CTRL
+        EKF2_AGP_MODE EKF2_AGP0_MODE   EKF2_AGP_DELAY EKF2_AGP0_DELAY  EKF2_AGP_NOISE EKF2_AGP0_NOISE
+        EKF2_AGP_GATE EKF2_AGP0_GATE
         """,
     ),
+    "FD_ACT_MOT_TOUT": Renamed("MOTFAIL_TIME", "PX4 since March 2026", 0.001, "seconds for milliseconds"),
+    "SIM_BAT_ENABLE": Renamed("SIM_BAT_DRAIN", "PX4 since April 2026", also="where 0 stands for 0"),
     "EKF2_GPS_DELAY": Renamed("SENS_GPS0_DELAY", "PX4 since March 2026", also="and SENS_GPS1_DELAY"),
     "MOT_POLE_COUNT": Renamed("DSHOT_MOT_POL1", "PX4 since March 2026", also="one for each motor up to 12"),
     **_since(
@@ -140,6 +148,7 @@ PX4: Table = {
         "HEATER1_IMU_ID HEATER1_SENS_ID HEATER2_IMU_ID HEATER2_SENS_ID HEATER3_IMU_ID HEATER3_SENS_ID",
     ),
     "COM_RC_OVERRIDE": Renamed("MAN_OVERRIDE_SPD", "PX4 since June 2026", also="where -1 stands for 0"),
+    "COM_RC_STICK_OV": Renamed("MAN_OVERRIDE_SPD", "PX4 since June 2026", also="how fast a stick moves, not how far"),
     "MPC_LAND_RC_HELP": Renamed("MPC_AUTO_NUDGING", "PX4 since June 2026", also="whose bit 1 stands for 1"),
     "COM_ARM_TRAFF": Renamed("COM_TRAFF_AVOID", "PX4 since July 2026", also="where 2 stands for 2 and 3"),
 }

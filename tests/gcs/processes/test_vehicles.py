@@ -7,6 +7,7 @@ import pytest
 import yaml
 from extremes import extremes, number_keys
 
+from gcs.mavlink.parameters import renames
 from gcs.planner.failsafes import failsafes_of
 from gcs.processes.fork_server import Ended, ProcessSpec
 from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
@@ -180,11 +181,9 @@ def test_vehicles_take_the_least_and_the_greatest_that_a_scenario_may_say(key: s
     assert taken
 
 
-@pytest.mark.parametrize(
-    ("kind", "name", "clause"), [("ardupilot", "WPNAV_SPEED", "WP_SPD"), ("px4", "EKF2_GPS_POS_X", "SENS_GPS0_OFFX")]
-)
-def test_a_launched_autopilot_is_told_other_versions_names_of_its_parameters(
-    folder: Path, kind: str, name: str, clause: str
+@pytest.mark.parametrize(("kind", "table"), [("ardupilot", renames.ARDUPILOT), ("px4", renames.PX4)])
+def test_a_launched_autopilot_has_other_versions_names_of_its_parameters(
+    folder: Path, kind: str, table: renames.Table
 ) -> None:
     battery = {"capacity_j": 24_000.0, "hover_w": 180.0, "avionics_w": 12.0}
     one = {
@@ -192,10 +191,10 @@ def test_a_launched_autopilot_is_told_other_versions_names_of_its_parameters(
         "start_m": (0.0, 0.0, 0.0),
         "battery": battery,
         "autopilot": {kind: "/bin/true"},
-        "params": {name: 5.0, "OTHER": 1.0},
+        "params": {"OTHER": 1.0, **dict.fromkeys(table, 5.0)},
     }
     vehicle_orders(scenario(vehicles={"pursuers": [one]}, traffic=[]), folder, LINK)
     content = yaml.safe_load((folder / "vehicles" / "3.autopilot.yaml").read_text())
-    assert content["parameters"] == {name: 5.0, "OTHER": 1.0}
-    assert content["renamed"].keys() == {name}
-    assert clause in content["renamed"][name]
+    assert content["parameters"] == {"OTHER": 1.0, **dict.fromkeys(table, 5.0)}
+    assert content["renamed"].keys() == table.keys()
+    assert all(f"calls it {row.now}" in content["renamed"][name] for name, row in table.items())

@@ -18,9 +18,10 @@ import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint, SetPoints
-from gcs.planner.failsafes import failsafes_of
+from gcs.planner.failsafes import failsafes_of, foreign_returns_of
 from gcs.planner.fence import FenceBorder
 from gcs.planner.floors import FLOOR_M, Floors
+from gcs.planner.foreign_returns import LEAST_HOLD_S
 from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.planner.link_age import LinkAge
 from gcs.planner.planner import LEAST_MARGIN_M, LOOKAHEAD_S, STILL
@@ -87,6 +88,11 @@ class SafePlanner(TickPlanner):
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
         self._external = np.array([v.external is not None for v in every], np.bool_)
+        holds_s = {sysid: one.holds_after_s for sysid, one in foreign_returns_of(scenario).items()}
+        self._flies_on_s = np.array(
+            [holds_s.get(v.sysid, LEAST_HOLD_S) + scenario.clock.period_s if v.external else 0.0 for v in every]
+        )
+        """how long each flies on by a set point that no further one follows"""
         self._late = False
         failsafes = failsafes_of(scenario)
         self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if v.foreign is None}
@@ -134,17 +140,20 @@ class SafePlanner(TickPlanner):
         if not points.sysids:
             return points
         others = self._others(request, columns)
-        filtered = self._filter(points, request, columns, others)
         rows = self._rows
+        overrun_s = np.maximum(self._flies_on_s[rows] - self.tracking.lag_s[rows], 0.0)
+        ahead_ned = overrun_s[:, np.newaxis] * self._v_ned[rows]
+        filtered = self._filter(points, request, columns, others, ahead_ned, overrun_s)
         values = np.empty((len(rows), 6))
         values[:, :3], values[:, 3:] = self._p_ned[rows], self._v_ned[rows] + 0.5 * period_s * filtered.u_ned
         if self._late:  # flown on for as long as the next tick takes, too
             flown_on = self._external[rows]
             values[flown_on, 3:] = filtered.v_next_ned[flown_on]
         set_points = SetPoints(points.sysids, values)
-        self._p_ned[rows], self._v_ned[rows] = filtered.p_next_ned, filtered.v_next_ned
-        self.tracking.lead(rows, snapshot.time_s + period_s, filtered.p_next_ned)
-        self._planner.anchor(points.sysids, filtered.p_next_ned)
+        p_next_ned = filtered.p_next_ned - ahead_ned
+        self._p_ned[rows], self._v_ned[rows] = p_next_ned, filtered.v_next_ned
+        self.tracking.lead(rows, snapshot.time_s + period_s, p_next_ned)
+        self._planner.anchor(points.sysids, p_next_ned)
         self._record(points.sysids, filtered, snapshot.time_s, others)
         return set_points
 
@@ -195,8 +204,19 @@ class SafePlanner(TickPlanner):
         return v_ned * min(1.0, float(self._speed_m_s[row]) / max(elementary.norm(v_ned.tolist()), 1e-9))
 
     def _filter(
-        self, points: SetPoints, request: PlanRequest, columns: FleetColumns, others: list[Intruder]
+        self,
+        points: SetPoints,
+        request: PlanRequest,
+        columns: FleetColumns,
+        others: list[Intruder],
+        ahead_ned: FloatArray,
+        overrun_s: FloatArray,
     ) -> Filtered:
+        """Accelerations of the leaders.
+
+        The station may be stopped at any tick. Vehicles in lockstep wait for it; external ones fly on by this set
+        point, `ahead_ned` beyond their leaders by the time that they brake, and are filtered there.
+        """
         rules, rows = self._scenario.planner, self._rows
         p = self._p_ned[rows]
         wanted_ned = points.v_ned + (points.p_ned - p) / SETTLE_S
@@ -204,10 +224,11 @@ class SafePlanner(TickPlanner):
         floor = np.full((len(rows), 3), np.inf)
         floor[:, 2] = self._floors.at(columns.ground_down_m)[rows]
         margin_m = np.minimum(np.maximum(self.tracking.error_m[rows] + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
+        margin_m += overrun_s * request.period_s * self._a_max[rows]  # what this period adds to `ahead_ned`
         return filter_step(
             Leaders(
                 ids=self._ids,
-                p_ned=p,
+                p_ned=p + ahead_ned,
                 v_ned=self._v_ned[rows],
                 v_max_m_s=self._speed_m_s[rows],
                 a_max_m_s2=self._a_max[rows],

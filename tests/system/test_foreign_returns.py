@@ -278,9 +278,5 @@ def nearest_while_stopped_m(folder: Path) -> float:
     return min(float(np.linalg.norm(up[a] - up[b], axis=1).min()) for a, b in itertools.combinations(range(4), 2))
 
 
-APART_M = 0.5
-"""What is kept of the separation, on a busy machine too; docs/limits.md says what was seen."""
-
-
 def test_a_station_that_stops_for_a_while_brings_no_two_together(tmp_path: Path) -> None:
-    assert nearest_while_stopped_m(tmp_path) > APART_M
+    assert nearest_while_stopped_m(tmp_path) > SEPARATION_M

@@ -20,6 +20,7 @@ import numpy as np
 from gcs.planner.return_ways import boxes_of, coloured, meeting, places_of
 from gcs.scenario.model import Scenario, VehicleBase
 from skytender import elementary
+from skytender.safety.safety_constraints import descent_of
 
 BEGINS_S = 10.0
 """Time without a HEARTBEAT after which the first begins to return: PX4's own by default."""
@@ -61,16 +62,21 @@ class ForeignReturn:
 
 
 def layers_of(scenario: Scenario) -> dict[int, int]:
-    """Number of the height at which each returns, from the lowest, by system id; different where ways may meet."""
+    """Number of the height at which each returns, from the lowest, by system id; different where ways may meet.
+
+    At one height those that evade others upward return above those that evade downward: whichever hangs over another
+    when the station is lost is to climb first.
+    """
     heights_m = _heights_m(scenario)
     every = scenario.vehicles.all
-    rows = sorted((heights_m[v.sysid], v.sysid, row) for row, v in enumerate(every) if v.foreign is not None)
+    foreign = ((row, v.sysid) for row, v in enumerate(every) if v.foreign is not None)
+    rows = sorted((heights_m[sysid], -descent_of(sysid), sysid, row) for row, sysid in foreign)
     boxes = boxes_of(every, scenario)
     for row, vehicle in enumerate(every):
         if vehicle.external is not None:
             boxes[row] = -math.inf, -math.inf, math.inf, math.inf
-    numbers = coloured(meeting(boxes[[row for _, _, row in rows]])) if rows else []
-    return {sysid: number for (_, sysid, _), number in zip(rows, numbers, strict=True)}
+    numbers = coloured(meeting(boxes[[row for *_, row in rows]])) if rows else []
+    return {sysid: number for (_, _, sysid, _), number in zip(rows, numbers, strict=True)}
 
 
 def foreign_returns(

@@ -19,6 +19,7 @@ cdef void into_ball(double* u, double cn, double ce, double cd, double radius) n
 cdef void into_limits(
     double* u, const double* v, const double* u_b, double a_max, double v_top, double dt) noexcept nogil
 cdef double part_of_turn(double x) noexcept nogil
+cpdef double descent_of(long long sysid) noexcept nogil
 @cython.locals(t=double, way=double)
 cdef bint write_line(
     Constraint* c, double after, double when, double nn, double ne, double nd, const Moves* m, double dt,

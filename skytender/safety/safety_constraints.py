@@ -112,6 +112,11 @@ def part_of_turn(x: float) -> float:
     return x - math.floor(x)
 
 
+def descent_of(sysid: int) -> float:
+    """Share, from -1 (up) to 1 (down), by which a vehicle that cannot have what it wants evades up or down [choice]."""
+    return 2.0 * part_of_turn(sysid * GOLDEN) - 1.0
+
+
 def write_line(c: Any, after: float, when: float, nn: float, ne: float, nd: float, m: Any, dt: float, ids: Any) -> bool:
     """Write the linear constraint  A_i·u_i + A_j·u_j >= r;  False where nothing can be done."""
     u, v = m.u + 3 * c.i, m.v + 3 * c.i

@@ -34,6 +34,7 @@ from cython.cimports.skytender.safety.safety_constraints import (
     PLANE,
     REACH,
     clearance_of,
+    descent_of,
     into_ball,
     into_limits,
     part_of_turn,
@@ -84,7 +85,7 @@ def _turned(wanted: Any, sysid: int, share: float, turn: float, climb: float, ou
         out[0] = cos * wanted[0] + sin * right_n
         out[1] = cos * wanted[1] + sin * right_e
         speed = math.sqrt(wanted[0] ** 2 + wanted[1] ** 2)
-        out[2] = wanted[2] + (2.0 * part - 1.0) * elementary.tan(climb * share) * speed
+        out[2] = wanted[2] + descent_of(sysid) * elementary.tan(climb * share) * speed
 
 
 def _project(s: Any, active: Any, count: int, u: Any) -> None:

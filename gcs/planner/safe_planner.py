@@ -54,6 +54,9 @@ ACTS_M_S2 = 1.0
 """A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
 cause."""
 REPEAT_AFTER_S = 2.0
+EVADES_M_S = 0.1
+"""[choice] One of ours that flies by itself may evade others on board, and come back at any time: where it is faster,
+others also keep apart from where it would come to rest."""
 
 
 class SafePlanner(TickPlanner):
@@ -286,6 +289,9 @@ class SafePlanner(TickPlanner):
                 for p, v in between(braked(view.p_ned, view.v_ned, age_s), (place, v_ned)):
                     others.append(Intruder.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
             others.append(Intruder.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
+            if failsafe and not silent and view.mode not in STEERABLE and elementary.norm(v_ned) > EVADES_M_S:
+                rest_ned, _ = braked(place, v_ned, math.inf)
+                others.append(Intruder.of(name, owner, rest_ned, STILL, 0.0, radius_m, age_s))
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))

@@ -61,6 +61,31 @@ def test_a_silent_vehicle_is_looked_for_where_its_mode_takes_it() -> None:
     assert gives_way_m(FlightMode.RETURN) > gives_way_m(FlightMode.OFFBOARD) + 0.2
 
 
+def nearest_to_rest_m(mode: FlightMode) -> float:
+    """How near the leader of vehicle 2, on its way along the row, comes to where vehicle 1 would rest if it braked at
+    4 m/s²: 1.2 m ahead of where it is at first."""
+    content = scenario()
+    planner = SafePlanner(content, Planner(content))
+    rest, speed_m_s = (1.2, 0.0, -5.0), 1.6
+    here = (rest[0] - speed_m_s**2 / 8.0, 0.0, -5.0)
+    p_ned, nearest_m = (0.0, 0.0, -5.0), math.inf
+    for tick in range(20):
+        vehicles = (
+            view(1, here, (speed_m_s, 0.0, 0.0), mode, 0.0),
+            view(2, p_ned, (0.0, 0.0, 0.0), FlightMode.OFFBOARD, 0.0),
+        )
+        time_s = 20.0 + tick * PERIOD_S
+        (point,) = planner.plan(PlanRequest(FleetSnapshot(time_s, vehicles, ()), frozenset({2}), PERIOD_S))
+        p_ned = point.p_ned
+        nearest_m = min(nearest_m, math.dist(p_ned, rest))
+    return nearest_m
+
+
+@pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.TAKEOFF, FlightMode.RETURN])
+def test_one_that_flies_by_itself_may_stop_and_come_back_at_any_time(mode: FlightMode) -> None:
+    assert nearest_to_rest_m(mode) >= scenario().planner.separation_m
+
+
 def meets_m(approaches: frozenset[int]) -> list[float]:
     """Distance of a tanker from its receiver in each tick, as it comes from the side, and how far the receiver has
     moved at the end. Vehicles are where their leaders are."""

@@ -11,6 +11,7 @@ from typing import Literal
 
 from gcs.mavlink.parameters import renames
 from gcs.mavlink.parameters.value import ParameterValue, from_wire
+from gcs.mavlink.plans import habits
 from skytender import mavlink as mav
 
 
@@ -70,8 +71,8 @@ class Profile:
     """file of all its parameters, packed, that it gives by MAVFTP; empty where it has none"""
     log_folders: tuple[str, ...] | None
     """where it may keep its logs for MAVFTP to read; None where LOG_* brings them faster"""
-    plans_begin_with_home: bool
-    """whether item 0 of its mission is home"""
+    plans: habits.PlanHabits
+    """what it makes of a mission, a fence and rally points"""
     parameter_encoding_said: bool
     """whether its capabilities say how integers stand in PARAM_VALUE"""
     fence_in_status: bool
@@ -135,7 +136,6 @@ def _px4(main: int, sub: int = 0) -> int:
 
 
 _CUSTOM = float(mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED)
-
 PX4 = Profile(
     name="px4",
     offboard_name="offboard",
@@ -159,7 +159,7 @@ PX4 = Profile(
     not_given=math.nan,
     integers_bytewise=True,
     home_is_local=True,
-    plans_begin_with_home=False,
+    plans=habits.PX4,
     streams_on_request=False,
     logs_while_armed=True,
     pinged=True,
@@ -216,7 +216,7 @@ ARDUCOPTER = Profile(
     not_given=0.0,
     integers_bytewise=False,
     home_is_local=False,
-    plans_begin_with_home=True,
+    plans=habits.ARDUPILOT,
     streams_on_request=True,
     logs_while_armed=False,
     pinged=False,
@@ -275,6 +275,7 @@ ARDUPLANE = replace(
     offboard=(_CUSTOM, 15.0, 0.0),
     hold=(_CUSTOM, 12.0, 0.0),
     arming=(_CUSTOM, 15.0, 0.0),
+    plans=habits.ARDUPLANE,
     mode_table="plane",
     names={
         0: "manual",

@@ -240,11 +240,23 @@ def rally_items(plan: MissionPlan) -> list[MissionItem]:
     ]
 
 
+def numbered(plan: MissionPlan, first: int) -> MissionPlan:
+    """The plan with this number for its first item, by which its jumps count."""
+    shift = first - plan.first
+    mission = tuple(
+        item._replace(params=(item.params[0] + shift, *item.params[1:]))
+        if item.command == mav.MAV_CMD_DO_JUMP
+        else item
+        for item in plan.mission
+    )
+    return plan._replace(mission=mission, first=first)
+
+
 def mission_items(plan: MissionPlan) -> list[MissionItem]:
     """The mission as items with home as the first one, as ArduPilot counts them; zeros where home is not known."""
     at = plan.home or GlobalPlace(0.0, 0.0, 0.0, "sea")
     home = MissionItem(mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_FRAME_GLOBAL, (0.0, 0.0, 0.0, 0.0, *at[:3]))
-    return [home, *plan.mission]
+    return [home, *numbered(plan, 1).mission]
 
 
 def joined(plans: Iterable[MissionPlan]) -> MissionPlan:

@@ -26,6 +26,7 @@ from gcs.missions.items import (
     MissionPlan,
     Params,
     check_place,
+    numbered,
 )
 
 FILE_TYPE, VERSION, MISSION_VERSION = "Plan", 1, 2
@@ -226,7 +227,7 @@ def _written(plan: MissionPlan, autopilot: int, vehicle_type: int, home_deg_m: t
             "params": _listed(item.params),
             "type": "SimpleItem",
         }
-        for k, item in enumerate(plan.mission, 1)
+        for k, item in enumerate(numbered(plan, 1).mission, 1)
     ]
     areas: dict[bool, list[Any]] = {False: [], True: []}
     for area in plan.fence:

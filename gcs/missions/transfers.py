@@ -28,6 +28,8 @@ _NOT_OF_A_PLAN = (2, 3)
 """Values of `current` by which ArduPilot takes an item as an order to go there at once, or to change height."""
 _PER_DEGREE, _PER_METRE = 1e7, 1e4
 """Units of MISSION_ITEM_INT's x and y."""
+UNKNOWN = 2**31 - 1
+"""Its x and y where they are not given."""
 
 
 class Held(NamedTuple):
@@ -86,7 +88,7 @@ class Transfers:
             self._complete(transfer, sysid, kind, t_s, from_vehicle)
         elif content.current not in _NOT_OF_A_PLAN:
             transfer = under_way.setdefault((sysid, kind), _Transfer(None))
-            transfer.items[content.seq] = _item(name, content)
+            transfer.items[content.seq] = item_of(name, content)
             transfer.t_s = t_s
             self._complete(transfer, sysid, kind, t_s, from_vehicle)
 
@@ -120,16 +122,23 @@ class Transfers:
             self._take(held)
 
 
-def _item(name: str, content: Any) -> MissionItem:
+def units_per(command: int, frame: int) -> float:
+    """Units of MISSION_ITEM_INT's x and y for one of parameters 5 and 6: degrees, metres, or numbers of a command that
+    has no place."""
+    known = mav.COMMANDS.get(command)
+    if known is not None and not known.has_place:
+        return 1.0
+    return _PER_DEGREE if frame in GLOBAL else _PER_METRE if frame in LOCAL else 1.0
+
+
+def item_of(name: str, content: Any) -> MissionItem:
+    """The item in the fields of a MISSION_ITEM or a MISSION_ITEM_INT."""
     x, y = float(content.x), float(content.y)
     if name == "MISSION_ITEM_INT":
-        unit = _PER_DEGREE if content.frame in GLOBAL else _PER_METRE if content.frame in LOCAL else 1.0
-        x, y = (math.nan if value == _UNKNOWN else value / unit for value in (x, y))
+        unit = units_per(content.command, content.frame)
+        x, y = (math.nan if value == UNKNOWN else value / unit for value in (x, y))
     params = (content.param1, content.param2, content.param3, content.param4, x, y, content.z)
     return MissionItem(content.command, content.frame, params, bool(content.autocontinue), content.current == 1)
-
-
-_UNKNOWN = 2**31 - 1
 
 
 def plan_of(held: Held, *, has_home: bool) -> MissionPlan:

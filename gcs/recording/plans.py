@@ -103,7 +103,7 @@ class PlansReader:
         self._known.add(sender)
         if content.type == mav.MAV_TYPE_GCS:
             self._stations.add(sender)
-        elif profile_of(content.autopilot).plans_begin_with_home:
+        elif profile_of(content.autopilot).plans.begin_with_home:
             self._ardupilots.add(sender[0])
 
     def _take(self, frame: Frame) -> None:

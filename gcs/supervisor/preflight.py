@@ -17,14 +17,16 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from gcs.mavlink import codec, plan_client
+from gcs.mavlink import codec
 from gcs.mavlink.autopilots import SPEED_SETTINGS
 from gcs.mavlink.boot_clock import CLOCKS
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
-from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.parameters.value import ParameterValue
-from gcs.mavlink.plan_client import PlanClient, PlanItem
+from gcs.mavlink.plans.client import MESSAGES as PLAN_MESSAGES
+from gcs.mavlink.plans.client import PlanClient
+from gcs.mavlink.plans.items import PlanItem
 from gcs.planner.failsafes import foreign_returns_of
 from gcs.scenario.model import Scenario
 from gcs.supervisor import return_setting
@@ -101,7 +103,17 @@ class Preflight:
         returns = foreign_returns_of(scenario)
         self._lists = {
             v.sysid: _CheckList(
-                {key: PlanClient(v.sysid, AUTOPILOT, PLANS[key], items) for key, items in plans.items() if items},
+                {
+                    key: PlanClient(
+                        v.sysid,
+                        AUTOPILOT,
+                        PLANS[key],
+                        items,
+                        station=scenario.station.ids if v.external is not None else STATION,
+                    )
+                    for key, items in plans.items()
+                    if items
+                },
                 ReturnSetting(
                     v.sysid, returns[v.sysid], v.params, external=v.external is not None, dry_run=not returns_set
                 )
@@ -141,7 +153,7 @@ class Preflight:
             for frame in delivered.get(sysid, ()):
                 if (frame.sysid, frame.compid) != (sysid, AUTOPILOT):
                     continue
-                if frame.msgid in plan_client.MESSAGES:
+                if frame.msgid in PLAN_MESSAGES:
                     content = codec.fields(frame)
                     for client in checks.clients.values():
                         client.receive(codec.name(frame.msgid), content, now_s)

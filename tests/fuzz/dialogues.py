@@ -18,7 +18,8 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ftp.requests import ACK, BURST, LIST, NAK, OPEN, READ, RESET
 from gcs.mavlink.log_client import LogClient, LogEntry
 from gcs.mavlink.parameters.client import ParameterClient
-from gcs.mavlink.plan_client import MESSAGES, PlanClient, PlanItem
+from gcs.mavlink.plans.client import PlanClient
+from gcs.mavlink.plans.items import PlanItem
 from skytender.signing import UNSIGNED
 
 _FTP = struct.Struct("<HBBBBBxI")
@@ -38,7 +39,8 @@ def new_clients() -> list[Any]:
     writing.write({"MPC_XY_CRUISE": 3.0, "SIM_BAT_CAP_J": 1.0})
     writing.read_all()
     plan = PlanClient(7, 1, 1, [PlanItem(5001, 0, 4.0, n, n, 0.0) for n in range(4)])
-    return [logs, by_ranges, reading, writing, plan]
+    mission = PlanClient(7, 1, 0, [PlanItem(16, 3, 4.0, n, n, 0.0) for n in range(4)], ARDUCOPTER.plans)
+    return [logs, by_ranges, reading, writing, plan, mission, PlanClient(7, 1, 1, None)]
 
 
 def _answer(hostile: Hostile, asked: list[Message]) -> tuple[str, dict[str, Any]]:
@@ -123,8 +125,7 @@ def sent_to(client: Any, frame: Frame, now_s: float) -> None:
         name, content = codec.name(frame.msgid), codec.fields(frame)
     except ValueError:  # a message that no dialect of ours holds
         return
-    if not isinstance(client, PlanClient) or frame.msgid in MESSAGES:
-        client.receive(name, content, now_s)
+    client.receive(name, content, now_s)
 
 
 @contextlib.contextmanager

@@ -1,0 +1,1 @@
+"""Plans of vehicles, missions, fences and rally points: their items, the dialogue about them, autopilots' habits."""

@@ -27,7 +27,7 @@ MODULES = {
     "launch": "launch",
     "list": "listing",
     "logs": "logs",
-    "mission": "mission",
+    "mission": "mission.command",
     "monitor": "monitor",
     "paper": "paper",
     "params": "params",
@@ -68,7 +68,7 @@ def cli() -> None:
       gcs params get 'RTL_*'   parameters of every vehicle of a fleet: get, set, diff, save, load
       gcs logs get             the logs of every vehicle of a fleet, into a folder
       gcs replay               a recorded session, or any .tlog, in the console
-      gcs mission FILE         a mission, geofence and rally points: of a .plan, a way point file or a recording
+      gcs mission get          missions, geofences and rally points of a fleet: get, set, clear, diff; show of a file
       gcs campaign run FILE    a scenario many times, varied: rates, intervals, the worst sessions
       gcs report SESSION       a page of what it recorded: paths, energy, competition, distances
       gcs init                 a scenario of your own to start from; gcs validate draws it

@@ -79,7 +79,7 @@ def replay(
     each other the frames alone are shown.
 
     Missions, geofences and rally points that went between ground stations and vehicles are shown from then on, those of
-    a .BIN as it logs them; --plan adds some from files. `gcs mission` lists them.
+    a .BIN as it logs them; --plan adds some from files. `gcs mission show` lists them.
 
     --decide plays nothing: planner and scheduler run again over the recorded telemetry, and each decision that they
     would make today is held against the recorded one, to the last digit. Use it to see what a change of the code, or

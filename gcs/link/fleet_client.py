@@ -87,10 +87,15 @@ class FleetClient:
             sysid: str(why) for sysid, why in reasons if sysid not in {*self.profiles, *STATION[:1], *self._station[:1]}
         }
 
-    def converse(self, clients: Collection[VehicleClient], progress: Callable[[], object] = lambda: None) -> None:
-        """Have all dialogues to their ends, side by side."""
-        while not all(client.done for client in clients):
-            self.exchange(clients)
+    def converse(
+        self,
+        clients: Collection[VehicleClient],
+        progress: Callable[[], object] = lambda: None,
+        at_once: int | None = None,
+    ) -> None:
+        """Have all dialogues to their ends, side by side, or so many at once."""
+        while under_way := [client for client in clients if not client.done][:at_once]:
+            self.exchange(under_way)
             progress()
 
     def exchange(self, clients: Collection[VehicleClient]) -> None:

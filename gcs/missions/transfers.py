@@ -30,6 +30,8 @@ _PER_DEGREE, _PER_METRE = 1e7, 1e4
 """Units of MISSION_ITEM_INT's x and y."""
 UNKNOWN = 2**31 - 1
 """Its x and y where they are not given."""
+NOT_GIVEN = frozenset({UNKNOWN, -UNKNOWN - 1})
+"""Numbers that they read as then; the second as of a PX4, which makes it of the first."""
 
 
 class Held(NamedTuple):
@@ -136,7 +138,7 @@ def item_of(name: str, content: Any) -> MissionItem:
     x, y = float(content.x), float(content.y)
     if name == "MISSION_ITEM_INT":
         unit = units_per(content.command, content.frame)
-        x, y = (math.nan if value == UNKNOWN else value / unit for value in (x, y))
+        x, y = (math.nan if value in NOT_GIVEN else value / unit for value in (x, y))
     params = (content.param1, content.param2, content.param3, content.param4, x, y, content.z)
     return MissionItem(content.command, content.frame, params, bool(content.autocontinue), content.current == 1)
 

@@ -26,7 +26,7 @@ from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.parameters.value import ParameterValue
 from gcs.mavlink.plans.client import MESSAGES as PLAN_MESSAGES
 from gcs.mavlink.plans.client import PlanClient
-from gcs.mavlink.plans.items import PlanItem
+from gcs.mavlink.plans.items import KINDS, PlanItem
 from gcs.planner.failsafes import foreign_returns_of
 from gcs.scenario.model import Scenario
 from gcs.supervisor import return_setting
@@ -43,7 +43,6 @@ PACE_OFF = 0.1
 NO_TIME_BEFORE_S = 1_420_070_400.0
 """2015: a clock before that has not been set."""
 ASK_EVERY_S, ASK_TIMES = 0.5, 2
-PLANS = {"fence": int(mav.MAV_MISSION_TYPE_FENCE), "rally": int(mav.MAV_MISSION_TYPE_RALLY)}
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _PARAMETERS = frozenset(map(codec.msgid, return_setting.MESSAGES))
 BEFORE_FILE = "parameters-before.param"
@@ -107,7 +106,7 @@ class Preflight:
                     key: PlanClient(
                         v.sysid,
                         AUTOPILOT,
-                        PLANS[key],
+                        KINDS[key],
                         items,
                         station=scenario.station.ids if v.external is not None else STATION,
                     )

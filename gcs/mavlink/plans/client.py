@@ -128,9 +128,18 @@ class PlanClient:
             for difference in differences(self.kind, own, other, self._habits)
         ]
 
+    @property
+    def count(self) -> int:
+        """How many items it has, home aside."""
+        return max(self._count - self._home, 0)
+
     def has_count(self, items: Sequence[PlanItem]) -> bool:
         """Whether it has as many items as these, home aside."""
-        return max(self._count, self._home) == max(len(items), self._home)
+        return self.count == self.expected(items)
+
+    def expected(self, items: Sequence[PlanItem]) -> int:
+        """How many items these are, home aside."""
+        return max(len(items) - self._home, 0)
 
     def _repeat(self, now_s: float) -> None:
         if self._tries >= TRIES:
@@ -171,8 +180,10 @@ class PlanClient:
         different = [one for one in found if not one.difference.lost]
         if self.has_count(items) and not different:
             self._end("uploaded" if self._writes else "kept")
+        elif self._writes >= WRITES and self.why:
+            self._end("refused", self.why)
         elif self._writes >= WRITES:
-            self._end("differs", f"read back, {different[0].text if different else f'it has {self._count} items'}")
+            self._end("differs", f"read back, {different[0].text if different else f'it has {self.count} items'}")
         else:
             self._writing, self._writes, self._tries = True, self._writes + 1, 0
             self._ask_to_write(now_s)
@@ -191,6 +202,7 @@ class PlanClient:
             self._tries = 0
             self._put(now_s, "MISSION_ITEM_INT", seq=content.seq, **items[content.seq]._asdict())
         elif name == "MISSION_ACK":
+            self.why = ""
             self._begin_reading()
             self._put(now_s, "MISSION_REQUEST_LIST")
 
@@ -204,6 +216,8 @@ class PlanClient:
             self.why += f" to item {self._first + at}, {mav.command_name(self.items[at].command)}"
         elif result in _MEAN:
             self.why += f": {_MEAN[result]}"
+        if result == mav.MAV_MISSION_INVALID_SEQUENCE and self._writing:
+            return  # of an item that it had asked for twice: it says by itself which one it wants next
         if result == mav.MAV_MISSION_UNSUPPORTED:
             self._end("unsupported", self.why)
         elif result not in _PASSING or self._refusals >= TRIES:
@@ -268,8 +282,14 @@ _MEAN = {
     mav.MAV_MISSION_ERROR: "it is busy with another transfer, or flies this mission",
     mav.MAV_MISSION_INVALID_SEQUENCE: "items come out of turn, or the plan changes meanwhile",
     mav.MAV_MISSION_DENIED: "another ground station is writing to it",
+    mav.MAV_MISSION_UNSUPPORTED: "it takes no such plan",
     mav.MAV_MISSION_NO_SPACE: "it has no room for so many items",
     mav.MAV_MISSION_OPERATION_CANCELLED: "it has given the transfer up",
 }
-_OF_ITEMS = frozenset(_RESULTS) - _MEAN.keys() | {mav.MAV_MISSION_ERROR}
+_OF_ITEMS = frozenset(_RESULTS) - {
+    mav.MAV_MISSION_NO_SPACE,
+    mav.MAV_MISSION_INVALID_SEQUENCE,
+    mav.MAV_MISSION_DENIED,
+    mav.MAV_MISSION_OPERATION_CANCELLED,
+}
 """Refusals of an item rather than of the whole."""

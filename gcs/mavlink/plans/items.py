@@ -18,12 +18,14 @@ from gcs.missions.items import (
     numbered,
     rally_items,
 )
-from gcs.missions.transfers import UNKNOWN, units_per
+from gcs.missions.transfers import NOT_GIVEN, UNKNOWN, units_per
 from skytender import mavlink as mav
 
 MISSION = int(mav.MAV_MISSION_TYPE_MISSION)
 FENCE = int(mav.MAV_MISSION_TYPE_FENCE)
 RALLY = int(mav.MAV_MISSION_TYPE_RALLY)
+KINDS = {"mission": MISSION, "fence": FENCE, "rally": RALLY}
+"""MAV_MISSION_TYPE by the name of each part of a plan."""
 SAME_UNITS = 1
 """An autopilot may keep degrees as floating point: one unit of degE7 (11 mm) is rounding."""
 SAME_M = 0.05
@@ -54,7 +56,7 @@ class PlanItem(NamedTuple):
     @property
     def params(self) -> Params:
         """Its seven parameters, 5 and 6 in the wire's units."""
-        x, y = (math.nan if value == UNKNOWN else float(value) for value in (self.x, self.y))
+        x, y = (math.nan if value in NOT_GIVEN else float(value) for value in (self.x, self.y))
         return self.param1, self.param2, self.param3, self.param4, x, y, self.z
 
 

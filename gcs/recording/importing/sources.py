@@ -40,7 +40,9 @@ def opened(source: Path) -> Iterator[Opened]:
         yield Opened(source, [])
         return
     if form in (Form.PLAN, Form.WAYPOINTS):
-        advice = f"`gcs mission {source}` lists it, and `gcs replay RECORDING --plan {source}` shows it with a flight"
+        advice = (
+            f"`gcs mission show {source}` lists it, and `gcs replay RECORDING --plan {source}` shows it with a flight"
+        )
         raise ImportFailed(f"{source} is {form.value}, not a recording: {advice}.")
     if form not in _READERS:
         raise ImportFailed(f"{source} is {form.value}; give a .tlog, .tlog.raw, .rlog, .BIN or .ulg file.")

@@ -16,7 +16,7 @@ from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from radios import Cable
 
-COMMANDS = (("check",), ("params", "get", "RTL_ALT"), ("logs", "list"))
+COMMANDS = (("check",), ("params", "get", "RTL_ALT"), ("mission", "get"), ("logs", "list"))
 SENDER = mav.MAVLink(None, srcSystem=4, srcComponent=1)
 HEARTBEAT = mav.MAVLink_heartbeat_message(2, 12, 0x81, 0, 4, 3)
 EVERY_S = 0.02

@@ -1,4 +1,4 @@
-"""`gcs mission` and `gcs replay --plan`: what is listed and written, and what a mistake is answered by."""
+"""`gcs mission show` and `gcs replay --plan`: what is listed and written, and what a mistake is answered by."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def site(tmp_path: Path) -> Path:
 
 
 def test_a_plan_is_listed(site: Path) -> None:
-    listed = gcs("mission", str(site))
+    listed = gcs("mission", "show", str(site))
     assert listed.returncode == 0
     words = [" ".join(line.split()) for line in listed.stdout.splitlines()]
     assert words == [
@@ -57,11 +57,11 @@ def test_a_plan_is_listed(site: Path) -> None:
 
 def test_a_plan_becomes_way_point_files_and_those_a_plan(site: Path, tmp_path: Path) -> None:
     mission, fence, again = (tmp_path / name for name in ("mission.txt", "fence.txt", "again.plan"))
-    many = gcs("mission", str(site), "--out", str(mission))
+    many = gcs("mission", "show", str(site), "--out", str(mission))
     assert (many.returncode, mission.exists()) == (2, False)
     assert "there are mission, fence, rally: give --part" in many.stderr
     for path, part in ((mission, "mission"), (fence, "fence")):
-        written = gcs("mission", str(site), "--out", str(path), "--part", part)
+        written = gcs("mission", "show", str(site), "--out", str(path), "--part", part)
         assert written.returncode == 0
         assert "fwLandingPattern" in written.stderr
     loader = mavwp.MAVWPLoader()
@@ -70,7 +70,7 @@ def test_a_plan_becomes_way_point_files_and_those_a_plan(site: Path, tmp_path: P
     assert (loader.wp(0).x, loader.wp(0).y, loader.wp(0).z) == (47.5, 8.5, 500.0)
     assert loader.load(str(fence)) == 1
     assert (loader.wp(0).command, loader.wp(0).param1) == (5003, 80.0)
-    assert gcs("mission", str(mission), "--out", str(again)).returncode == 0
+    assert gcs("mission", "show", str(mission), "--out", str(again)).returncode == 0
     back = json.loads(again.read_text())
     assert back["mission"]["items"][0]["params"] == [5.0, 0.0, 0.0, None, 47.51, 8.5, 30.0]
     assert back["mission"]["plannedHomePosition"] == [47.5, 8.5, 500.0]
@@ -83,17 +83,24 @@ def test_mistakes_are_answered_by_a_sentence(site: Path, tmp_path: Path) -> None
     empty.write_bytes(b"")
     broken = tmp_path / "broken.txt"
     broken.write_text(MISSION.replace("22", "x"))
+    fence = tmp_path / "fence.txt"
+    assert gcs("mission", "show", str(site), "--out", str(fence), "--part", "fence").returncode == 0
     cases = [
-        (("mission", str(tmp_path / "none.plan")), "none.plan"),
-        (("mission", str(broken)), "broken.txt: line 3: command is 'x', no whole number."),
-        (("mission", str(flight)), "flight.tlog holds no mission, geofence or rally point."),
-        (("mission", str(flight), "--sysid", "3"), "holds no mission, geofence or rally point of vehicle 3."),
-        (("mission", str(empty)), "holds no mission"),
-        (("mission", str(tmp_path)), "session.tlog"),
+        (("mission", "show", str(tmp_path / "none.plan")), "none.plan"),
+        (("mission", "show", str(broken)), "broken.txt: line 3: command is 'x', no whole number."),
+        (("mission", "show", str(flight)), "flight.tlog holds no mission, geofence or rally point."),
+        (("mission", "show", str(flight), "--sysid", "3"), "holds no mission, geofence or rally point of vehicle 3."),
+        (("mission", "show", str(empty)), "holds no mission"),
+        (("mission", "show", str(tmp_path)), "session.tlog"),
         (("replay", str(flight), "--plan", str(broken), "--json"), "broken.txt: line 3: command is 'x'"),
         (("replay", str(flight), "--plan", str(tmp_path / "no.plan"), "--json"), "no.plan: No such file or directory."),
         (("replay", str(site), "--json"), f"gcs replay RECORDING --plan {site}"),
         (("replay", str(flight), "--plan", str(site), "--decide"), "leave out --speed, --from, --web, --foxglove and"),
+        (("mission", str(site)), f"site.plan is no command: `gcs mission show {site}` lists the plan in a file."),
+        (("mission", "site"), "No such command 'site'."),
+        (("mission", "set", str(site)), "is not understood whole, and no vehicle gets a part of it: mission.items[1]"),
+        (("mission", "diff", str(fence), "--part", "rally"), "fence.txt holds no rally"),
+        (("mission", "set", str(tmp_path / "none.plan")), "none.plan: No such file or directory"),
     ]
     for command, words in cases:
         refused = gcs(*command)
@@ -108,9 +115,9 @@ def test_a_recording_is_listed_by_vehicle(tmp_path: Path) -> None:
     tape.fly(1.0)
     tape.upload([north(1)])
     path = tape.write(tmp_path / "one.tlog")
-    listed = " ".join(gcs("mission", str(path)).stdout.split())
+    listed = " ".join(gcs("mission", "show", str(path)).stdout.split())
     assert listed.startswith("vehicle 3: 1 mission item")
     assert f"0 NAV_WAYPOINT {LAT_DEG + 0.001:.7f} {LON_DEG:.7f} 10 m above home" in listed
-    chosen = gcs("mission", str(path), "--sysid", "3", "--json")
+    chosen = gcs("mission", "show", str(path), "--sysid", "3", "--json")
     assert json.loads(chosen.stdout)["source"] == "vehicle 3"
-    assert gcs("mission", str(path), "--sysid", "4").returncode == 2
+    assert gcs("mission", "show", str(path), "--sysid", "4").returncode == 2

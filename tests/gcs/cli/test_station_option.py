@@ -23,6 +23,8 @@ COMMANDS = (
     ("params", "get", "RTL_ALT", *BRIEFLY),
     ("params", "set", "RTL_ALT=1", *BRIEFLY),
     ("params", "diff", *BRIEFLY),
+    ("mission", "get", *BRIEFLY),
+    ("mission", "clear", *BRIEFLY),
     ("logs", "list", *BRIEFLY),
     ("logs", "get", *BRIEFLY),
 )

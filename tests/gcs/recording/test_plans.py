@@ -153,7 +153,7 @@ def test_a_part_of_a_plan_is_shown_and_named(tmp_path: Path) -> None:
 def test_a_dataflash_log_shows_what_it_lists(tmp_path: Path) -> None:
     path = tmp_path / "flight.BIN"
     logs.dataflash(path, mission=True)
-    listed = gcs("mission", str(path), "--json")
+    listed = gcs("mission", "show", str(path), "--json")
     assert listed.returncode == 0, listed.stderr
     plan = json.loads(listed.stdout)
     assert plan["source"] == "vehicle 7"
@@ -185,7 +185,7 @@ def test_a_mission_that_came_while_a_log_was_written_is_the_one_whose_items_are_
     """ArduPilot lists a mission when logging begins; of one that is sent then, the log has what is begun."""
     path = tmp_path / "flight.BIN"
     logs.dataflash(path, mission=True, later=later)
-    plan = json.loads(gcs("mission", str(path), "--json").stdout)
+    plan = json.loads(gcs("mission", "show", str(path), "--json").stdout)
     assert [item["params"][6] for item in plan["mission"]] == heights_m
     assert plan["left_out"] == left_out
     assert plan["home"]["lat_deg"] == pytest.approx(logs.LAT_DEG, abs=1e-6)
@@ -197,10 +197,10 @@ def test_a_recordings_mission_becomes_a_file_that_pymavlink_reads(tmp_path: Path
     tape.upload([north(1), north(2)])
     tape.fly(1.0)
     path, out = tape.write(tmp_path / "flight.tlog"), tmp_path / "out.waypoints"
-    assert gcs("mission", str(path), "--out", str(out)).returncode == 0
+    assert gcs("mission", "show", str(path), "--out", str(out)).returncode == 0
     loader = mavwp.MAVWPLoader()
     assert loader.load(str(out)) == 3
     assert [loader.wp(k).x for k in (1, 2)] == pytest.approx([LAT_DEG + AWAY_DEG, LAT_DEG + 2 * AWAY_DEG], abs=1e-7)
-    again = gcs("mission", str(path), "--out", str(out))
+    again = gcs("mission", "show", str(path), "--out", str(out))
     assert again.returncode == 2
     assert "exists already" in again.stderr

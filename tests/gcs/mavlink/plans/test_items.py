@@ -64,6 +64,8 @@ def test_places_are_in_the_units_of_their_frames() -> None:
     for one, wired in zip((*PLAN.mission[:3], camera), [*px4[:3], item], strict=True):
         back = item_of("MISSION_ITEM_INT", wired)
         assert repr(back._replace(current=False)) == repr(one)
+    speed = item_of("MISSION_ITEM_INT", px4[1]._replace(x=-(2**31)))  # as PX4 makes it of INT32_MAX in a float
+    assert math.isnan(speed.params[4])
 
 
 def test_a_fence_is_written_as_it_is_and_a_rally_point_no_lower_than_it_is() -> None:

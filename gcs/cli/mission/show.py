@@ -1,4 +1,4 @@
-"""`gcs mission`: missions, geofences and rally points of a file or a recording, listed or converted."""
+"""`gcs mission show`: missions, geofences and rally points of a file or a recording, listed or converted."""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 
 PARTS = ("mission", "fence", "rally")
+PLAN_FILE = ".plan"
 _ROW = "{:>4}  {:<28} {:>12} {:>13}  {:<24} {}"
 _EMPTY = ""
 
@@ -31,7 +32,7 @@ _EMPTY = ""
     help="Write it to a new file instead: a .plan of QGroundControl, any other name is QGC WPL 110.",
 )
 @click.option("--part", type=click.Choice(PARTS), help="With --out: of several parts the one for a QGC WPL 110 file.")
-def mission(file: Path, as_json: bool, sysid: int | None, out: Path | None, part: str | None) -> int:
+def show(file: Path, as_json: bool, sysid: int | None, out: Path | None, part: str | None) -> int:
     """List the mission, the geofence and the rally points in FILE.
 
     FILE is a .plan of QGroundControl, a QGC WPL 110 file as of Mission Planner and MAVProxy, or a list of points as of
@@ -43,10 +44,10 @@ def mission(file: Path, as_json: bool, sysid: int | None, out: Path | None, part
 
     \b
     Examples:
-      gcs mission survey.plan
-      gcs mission flight.tlog --json
-      gcs mission survey.plan --out fence.txt --part fence
-      gcs mission flight.BIN --out flown.plan
+      gcs mission show survey.plan
+      gcs mission show flight.tlog --json
+      gcs mission show survey.plan --out fence.txt --part fence
+      gcs mission show flight.BIN --out flown.plan
 
     \b
     Exit status:
@@ -69,7 +70,7 @@ def mission(file: Path, as_json: bool, sysid: int | None, out: Path | None, part
     if out is not None:
         return _write(found, out, part)
     for name, plan in found.items():
-        click.echo(json.dumps(_plain(name, plan)) if as_json else "\n".join(_lines(name, plan)))
+        click.echo(json.dumps(plain(name, plan)) if as_json else "\n".join(lines(name, plan)))
     return 0
 
 
@@ -96,14 +97,19 @@ def _plans(file: Path, sysid: int | None) -> Iterator[tuple[str, MissionPlan]]:
 
 
 def _write(found: dict[str, MissionPlan], out: Path, part: str | None) -> int:
+    if len(found) > 1:
+        raise click.UsageError(f"--out holds one plan, and there are {', '.join(found)}: choose one with --sysid.")
+    (plan,) = found.values()
+    return write(plan, out, part)
+
+
+def write(plan: MissionPlan, out: Path, part: str | None = None) -> int:
+    """Write a plan, or of several parts this one, to a new file; the exit status. Raises click.UsageError."""
     from gcs.missions import qgc_plan, waypoint_file
     from gcs.missions.items import fence_items, mission_items, rally_items
     from skytender.exit import NOT_DONE
 
-    if len(found) > 1:
-        raise click.UsageError(f"--out holds one plan, and there are {', '.join(found)}: choose one with --sysid.")
-    (plan,) = found.values()
-    if out.suffix == ".plan":
+    if out.suffix == PLAN_FILE:
         text = qgc_plan.write(plan)
     else:
         there = [name for name, one in zip(PARTS, (plan.mission, plan.fence, plan.rally), strict=True) if one]
@@ -124,7 +130,8 @@ def _write(found: dict[str, MissionPlan], out: Path, part: str | None) -> int:
     return 0
 
 
-def _lines(name: str, plan: MissionPlan) -> Iterator[str]:
+def lines(name: str, plan: MissionPlan) -> Iterator[str]:
+    """A plan in words, under its name."""
     counts = [
         f"{count} {one}{'' if count == 1 else 's'}"
         for count, one in (
@@ -134,7 +141,7 @@ def _lines(name: str, plan: MissionPlan) -> Iterator[str]:
         )
         if count
     ]
-    yield f"{name}: {', '.join(counts) or 'nothing that is known here'}"
+    yield f"{name}: {', '.join(counts) or ('nothing' if plan.empty else 'nothing that is known here')}"
     if plan.home is not None:
         yield f"home: {_place(plan.home)}"
     if plan.mission:
@@ -175,7 +182,7 @@ def _height(place: GlobalPlace) -> str:
     return "height not given" if math.isnan(place.height_m) else f"{place.height_m:g} m above {place.above}"
 
 
-def _plain(name: str, plan: MissionPlan) -> dict[str, Any]:
+def plain(name: str, plan: MissionPlan) -> dict[str, Any]:
     """A plan as JSON; numbers that are not given are null."""
 
     def known(value: float) -> float | None:

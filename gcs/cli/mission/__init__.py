@@ -1,0 +1,1 @@
+"""`gcs mission`: plans of files, recordings and whole fleets."""

@@ -108,14 +108,14 @@ USED = {
     19: 0x7F,
     20: 0x00,
     21: 0x7B,
-    22: 0x79,
+    22: 0x78,
     93: 0x0F,
     112: 0x01,
     177: 0x03,
     178: 0x07,
     206: 0x0F,
 }
-"""Parameters that have a use, by bits; 22 as of a multicopter."""
+"""Parameters that have a use, by bits; 22 as before it knows its kind of vehicle."""
 PLACELESS = {20, 93, 112, 177, 178, 206}
 
 

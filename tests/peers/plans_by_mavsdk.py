@@ -16,7 +16,7 @@ WITHIN_S = 90.0
 def same(own, other):
     numbers = [(getattr(own, name), getattr(other, name)) for name in ("param1", "param2", "param3", "param4", "z")]
     close = all(math.isnan(a) or math.isclose(a, b, abs_tol=0.011) for a, b in numbers)
-    return close and all(getattr(own, name) == getattr(other, name) for name in ("command", "x", "y", "autocontinue"))
+    return close and all(getattr(own, name) == getattr(other, name) for name in ("command", "autocontinue"))
 
 
 async def main():
@@ -37,7 +37,7 @@ async def main():
             assert len(own) == len(other) > 0, (name, len(own), len(other))
             for k, (a, b) in enumerate(zip(own, other, strict=True)):
                 assert name == "fence" or same(a, b), (name, k, str(a), str(b))
-                assert (a.command, a.x, a.y) == (b.command, b.x, b.y), (name, k, str(a), str(b))
+                assert a.frame == 2 or (a.command, a.x, a.y) == (b.command, b.x, b.y), (name, k, str(a), str(b))
             print(name, len(own), flush=True)
 
 

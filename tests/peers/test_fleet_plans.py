@@ -8,38 +8,19 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import survey_plans
 from commands import gcs
 from onlookers import mavproxy
 from patience import PATIENCE_S
 
 SCRIPT = Path(__file__).with_name("plans_by_mavsdk.py")
-PLACES = [[47.3977 + 1e-4 * k, 8.5456 - 7e-5 * k] for k in range(18)]
 
 
 @pytest.fixture
 def plan(tmp_path: Path) -> Path:
-    """Twenty items, two fences, two rally points."""
-
-    def item(command: int, *params: float | None, frame: int = 3, number: int = 0) -> dict[str, Any]:
-        return {"type": "SimpleItem", "command": command, "frame": frame, "params": params, "autoContinue": True,
-                "doJumpId": number}  # fmt: skip
-
-    ways = [item(16, k % 4, k % 3, 0, None, *PLACES[k], 20.0 + 0.25 * k) for k in range(16)]
-    items = [item(22, 0, 0, 0, None, *PLACES[0], 20), item(178, 1, 4.5, -1, 0, 0, 0, 0, frame=2), *ways]
-    items += [item(93, 3, -1, -1, -1, 0, 0, 0, frame=2), item(20, 0, 0, 0, 0, 0, 0, 0, frame=2)]
     path = tmp_path / "survey.plan"
-    mission = {
-        "items": [one | {"doJumpId": k} for k, one in enumerate(items, 1)],
-        **{"plannedHomePosition": [*PLACES[0], 488.0], "version": 2, "firmwareType": 12, "vehicleType": 2},
-        **{"cruiseSpeed": 15, "hoverSpeed": 5},
-    }
-    circle = {"circle": {"center": PLACES[0], "radius": 900.5}, "inclusion": True, "version": 1}
-    polygon = {"polygon": PLACES[14:17], "inclusion": False, "version": 1}
-    content = {
-        "fileType": "Plan", "version": 1, "groundStation": "QGroundControl", "mission": mission,
-        "geoFence": {"circles": [circle], "polygons": [polygon], "version": 2},
-        "rallyPoints": {"points": [[*PLACES[1], 30.0], [*PLACES[2], 41.0]], "version": 2},
-    }  # fmt: skip
+    content = survey_plans.plan(second_rally_m=41.0)
+    content["mission"]["items"][0]["params"] = (0, *content["mission"]["items"][0]["params"][1:])
     path.write_text(json.dumps(content))
     return path
 
@@ -78,4 +59,5 @@ def test_mavproxy_saves_the_mission_that_was_written(
     rows = [line.split() for line in saved.read_text().splitlines()[2:]]
     own = json.loads(plan.read_text())["mission"]["items"]
     assert [int(row[3]) for row in rows] == [one["command"] for one in own]
-    assert [float(row[8]) for row in rows[2:18]] == pytest.approx([lat for lat, _ in PLACES[:16]], abs=2e-7)
+    placed = [(row, one) for row, one in zip(rows, own, strict=True) if one["frame"] != 2]
+    assert [float(row[8]) for row, _ in placed] == pytest.approx([one["params"][4] for _, one in placed], abs=2e-7)

@@ -14,9 +14,12 @@ import socket
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import pytest
+import survey_plans
+from commands import gcs
 from pymavlink.dialects.v20 import common as mav
 from sessions import GCS, Outcome, fly
 
@@ -64,6 +67,18 @@ def px4(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Px4]:
             alive = running.poll() is None
             running.kill()
     assert alive, (folder / "px4.log").read_text(errors="replace")
+
+
+def test_a_plan_of_twenty_items_is_written_read_back_and_cleared(px4: Px4, tmp_path: Path) -> None:
+    file = tmp_path / "survey.plan"
+    file.write_text(json.dumps(survey_plans.plan()))
+    at = ("--connect", px4.connect, "--wait", "60")
+    done = gcs("mission", "set", str(file), *at)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.count("uploaded, read back equal") == 3
+    assert gcs("mission", "diff", str(file), *at).stdout == f"vehicle {px4.sysid}: no difference\n"
+    cleared = gcs("mission", "clear", *at)
+    assert (cleared.returncode, cleared.stdout.count("cleared, read back")) == (0, 3), cleared.stdout
 
 
 @pytest.fixture(scope="module")

@@ -19,49 +19,12 @@ from ports import free_port
 from pymavlink import mavutil
 from sessions import ROOT
 from strangers import SIMVEHICLE, strangers
+from survey_plans import LAT_DEG, LON_DEG, SPEED, TAKEOFF, WAYPOINT, item, plan
 
 HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "plan_holder.py")]
 ARDUPILOTS, PX4S, OURS = (11, 12, 13), (21, 22, 23), (1, 2, 3)
 ALL = (*OURS, *ARDUPILOTS, *PX4S)
 WITH_HOME = {2, *ARDUPILOTS}
-LAT_DEG, LON_DEG = 47.3977, 8.5456
-TAKEOFF, WAYPOINT, LOITER_TIME, SPEED, DELAY, LAND = 22, 16, 19, 178, 93, 21
-
-
-def item(command: int, *params: float | None, frame: int = 3, autocontinue: bool = True) -> dict[str, Any]:
-    return {
-        **{"type": "SimpleItem", "command": command, "frame": frame, "params": params, "autoContinue": autocontinue}
-    }
-
-
-def plan(shift_deg: float = 0.0) -> dict[str, Any]:
-    """Twenty items, a fence of two areas, two rally points."""
-    at = [(LAT_DEG + shift_deg + 1e-4 * k, LON_DEG - 7e-5 * k) for k in range(18)]
-    ways = [
-        item(WAYPOINT, k % 4, 2.0 * (k % 3), 0, [None, 0.0, -90.0][k % 3], *at[k], 20.0 + 0.25 * k) for k in range(13)
-    ]
-    return {
-        "fileType": "Plan", "version": 1,
-        "mission": {
-            "items": [
-                item(TAKEOFF, 15, 0, 0, None, *at[0], 20),
-                item(SPEED, 1, 4.5, -1, None, None, None, None, frame=2),
-                *ways[:6],
-                item(LOITER_TIME, 5, 0, 0, 0, *at[14], 31.25),
-                item(DELAY, 3, -1, -1, -1, 0, 0, 0, frame=2),
-                *ways[6:],
-                item(WAYPOINT, 0, 0, 0, None, *at[15], 500.0, frame=0),
-                item(SPEED, 1, 2, -1, 0, 0, 0, 0, frame=2),
-                item(LAND, 0, 0, 0, None, *at[16], 0),
-            ],
-            "plannedHomePosition": [LAT_DEG, LON_DEG, 488.0], "version": 2,
-        },
-        "geoFence": {
-            "circles": [{"circle": {"center": at[0], "radius": 900.5}, "inclusion": True}],
-            "polygons": [{"polygon": [at[14], at[16], at[17]], "inclusion": False}], "version": 2,
-        },
-        "rallyPoints": {"points": [[*at[1], 30.0], [*at[2], 40.25]], "version": 2},
-    }  # fmt: skip
 
 
 @pytest.fixture
@@ -259,6 +222,7 @@ def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     )
     other = plan()
     other["mission"]["items"][3]["params"] = (0, 0, 7, None, LAT_DEG, LON_DEG, 20)
+    other["mission"]["items"][1]["params"] = (1, 4.5, -1, 1, 0, 0, 0)  # relative, to which PX4 pays no heed
     other["mission"]["items"].append(item(177, 2, 5, 0, 0, 0, 0, 0, frame=2))
     path = tmp_path / "passing.plan"
     path.write_text(json.dumps(other))
@@ -274,7 +238,7 @@ def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     assert "21 items uploaded, read back equal" in said[2]
     assert "21 items uploaded, read back equal" in said[3]
     assert said[3].endswith("item 4 NAV_WAYPOINT: Pass Radius 7 is 0")
-    assert said[4] == " 23  mission  refused: it answered MAV_MISSION_INVALID_PARAM3 to item 4, NAV_WAYPOINT"
+    assert said[4] == " 23  mission  refused: it answered MAV_MISSION_INVALID_PARAM4 to item 2, DO_CHANGE_SPEED"
     assert "gcs: vehicle 14 is armed: if it flies by its plan, that changes under way.\n" in done.stderr
     assert (jump.command, jump.param1) == (177, 1.0)  # item 2 of the file has number 1 where there is no home
     assert fence.returncode == 0

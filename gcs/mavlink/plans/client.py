@@ -25,7 +25,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
 from gcs.mavlink.ids import STATION
 from gcs.mavlink.plans.habits import PlanHabits
-from gcs.mavlink.plans.items import MISSION, PlanDifference, PlanItem, differences
+from gcs.mavlink.plans.items import MISSION, PlanDifference, PlanItem, as_sent, differences
 from skytender import mavlink as mav
 
 REPEAT_S = 1.5
@@ -200,7 +200,9 @@ class PlanClient:
         if name in ("MISSION_REQUEST", "MISSION_REQUEST_INT") and content.seq < len(items):
             self._sent = max(self._sent, content.seq + 1)
             self._tries = 0
-            self._put(now_s, "MISSION_ITEM_INT", seq=content.seq, **items[content.seq]._asdict())
+            item = items[content.seq]
+            sent = as_sent(item, self._habits) if self.kind == MISSION else item
+            self._put(now_s, "MISSION_ITEM_INT", seq=content.seq, **sent._asdict())
         elif name == "MISSION_ACK":
             self.why = ""
             self._begin_reading()

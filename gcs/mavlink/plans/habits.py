@@ -28,6 +28,8 @@ class PlanHabits(NamedTuple):
     """whether it cuts a rally point's height down to whole metres"""
     keeps_autocontinue: bool = True
     lost: Lost = _NOTHING
+    not_sent: Lost = _NOTHING
+    """parameters that it may refuse because it has no use for them, and is not given"""
     keeps_placeless: bool = True
     """whether it keeps parameters 5 to 7 of a command that has no place"""
 
@@ -57,4 +59,8 @@ ARDUPILOT = PlanHabits(
     begin_with_home=True, whole_rally_m=True, keeps_autocontinue=False, lost=_ARDUPILOT, keeps_placeless=False
 )
 ARDUPLANE = ARDUPILOT._replace(lost={**_ARDUPILOT, mav.MAV_CMD_NAV_WAYPOINT: "14"})
-PX4 = PlanHabits(lost=_PX4)
+_PX4_REFUSES = _lost("""
+    NAV_WAYPOINT 3        NAV_LOITER_UNLIM 12   NAV_LAND 3           NAV_TAKEOFF 123     NAV_LOITER_TO_ALT 3
+""")
+"""From 1.18 on (mavlink_command_params.hpp), a take-off's pitch until it knows what kind of vehicle it is."""
+PX4 = PlanHabits(lost=_PX4, not_sent=_PX4_REFUSES)

@@ -60,6 +60,12 @@ class PlanItem(NamedTuple):
         return self.param1, self.param2, self.param3, self.param4, x, y, self.z
 
 
+def as_sent(item: PlanItem, habits: PlanHabits) -> PlanItem:
+    """A mission's item without parameters that its autopilot has no use for and may refuse."""
+    names = [f"param{number}" for number in habits.not_sent.get(item.command, "")]
+    return PlanItem(**item._asdict() | {name: math.nan for name in names if getattr(item, name) != 0.0})
+
+
 class PlanDifference(NamedTuple):
     """One thing in which an item reads otherwise than it should."""
 

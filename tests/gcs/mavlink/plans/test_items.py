@@ -9,7 +9,7 @@ import pytest
 from gcs.mavlink.autopilots import ARDUCOPTER, ARDUPLANE, PX4
 from gcs.mavlink.plans import habits
 from gcs.mavlink.plans.habits import PlanHabits
-from gcs.mavlink.plans.items import FENCE, MISSION, RALLY, PlanItem, differences, wire_items
+from gcs.mavlink.plans.items import FENCE, MISSION, RALLY, PlanItem, as_sent, differences, wire_items
 from gcs.missions.items import FenceArea, GlobalPlace, ItemError, MissionItem, MissionPlan
 from gcs.missions.transfers import UNKNOWN, item_of
 from skytender import mavlink as mav
@@ -134,3 +134,13 @@ def test_each_autopilot_has_its_habits() -> None:
         habits.ARDUPLANE,
         habits.PX4,
     )
+
+
+def test_a_px4_is_not_given_what_it_may_refuse() -> None:
+    takeoff = PlanItem(mav.MAV_CMD_NAV_TAKEOFF, 3, 15.0, 1, 2, 20.0)
+    assert math.isnan(as_sent(takeoff, PX4.plans).param1)
+    assert as_sent(takeoff._replace(param1=0.0), PX4.plans) == takeoff._replace(param1=0.0)
+    assert as_sent(takeoff, ARDUCOPTER.plans) == takeoff
+    assert as_sent(WAYPOINT, PX4.plans) == WAYPOINT
+    (lost,) = differences(MISSION, takeoff, takeoff._replace(param1=0.0), PX4.plans)
+    assert (lost.text, lost.lost) == ("Pitch 15 is 0", True)

@@ -112,6 +112,13 @@ def test_a_plan_gives_its_parts_with_their_frames() -> None:
     )
 
 
+@pytest.mark.parametrize("first", [0, 1])
+def test_jumps_of_a_vehicle_that_counts_from_0_lead_to_the_same_item_in_a_file(first: int) -> None:
+    way, jump = MissionItem(16, 3, (0.0,) * 7), MissionItem(177, 2, (1.0 + first, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0))
+    written = json.loads(qgc_plan.write(MissionPlan(mission=(way, way, jump), first=first)))["mission"]["items"]
+    assert written[2]["params"][0] == written[1]["doJumpId"] == 2
+
+
 def test_a_byte_order_mark_and_missing_parts_are_taken() -> None:
     assert read(b'\xef\xbb\xbf {"fileType": "Plan", "version": 1, "geoFence": {}}', "a") == MissionPlan()
 

@@ -124,7 +124,7 @@ def set_(file: Path, parts: tuple[str, ...], as_json: bool, **options: Any) -> i
     """Give every vehicle the mission, the geofence and the rally points in FILE, and verify them by reading them back.
 
     Parts that FILE does not hold stay as they are. What a vehicle has already is not written. A parameter for which its
-    autopilot has no use, such as the acceptance radius in ArduCopter, reads 0: that is told.
+    autopilot has no use, such as the acceptance radius in ArduCopter, reads 0, and is named.
 
     \b
     Examples:

@@ -2,7 +2,8 @@
 holds the common messages too. Every number has its name here, for example MAV_TYPE_QUADROTOR and
 MAVLINK_MSG_ID_HEARTBEAT.
 
-They stand in mavlink.json, which tests/support/mavlink_definitions.py makes of pymavlink's.
+They stand in mavlink.json, which tests/support/mavlink_definitions.py makes of pymavlink's and of what these lack
+(tests/support/newer.xml).
 """
 
 from __future__ import annotations

@@ -298,6 +298,15 @@ cdef packed struct NamedValueInt:
     char[10] name
 
 cdef enum:
+    CURRENT_MODE_ID = 436
+    CURRENT_MODE_SEED = 193
+
+cdef packed struct CurrentMode:
+    unsigned int custom_mode
+    unsigned int intended_custom_mode
+    unsigned char standard_mode
+
+cdef enum:
     MAV_COMP_ID_AUTOPILOT1 = 1
     MAV_TYPE_GCS = 6
     MAV_TYPE_QUADROTOR = 2

@@ -10,6 +10,7 @@ import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
+from gcs.mavlink.autopilots import FlightMode
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
@@ -82,7 +83,7 @@ def vehicle_row(
         label=view.label,
         alive=view.alive,
         stage="",
-        mode=str(view.mode),
+        mode=view.mode_name if view.mode is FlightMode.OTHER else str(view.mode),
         armed=view.armed,
         landed=view.landed,
         autopilot=view.profile.name if received else None,

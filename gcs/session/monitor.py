@@ -22,6 +22,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import sequence_numbers
+from gcs.mavlink.services import standard_modes
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.messages import reply_message
@@ -67,6 +68,7 @@ class MonitorSource:
         self._refused: set[tuple[int, Where]] = set()
         self._queues: dict[int, CommandQueue] = {}
         self._silent_vehicles = SilentVehicles()
+        self._modes = standard_modes.ModeRequests()
         self._reported_silent: set[int] = set()
         self._numbers = sequence_numbers()
         self._replies: list[Mapping[str, Any]] = []
@@ -200,7 +202,7 @@ class MonitorSource:
         view = self._observer.view(t_s).vehicle(sysid)
         if not view.armed:
             return False, f"{view.label} is not armed: there is nothing to {end}."
-        number, params = view.profile.ending(end)
+        number, params = view.ending(end)
         queue = self._queues.setdefault(sysid, CommandQueue(*self._station))
         order = CommandLong(CommandTarget(*self._autopilot(sysid)), number, params)
         self._transmit(sysid, queue.send(order, t_s, COMMAND_TIMEOUT_S, token=end))
@@ -215,8 +217,16 @@ class MonitorSource:
             peers = {to} if to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._listener.send(raw, peer)
+            self._ask_for_modes(t_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(t_s), t_s)
+
+    def _ask_for_modes(self, t_s: float) -> None:
+        for view in self._observer.view(t_s).vehicles:
+            received = view.last_received_s >= 0.0 and self._autopilot(view.sysid) in self._peers
+            if received and self._modes.due(view.sysid, view.profile, view.custom_mode, view.listed_modes, t_s):
+                target = CommandTarget(*self._autopilot(view.sysid))
+                self._transmit(view.sysid, [CommandLong(target, *standard_modes.ASKED).message(0)])
 
     def _follow_up(self, sysid: int, step: Step, t_s: float) -> None:
         self._transmit(sysid, step.messages)

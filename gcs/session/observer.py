@@ -323,7 +323,7 @@ class Observer:
             return
         self._events += [event for event in self._watch.look(view, None) if event.kind not in ("mode", "failsafe")]
         for one in view.vehicles:
-            name = _mode(one)
+            name = one.mode_name
             before = self._modes.get(one.sysid)
             if one.last_received_s >= 0.0 and name != before:
                 self._modes[one.sysid] = name
@@ -343,7 +343,7 @@ class Observer:
             adapter = None if reported.sysid in self._known else self._adapters.get(reported.sysid)
             view, share = (reported, None) if adapter is None else adapter.seen(reported)
             row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
-            row.mode = _mode(view)
+            row.mode = view.mode_name
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
@@ -367,10 +367,6 @@ def _member(vehicle: Any) -> Member:
     battery = vehicle.battery
     initial_j = battery.capacity_j * battery.initial_percent / 100.0
     return Member(vehicle.sysid, vehicle.role, vehicle.label, battery.capacity_j, initial_j, airborne=vehicle.airborne)
-
-
-def _mode(view: VehicleView) -> str:
-    return view.profile.mode_name(view.custom_mode) if view.last_received_s >= 0.0 else str(view.mode)
 
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:

@@ -202,7 +202,7 @@ class ArmingSequence:
             return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)] if view.armed and waited else []
         if view.mode is FlightMode.LAND:
             return []
-        command, params = view.profile.ending("land")
+        command, params = view.ending("land")
         return [self._command(command, *params)]
 
     def _carry_out_order(self, view: VehicleView) -> list[CommandRequest]:
@@ -212,7 +212,7 @@ class ArmingSequence:
         self._order_sent = True
         if not view.armed:
             return []
-        command, params = view.profile.ending(self.ordered)
+        command, params = view.ending(self.ordered)
         return [self._command(command, *params, token=f"{OPERATOR} {self.ordered}")]
 
     def _requests(self, view: VehicleView) -> list[Message]:

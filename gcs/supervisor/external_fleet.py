@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_in_words
+from gcs.mavlink.services import standard_modes
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
@@ -35,7 +36,7 @@ BEHIND_S = 2.0
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
-ENDING = "end"
+ENDING, MODES = "end", "modes"
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
 _DISARM = (int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0,))
 
@@ -50,6 +51,7 @@ class ExternalFleet:
         """how much longer than others their fleets wait until they are in the air"""
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self._estimators = Estimators(scenario)
+        self._modes = standard_modes.ModeRequests()
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -155,6 +157,10 @@ class ExternalFleet:
                         "set points stay above both; correct origin.alt_m if that is not so"
                     )
                     self._note(sysid, "warning", said)
+            if view.last_received_s >= 0.0 and self._modes.due(
+                sysid, view.profile, view.custom_mode, view.listed_modes, now_s
+            ):
+                commands.append(CommandRequest(sysid, *standard_modes.ASKED, MODES))
             for ask in self._asks[sysid]:
                 commands.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []
@@ -167,6 +173,8 @@ class ExternalFleet:
             return False
         if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
+            return True
+        if token == MODES:
             return True
         if token == ENDING:
             self._answers[sysid] = _answer(result)
@@ -205,7 +213,7 @@ class ExternalFleet:
                         sysid, "warning", f"Left in the air in {view.mode}: this session does not control it", "session"
                     )
                 continue
-            (command, params), order = view.profile.ending(rules.at_end), _ENDS[rules.at_end]
+            (command, params), order = view.ending(rules.at_end), _ENDS[rules.at_end]
             if view.landed and not silent:
                 (command, params), order = _DISARM, "disarm"
             if silent:

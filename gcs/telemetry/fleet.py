@@ -22,6 +22,7 @@ from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turn
 from gcs.mavlink.datagram import AnswerRuns, FrameRun, frame_at
 from gcs.mavlink.frame_runs import LAST, NUMBERS, SYSID
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.services.standard_modes import ListedMode
 from gcs.mavlink.statustext import chunk_of
 from gcs.telemetry import energy, plausibility
 from gcs.telemetry.batteries import VehicleBattery
@@ -56,12 +57,14 @@ from gcs.telemetry.readings import (
     TelemetryReader,
     kept_elsewhere,
 )
-from gcs.telemetry.state import ZERO, FleetSnapshot, Vec3
+from gcs.telemetry.state import EMPTY, ZERO, FleetSnapshot, Vec3
 from gcs.telemetry.track import Instant, Member, VehicleTrack
 from skytender import elementary, geodesy
 from skytender import mavlink as mav
 from skytender.safety.traffic import KnownTraffic
 
+MOST_MODES = 255
+"""AVAILABLE_MODES counts no more."""
 ORIGIN_JUMP_M = 50.0
 """By more than that the origin of an armed vehicle's frame does not move."""
 
@@ -339,6 +342,16 @@ class Fleet:
         if track.texts.open:
             self._talking.add(track.member.sysid)
 
+    def _available_mode(self, track: VehicleTrack, content: Any, time_s: float) -> None:
+        listed = ListedMode(content.standard_mode, content.mode_name)
+        if track.listed_modes.get(content.custom_mode) != listed and len(track.listed_modes) < MOST_MODES:
+            track.listed_modes = {**track.listed_modes, content.custom_mode: listed}
+            track.take_mode()
+
+    def _modes_changed(self, track: VehicleTrack, content: Any, time_s: float) -> None:
+        if content.seq != track.modes_seq:
+            track.listed_modes, track.modes_seq = EMPTY, content.seq
+
     def _ack(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))
 
@@ -369,6 +382,8 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_STATUSTEXT: Fleet._statustext,
     mav.MAVLINK_MSG_ID_COMMAND_ACK: Fleet._ack,
     mav.MAVLINK_MSG_ID_ADSB_VEHICLE: Fleet._traffic_of,
+    mav.MAVLINK_MSG_ID_AVAILABLE_MODES: Fleet._available_mode,
+    mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR: Fleet._modes_changed,
 }
 """Of messages that are not among the readings, or not always: BATTERY_STATUS of a vehicle with several."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)

@@ -246,9 +246,9 @@ def _read_run(
     counted = False
     while at + _HEADER_BYTES <= end:
         begin = at + _HEADER_BYTES
-        msgid, stop = data[at + 7], min(begin + data[at + 1], end)
+        msgid, stop = data[at + 7] | data[at + 8] << 8, min(begin + data[at + 1], end)
         own = data[at + 6] == _AUTOPILOT_1
-        small = data[at + 8] == 0 and data[at + 9] == 0
+        small = data[at + 9] == 0 and msgid < SMALL_IDS
         if own and not (small and msgid == _SYSTEM_TIME):  # it answers a grant also where the radio is out
             row.message_s = now_s
         elsewhere = small and (kept[msgid] == FROM_ANYBODY or (kept[msgid] == FROM_AUTOPILOT and own))

@@ -6,16 +6,19 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
-from gcs.mavlink.autopilots import STEERABLE, FlightMode, Profile
+from gcs.mavlink.autopilots import STEERABLE, End, FlightMode, Params, Profile
+from gcs.mavlink.services import standard_modes
 from gcs.telemetry.columns import FIGURES, FLAGS, NO_NUMBER, PLACES, FleetColumns
 from skytender.safety.traffic import TrafficView
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
+EMPTY: standard_modes.Listed = MappingProxyType({})
 GRAVITY_M_S2 = 9.8
 STALE_S = 1.5
 """A position older than this is not believed any more."""
@@ -81,6 +84,19 @@ class VehicleView(NamedTuple):
     """why its place may be wrong, by what it has said so far; nothing where that is certain"""
     mode_known: bool = True
     """whether its mode can be believed, by the age of its HEARTBEAT"""
+    listed_modes: standard_modes.Listed = EMPTY
+    """its modes as it lists them itself"""
+
+    @property
+    def mode_name(self) -> str:
+        """Its mode for a person; before its first HEARTBEAT that is none."""
+        if self.last_received_s < 0.0:
+            return str(self.mode)
+        return standard_modes.mode_name(self.profile, self.custom_mode, self.listed_modes)
+
+    def ending(self, end: End) -> tuple[int, Params]:
+        """The command, with its parameters, that takes it out of offboard."""
+        return standard_modes.ending(self.profile, end, self.listed_modes)
 
     @property
     def height_m(self) -> float | None:

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import GENERIC, STEERABLE, FlightMode, Profile, profile_of
 from gcs.mavlink.common_frame import turned
+from gcs.mavlink.services import standard_modes
+from gcs.mavlink.services.standard_modes import Listed
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry import fleet_columns as of
 from gcs.telemetry import plausibility
@@ -32,7 +34,7 @@ from gcs.telemetry.readings import (
     SYSTEM_STATUS,
     new_readings,
 )
-from gcs.telemetry.state import MODE_STALE_S, Vec3, VehicleView
+from gcs.telemetry.state import EMPTY, MODE_STALE_S, Vec3, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
 
@@ -82,6 +84,7 @@ class VehicleStatus(NamedTuple):
     doubt: str
     """the last one, however long ago"""
     uncertain: str
+    listed_modes: Listed
 
 
 class VehicleTrack:
@@ -116,6 +119,9 @@ class VehicleTrack:
         self.origin_refused = False
         """whether the last origin that it reported is not believed: its positions may be of that frame"""
         self.uncertain = ""
+        self.listed_modes: Listed = EMPTY
+        self.modes_seq = 0
+        """AVAILABLE_MODES_MONITOR's number of that list"""
 
     def live_in(self, readings: NDArray[np.float64], facts: NDArray[np.float64], account: NDArray[Any]) -> None:
         """Keep figures in these rows from now on: (READINGS,), (FACTS,) and (1,) of a table of the whole fleet."""
@@ -133,7 +139,7 @@ class VehicleTrack:
         autopilot, *modes = map(int, self.readings[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]])
         self.custom_mode, base_mode, self.system_status = modes
         self.profile = self.member.profile or profile_of(autopilot, self.member.vehicle_type)
-        self.mode = self.profile.mode(self.custom_mode)
+        self.mode = standard_modes.mode(self.profile, self.custom_mode, self.listed_modes)
         self.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
 
     def session_s(self, boot_ms: int, time_s: float) -> float:
@@ -159,7 +165,7 @@ class VehicleTrack:
             battery.reported, battery.received_j, battery.given_j, str(battery.source),
             ground_down_m, self.custom_mode, self.turn_rad,
             self.armed and self.system_status in _FAILSAFE,
-            self.doubt, self.uncertain,
+            self.doubt, self.uncertain, self.listed_modes,
         )  # fmt: skip
 
 
@@ -235,4 +241,5 @@ class Instant(NamedTuple):
             member.battery_apart,
             message_s, status.uncertain,
             not now_s - received_s > MODE_STALE_S or received_s < 0.0,
+            status.listed_modes,
         )  # fmt: skip

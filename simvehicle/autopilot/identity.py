@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from simvehicle.autopilot.modes import Mode
 from skytender import mavlink as mav
@@ -11,6 +12,15 @@ from skytender import mavlink as mav
 
 def _px4(main: int, sub: int = 0) -> int:
     return main << 16 | sub << 24
+
+
+class AvailableMode(NamedTuple):
+    """A mode as AVAILABLE_MODES lists it: HEARTBEAT's number, MAV_STANDARD_MODE, and a name where that says none."""
+
+    number: int
+    standard: int
+    name: str = ""
+    selectable: bool = True
 
 
 @dataclass(frozen=True)
@@ -31,6 +41,11 @@ class Identity:
     guided: bool
     item_0_is_home: bool
     capabilities: int
+    available: tuple[AvailableMode, ...]
+
+    def standard_mode(self, mode: Mode) -> int:
+        """MAV_STANDARD_MODE of a mode."""
+        return next((one.standard for one in self.available if one.number == self.spoken[mode]), 0)
 
 
 _COMMON_CAPABILITIES = (
@@ -80,6 +95,22 @@ _ARDUCOPTER_REQUESTABLE = {
     23: Mode.FOLLOW,
 }
 
+_PX4_AVAILABLE = (
+    AvailableMode(_px4(4, 4), mav.MAV_STANDARD_MODE_MISSION),
+    AvailableMode(_px4(4, 3), mav.MAV_STANDARD_MODE_NON_STANDARD, "Hold"),
+    AvailableMode(_px4(4, 5), mav.MAV_STANDARD_MODE_SAFE_RECOVERY),
+    AvailableMode(_px4(6), mav.MAV_STANDARD_MODE_NON_STANDARD, "Offboard"),
+    AvailableMode(_px4(4, 2), mav.MAV_STANDARD_MODE_TAKEOFF),
+    AvailableMode(_px4(4, 6), mav.MAV_STANDARD_MODE_LAND),
+    AvailableMode(_px4(4, 8), mav.MAV_STANDARD_MODE_NON_STANDARD, "Follow Target"),
+    AvailableMode(_px4(6, 1), mav.MAV_STANDARD_MODE_NON_STANDARD, "Refuel", selectable=False),
+)
+_ARDUCOPTER_AVAILABLE = tuple(
+    AvailableMode(number, mav.MAV_STANDARD_MODE_NON_STANDARD, name)
+    for number, name in ((3, "Auto"), (5, "Loiter"), (4, "Guided"), (9, "Land"), (6, "RTL"), (23, "Follow"))
+)
+"""ArduPilot calls none of its modes a standard one."""
+
 _PX4 = Identity(
     autopilot=mav.MAV_AUTOPILOT_PX4,
     spoken=_PX4_MODES,
@@ -90,6 +121,7 @@ _PX4 = Identity(
     guided=False,
     item_0_is_home=False,
     capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE,
+    available=_PX4_AVAILABLE,
 )
 
 IDENTITIES: dict[str, Identity] = {
@@ -104,6 +136,7 @@ IDENTITIES: dict[str, Identity] = {
         guided=True,
         item_0_is_home=True,
         capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST,
+        available=_ARDUCOPTER_AVAILABLE,
     ),
     "generic": replace(_PX4, autopilot=mav.MAV_AUTOPILOT_GENERIC, takeoff_altitude_is_relative=True),
 }

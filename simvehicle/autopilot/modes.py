@@ -123,6 +123,18 @@ RULES: tuple[Rule, ...] = (
 STAND_DOWN = Rule(Trigger.DISARM, ANY, True, Mode.HOLD, False, _W, "Failsafe on the ground, disarmed")
 """Mode to which every failsafe puts a vehicle that stands on the ground."""
 
+PROGRESS = frozenset(
+    {
+        Trigger.TAKEOFF_DONE,
+        Trigger.HOME_REACHED,
+        Trigger.TOUCHDOWN,
+        Trigger.MISSION_DONE,
+        Trigger.REFUEL_END,
+        Trigger.CRASHED,
+    }
+)
+"""Events that the vehicle finds out by itself, without a failsafe."""
+
 FAILSAFES: tuple[Trigger, ...] = (
     Trigger.BATTERY_EMPTY,
     Trigger.GPS_LOST,

@@ -20,6 +20,7 @@ cdef class Vehicle(Body):
     cdef public long long unix_epoch_us
     cdef public object mode
     cdef public bint armed
+    cdef readonly object intended  # the mode that the last order brought, or its end
     cdef readonly Exchange exchange
     cdef public object mission
     cdef object _fence

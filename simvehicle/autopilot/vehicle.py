@@ -32,7 +32,7 @@ from simvehicle.autopilot.maneuvers import (
     target_of,
 )
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
-from simvehicle.autopilot.modes import FAILSAFES, RESTING, STAND_DOWN, Mode, Rule, Severity, Trigger, rule_for
+from simvehicle.autopilot.modes import FAILSAFES, PROGRESS, RESTING, STAND_DOWN, Mode, Rule, Severity, Trigger, rule_for
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law.plants import Plant
@@ -102,7 +102,7 @@ class Vehicle(Body):
         self.origin = cython.address(origin[0])
         self.home_ned = start.p_ned
         self.unix_epoch_us = 0
-        self.mode = _OFFBOARD if start.airborne else Mode.HOLD
+        self.mode = self.intended = _OFFBOARD if start.airborne else Mode.HOLD
         self.armed = start.airborne
         self.exchange = Exchange()
         self.mission = None
@@ -197,8 +197,11 @@ class Vehicle(Body):
         rule = rule_for(event, self.mode, self.armed)
         if rule is None:
             return False
+        as_intended = self.mode is self.intended
         self._apply(rule)
         self.ordered = True
+        if as_intended or event not in PROGRESS:
+            self.intended = self.mode
         return True
 
     def arming_refusal(self) -> str | None:

@@ -252,6 +252,7 @@ class Services:
     def _hasten_heartbeats(self) -> None:
         for connection in self.connections:
             connection.streams.hasten("HEARTBEAT", self.vehicle.time_ms)
+            connection.streams.hasten("CURRENT_MODE", self.vehicle.time_ms)
 
 
 def _status_texts(severity: int, text: str, number: int) -> list[Any]:

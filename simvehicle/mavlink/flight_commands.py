@@ -9,6 +9,7 @@ from simvehicle.autopilot.vectors import Vec3
 from simvehicle.mavlink.commands import (
     ACCEPTED,
     DENIED,
+    FAILED,
     TEMPORARILY_REJECTED,
     UNSUPPORTED,
     VehicleCommand,
@@ -121,6 +122,15 @@ def set_mode(context: ServiceContext, request: VehicleCommand, connection: Conne
     return enter_custom(context, main << 16 | sub << 24 if context.vehicle.identity.modes_packed else main)
 
 
+def set_standard_mode(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    """MAV_CMD_DO_SET_STANDARD_MODE; an autopilot that has no standard modes does not know it."""
+    numbers = {one.standard: one.number for one in context.vehicle.identity.available if one.standard}
+    number = numbers.get(request.whole(1))
+    if number is None:
+        return FAILED if numbers else UNSUPPORTED
+    return enter_custom(context, number)
+
+
 def set_mode_message(context: ServiceContext, call: Call) -> None:
     """SET_MODE has no acknowledgement: the next HEARTBEAT is the answer."""
     enter_custom(context, call.content.custom_mode)
@@ -201,6 +211,7 @@ COMMANDS: dict[int, CommandHandler] = {
     mav.MAV_CMD_DO_CHANGE_SPEED: change_speed,
     mav.MAV_CMD_DO_SET_HOME: set_home,
     mav.MAV_CMD_DO_SET_MODE: set_mode,
+    mav.MAV_CMD_DO_SET_STANDARD_MODE: set_standard_mode,
     mav.MAV_CMD_MISSION_START: start_mission,
     mav.MAV_CMD_DO_PAUSE_CONTINUE: pause_or_continue,
     mav.MAV_CMD_DO_SET_MISSION_CURRENT: set_mission_item,

@@ -8,7 +8,7 @@ from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
-from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, message_of
+from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, available_modes, message_of
 from skytender import mavlink as mav
 
 FASTEST_HZ = 250
@@ -41,7 +41,7 @@ def get_interval(context: ServiceContext, request: VehicleCommand, connection: C
 
 
 def request_message(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(context, request.whole(1, -1))
+    return _answer_with(context, request.whole(1, -1), request.whole(2))
 
 
 def requests(msgid: int) -> CommandHandler:
@@ -49,11 +49,15 @@ def requests(msgid: int) -> CommandHandler:
     return lambda context, _request, _connection: _answer_with(context, msgid)
 
 
-def _answer_with(context: ServiceContext, msgid: int) -> int:
-    """Accepted only with the message behind it; what the vehicle does not have is unsupported."""
+def _answer_with(context: ServiceContext, msgid: int, index: int = 0) -> int:
+    """Accepted only with the message behind it; what the vehicle does not have is unsupported. `index`: the mode."""
     answers = [message_of(context.vehicle, stream.key) for stream in TELEMETRY if stream.msgid == msgid]
     if msgid == mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION:
         answers = [autopilot_version(context.vehicle, context.sysid)]
+    elif msgid == mav.MAVLINK_MSG_ID_AVAILABLE_MODES:
+        answers = available_modes(context.vehicle, index)
+    elif msgid == mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR:
+        answers = [message("AVAILABLE_MODES_MONITOR")()]  # its modes never change
     context.after_ack.extend(answers)
     return ACCEPTED if answers else UNSUPPORTED
 

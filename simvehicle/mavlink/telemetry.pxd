@@ -3,7 +3,7 @@ from simvehicle.autopilot.vehicle cimport Vehicle
 cimport skytender.messages as messages
 
 cpdef enum:
-    STREAMS = 19
+    STREAMS = 20
     LARGEST_BYTES = 96  # more than any stream's payload
 
 cdef enum:  # of the streams, in the order of TELEMETRY
@@ -26,6 +26,7 @@ cdef enum:  # of the streams, in the order of TELEMETRY
     _ATTITUDE_QUATERNION
     _ALTITUDE
     _VFR_HUD
+    _CURRENT_MODE
 
 cdef struct Message:  # that a stream sends
     unsigned int msgid
@@ -69,5 +70,6 @@ cdef _mission_current(Vehicle v, messages.MissionCurrent* m)
 cdef _attitude_quaternion(Vehicle v, messages.AttitudeQuaternion* m)
 cdef void _altitude(Vehicle v, messages.Altitude* m) noexcept
 cdef _vfr_hud(Vehicle v, messages.VfrHud* m)
+cdef _current_mode(Vehicle v, messages.CurrentMode* m)
 
 cdef write_payload(Vehicle v, int stream, unsigned char* payload)

@@ -20,6 +20,7 @@ from cython.cimports.simvehicle.mavlink.telemetry import (
     _ATTITUDE_QUATERNION,
     _BATTERY_STATUS,
     _CONTROL_EFFORT,
+    _CURRENT_MODE,
     _EXTENDED_SYS_STATE,
     _FOLLOW_TARGET,
     _GLOBAL_POSITION_INT,
@@ -74,7 +75,7 @@ class Stream(NamedTuple):
     rate_hz: float
 
 
-UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0}
+UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0, "CURRENT_MODE": 0.5}
 """Streams beside the table's own rates, in Hz, for plain connections: QGroundControl requests none from a PX4."""
 
 TELEMETRY: tuple[Stream, ...] = (
@@ -97,6 +98,7 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("ATTITUDE_QUATERNION", mavlink.MAVLINK_MSG_ID_ATTITUDE_QUATERNION, 0.0),
     Stream("ALTITUDE", mavlink.MAVLINK_MSG_ID_ALTITUDE, 0.0),
     Stream("VFR_HUD", mavlink.MAVLINK_MSG_ID_VFR_HUD, 0.0),
+    Stream("CURRENT_MODE", mavlink.MAVLINK_MSG_ID_CURRENT_MODE, 0.0),
 )
 
 
@@ -175,6 +177,8 @@ def write_payload(v: Any, stream: int, payload: Any) -> None:
         _altitude(v, cython.cast("messages.Altitude *", payload))
     elif stream == _VFR_HUD:
         _vfr_hud(v, cython.cast("messages.VfrHud *", payload))
+    elif stream == _CURRENT_MODE:
+        _current_mode(v, cython.cast("messages.CurrentMode *", payload))
 
 
 def _heartbeat(v: Any, m: Any) -> None:
@@ -368,6 +372,29 @@ def _vfr_hud(v: Any, m: Any) -> None:
     m.airspeed = elementary.norm((north, east, v_down))
     m.heading = _turned(_rounded(-v.plant.row.attitude[2] * _DEG), 360)
     m.alt, m.climb = v.origin[2] - down, -v_down
+
+
+def _current_mode(v: Any, m: Any) -> None:
+    m.standard_mode = v.identity.standard_mode(v.mode)
+    m.custom_mode, m.intended_custom_mode = v.identity.spoken[v.mode], v.identity.spoken[v.intended]
+
+
+def available_modes(vehicle: Any, index: int) -> list[Any]:
+    """AVAILABLE_MODES of the mode with that index, counted from 1, or with 0 of all."""
+    modes = vehicle.identity.available
+    return [
+        message("AVAILABLE_MODES")(
+            number_modes=len(modes),
+            mode_index=k,
+            standard_mode=one.standard,
+            custom_mode=one.number,
+            properties=mavlink.MAV_MODE_PROPERTY_AUTO_MODE
+            | (0 if one.selectable else mavlink.MAV_MODE_PROPERTY_NOT_USER_SELECTABLE),
+            mode_name=one.name,
+        )
+        for k, one in enumerate(modes, 1)
+        if index in (0, k)
+    ]
 
 
 def _place(v: Any) -> tuple[float, float, float]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+import newer
 from pymavlink.dialects.v20 import common
 
 DECLARED = Path(__file__).resolve().parents[2] / "skytender" / "messages.pxd"
@@ -17,6 +18,7 @@ MESSAGES = (
     "LOCAL_POSITION_NED", "GLOBAL_POSITION_INT", "MISSION_CURRENT", "GPS_GLOBAL_ORIGIN", "VFR_HUD",
     "SET_POSITION_TARGET_LOCAL_NED", "POSITION_TARGET_LOCAL_NED", "ALTITUDE", "FOLLOW_TARGET", "BATTERY_STATUS",
     "HOME_POSITION", "EXTENDED_SYS_STATE", "NAMED_VALUE_FLOAT", "NAMED_VALUE_INT",
+    "CURRENT_MODE",
 )  # fmt: skip
 CONSTANTS = (
     "MAV_COMP_ID_AUTOPILOT1", "MAV_TYPE_GCS", "MAV_TYPE_QUADROTOR", "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED",
@@ -50,9 +52,10 @@ _C_TYPES = {
 
 def declarations() -> str:
     """The text of messages.pxd."""
+    known = {cls.msgname: cls for cls in (*common.mavlink_map.values(), *newer.MESSAGES.values())}
     parts = ["# Made by tests/support/message_structs.py from pymavlink's definitions: payloads as on the wire.\n"]
     for name in MESSAGES:
-        definition = common.mavlink_map[getattr(common, f"MAVLINK_MSG_ID_{name}")]
+        definition = known[name]
         types = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
         lines = [f"cdef enum:\n    {name}_ID = {definition.id}\n    {name}_SEED = {definition.crc_extra}\n"]
         lines.append(f"cdef packed struct {name.title().replace('_', '')}:")

@@ -22,7 +22,7 @@ HOT = (
 )
 SIGNATURE = bytes(range(13))
 # Ids that real autopilots send and the dialect lacks.
-UNKNOWN_IDS = (8, 436)
+UNKNOWN_IDS = (8, 290)
 
 
 def unknown_frame(msgid: int, payload: bytes, seed: int = 99) -> bytes:

@@ -17,6 +17,7 @@ from gcs.cli.check.asking import (
     to_vehicle,
 )
 from gcs.cli.check.dialogue import CheckedVehicle, Question
+from gcs.cli.check.modes import MODES
 from gcs.cli.check.predicates import OK, always, answered, leaves_alone, refuses
 from gcs.mavlink.codec import Message, message
 from skytender import mavlink as mav
@@ -124,8 +125,9 @@ CONNECT = [
         requested(
             name, f"{name}, or its refusal", {QGC: "waits for it, three times, before it goes on"}, may_refuse=always
         )
-        for name in ("PROTOCOL_VERSION", "AVAILABLE_MODES", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
+        for name in ("PROTOCOL_VERSION", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
     ),
+    *MODES,
     Question(
         "unknown-command",
         "an unknown command is refused",

@@ -66,6 +66,8 @@ class CheckedVehicle:
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     """PARAM_VALUE's fields by name"""
+    modes: dict[int, Any] = field(default_factory=dict)
+    """AVAILABLE_MODES' fields by mode_index"""
     neighbours: dict[int, str] = field(default_factory=dict)
     """other vehicles that acknowledged a command to it, with that command's name, by system id"""
     rates_count_from_s: float = 0.0
@@ -85,6 +87,8 @@ class CheckedVehicle:
             self._boot_ms[received.name] = boot_ms
         if received.name == "PARAM_VALUE":
             self.parameters[received.fields.param_id] = received.fields
+        elif received.name == "AVAILABLE_MODES":
+            self.modes[received.fields.mode_index] = received.fields
 
     def of(self, name: str) -> Any:
         """The newest message of this name, or None."""

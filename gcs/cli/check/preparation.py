@@ -8,6 +8,7 @@ from typing import Any
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, commanded, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
+from gcs.cli.check.modes import STANDARD_LAND
 from gcs.cli.check.predicates import OK, answered
 from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.codec import Message, message
@@ -80,6 +81,7 @@ PREPARATION = [
         streams=_stay,
         lead_s=0.5,
     ),
+    STANDARD_LAND,
     _hold("hold-again", "SET_MODE (11) back to hold"),
     *_arming(True),
     *_arming(False),

@@ -99,6 +99,53 @@ def test_an_echo_addressed_to_someone_else_does_not_count() -> None:
     assert examine(vehicle, "ping")["ping"].outcome == "missing"
 
 
+def mode(index: int, custom_mode: int, standard: int = 0, name: bytes = b"", count: int = 3) -> Any:
+    return mav.mavlink_map[435](count, index, standard, custom_mode, 0, name)
+
+
+@pytest.mark.parametrize(
+    ("modes", "outcome", "words"),
+    [
+        ([mode(1, 7, 6), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 0, b"Soar")], "ok", ""),
+        ([mode(1, 7, 6), mode(3, PX4_LOITER, 0, b"Hold")], "wrong", "these of its modes never came: 2"),
+        (
+            [mode(1, 7, 6), mode(2, 8, 5), mode(3, 9, 0, b"Soar")],
+            "wrong",
+            f"custom_mode {PX4_LOITER}, which its HEARTBEAT",
+        ),
+        ([mode(1, 7), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 7)], "wrong", "mode 7 has neither"),
+    ],
+)
+def test_every_mode_is_to_be_listed_and_named(modes: list[Any], outcome: str, words: str) -> None:
+    vehicle = Scripted()
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [
+        vehicle.ack(asked.command), *(modes if (asked.param1, asked.param2) == (435.0, 0.0) else ()),
+    ]  # fmt: skip
+    finding = examine(vehicle, "available-modes")["available-modes"]
+    assert (finding.outcome, words in finding.text) == (outcome, True)
+
+
+@pytest.mark.parametrize(("flown", "outcome"), [(PX4_LOITER, "ok"), (6 << 16, "wrong")])
+def test_the_current_mode_is_to_be_the_heartbeats(flown: int, outcome: str) -> None:
+    vehicle = Scripted()
+    current = mav.mavlink_map[436](0, flown, 0)
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command), current]
+    assert examine(vehicle, "current-mode")["current-mode"].outcome == outcome
+
+
+@pytest.mark.parametrize(("standard", "outcome"), [(7, "ok"), (5, "skipped")])
+def test_a_standard_mode_is_set_where_one_is_listed(standard: int, outcome: str) -> None:
+    vehicle = Scripted()
+    modes = [mode(1, PX4_LOITER, 0, b"Hold", 2), mode(2, 9, standard, b"", 2)]
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [
+        vehicle.ack(asked.command), *(modes if asked.param1 == 435.0 else ()),
+    ]  # fmt: skip
+    found = examine(vehicle, "available-modes", "standard-mode", arm=True)
+    assert found["standard-mode"].outcome == outcome
+    asked = [(one.command, one.param1) for one in vehicle.asked if type(one).__name__ == "COMMAND_LONG"]
+    assert ((mav.MAV_CMD_DO_SET_STANDARD_MODE, 7.0) in asked) is (outcome == "ok")
+
+
 def test_a_request_that_is_accepted_but_not_met_is_wrong() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]

@@ -218,3 +218,57 @@ def test_who_is_left_in_the_air_at_the_end_is_named() -> None:
     ((level, text),) = tower.said()
     assert level == "critical"
     assert text.startswith("May still be flying: not heard for 12 s, then in offboard")
+
+
+def available(index: int, custom_mode: int, standard: int = 0, name: bytes = b"") -> Any:
+    return mav.mavlink_map[435](2, index, standard, custom_mode, 4, name)
+
+
+def asks(tower: Tower, now_s: float) -> bool:
+    return tower.decide(now_s).get("modes") == mav.MAV_CMD_REQUEST_MESSAGE
+
+
+def test_a_mode_that_nothing_names_is_asked_for_a_few_times_and_named_as_the_vehicle_names_it() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(autopilot=0, custom_mode=77), origin())
+    assert [asks(tower, k / 2.0) for k in range(20)] == [k in (0, 4, 8) for k in range(20)]
+    tower.hear(10.0, heartbeat(autopilot=0, custom_mode=78))
+    assert asks(tower, 10.0)
+    assert tower.externals.settles(3, result("modes"), 10.0)
+    assert tower.said() == []
+    tower.hear(11.0, available(1, 77, name=b"Soar"), available(2, 78, standard=5))
+    view = tower.fleet.snapshot(11.0).vehicle(3)
+    assert (view.mode, view.mode_name) == ("return", "return")
+    tower.hear(12.0, heartbeat(autopilot=0, custom_mode=77))
+    view = tower.fleet.snapshot(12.0).vehicle(3)
+    assert (view.mode, view.mode_name) == ("other", "soar")
+    assert not asks(tower, 30.0)
+
+
+def test_modes_that_have_changed_are_asked_for_anew() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(autopilot=0, custom_mode=77), available(1, 77, name=b"Soar"))
+    assert not asks(tower, 0.0)
+    tower.hear(1.0, mav.mavlink_map[437](1))
+    assert tower.fleet.snapshot(1.0).vehicle(3).mode_name == "mode 77"
+    assert asks(tower, 1.0)
+
+
+def test_a_mode_of_the_table_is_never_asked_for_and_keeps_its_name() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(custom_mode=4 << 16 | 4 << 24), available(1, 4 << 16 | 4 << 24, name=b"Task"))
+    assert not asks(tower, 0.0)
+    assert tower.fleet.snapshot(0.0).vehicle(3).mode_name == "mission"
+
+
+@pytest.mark.parametrize(("end", "standard"), [("return", 5), ("land", 7)])
+def test_a_vehicle_with_numbers_of_its_own_ends_in_the_standard_mode_that_it_lists(end: str, standard: int) -> None:
+    tower = Tower(at_end=end)
+    tower.hear(0.0, heartbeat(autopilot=0, custom_mode=77), origin(), landed(2))
+    tower.hear(0.1, available(1, 77, name=b"Soar"), available(2, 78, standard=standard))
+    assert tower.end(Stage.FLY) == [(mav.MAV_CMD_DO_SET_STANDARD_MODE, (float(standard),))]
+    px4 = Tower(at_end=end)
+    px4.hear(0.0, heartbeat(), origin(), landed(2))
+    px4.hear(0.1, available(1, 4 << 16 | 5 << 24, standard=5), available(2, 4 << 16 | 6 << 24, standard=7))
+    ((command, _),) = px4.end(Stage.FLY)
+    assert command == {"return": mav.MAV_CMD_NAV_RETURN_TO_LAUNCH, "land": mav.MAV_CMD_NAV_LAND}[end]

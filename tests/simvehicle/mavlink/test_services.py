@@ -61,7 +61,7 @@ def test_data_streams_set_the_rates_of_their_group_and_stop_it(vehicle_bench: An
     assert len(bench.of("HEARTBEAT")) == 5
 
 
-@pytest.mark.parametrize("msgid", [300, 395, 397, 435, 436])
+@pytest.mark.parametrize("msgid", [300, 395, 397])
 def test_messages_that_the_dialect_lacks_are_unsupported_and_never_accepted(vehicle_bench: Any, msgid: int) -> None:
     bench = vehicle_bench()
     assert bench.result(mav.MAV_CMD_REQUEST_MESSAGE, float(msgid)) == UNSUPPORTED
@@ -76,7 +76,7 @@ def test_connect_sequence_of_a_ground_station_is_answered_completely(vehicle_ben
     for bit in ("MISSION_INT", "MISSION_FENCE", "MISSION_RALLY", "COMMAND_INT", "MAVLINK2"):
         assert version.capabilities & getattr(mav, f"MAV_PROTOCOL_CAPABILITY_{bit}")
     assert not version.capabilities & mav.MAV_PROTOCOL_CAPABILITY_FTP
-    for msgid in (300, 435, 397, 395):
+    for msgid in (300, 397, 395):
         assert bench.result(mav.MAV_CMD_REQUEST_MESSAGE, float(msgid)) == UNSUPPORTED
     assert bench.result(mav.MAV_CMD_REQUEST_PROTOCOL_VERSION, 1.0) == UNSUPPORTED
     values = {m.param_id: m for m in bench.send(mav.MAVLink_param_request_list_message(1, 1))}

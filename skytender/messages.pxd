@@ -307,6 +307,15 @@ cdef packed struct CurrentMode:
     unsigned char standard_mode
 
 cdef enum:
+    CONTROL_STATUS_ID = 512
+    CONTROL_STATUS_SEED = 21
+
+cdef packed struct ControlStatus:
+    unsigned char flags
+    unsigned char gcs_main
+    unsigned char[10] gcs_secondary
+
+cdef enum:
     MAV_COMP_ID_AUTOPILOT1 = 1
     MAV_TYPE_GCS = 6
     MAV_TYPE_QUADROTOR = 2
@@ -348,3 +357,5 @@ cdef enum:
     POSITION_TARGET_TYPEMASK_AZ_IGNORE = 256
     POSITION_TARGET_TYPEMASK_YAW_IGNORE = 1024
     POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE = 2048
+    GCS_CONTROL_STATUS_FLAGS_SYSTEM_MANAGER = 1
+    GCS_CONTROL_STATUS_FLAGS_TAKEOVER_ALLOWED = 2

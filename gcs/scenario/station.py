@@ -1,7 +1,7 @@
 """The id by which external vehicles know this ground station, and other stations that a session speaks to."""
 
 from collections.abc import Collection, Iterator
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field
 
@@ -23,6 +23,9 @@ class Station(Part):
     are 255 too"""
     compid: Annotated[int, Exact(ge=2, le=255)] = 190
     """component id; 1 is an autopilot's"""
+    takeover: Literal["ask", "allow"] = "ask"
+    """when another ground station asks for control of a vehicle that reports its owner (CONTROL_STATUS): `ask` refuses,
+    and says so, until the operator's `release`; `allow` lets it have the vehicle at once"""
 
     @property
     def ids(self) -> tuple[int, int]:

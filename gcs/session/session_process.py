@@ -196,7 +196,7 @@ class SessionProcess:
                 self._sleep(WATCH_EVERY_S)
             supervisor.begin_putting_back()
             deadline_s = time.monotonic() + PUT_BACK_S
-            while supervisor.preflight.putting_back and time.monotonic() < deadline_s:
+            while supervisor.putting_back and time.monotonic() < deadline_s:
                 supervisor.exchange(self._pace.running_s)
                 self._sleep(WATCH_EVERY_S)
             supervisor.report_put_back()

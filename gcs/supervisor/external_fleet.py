@@ -5,7 +5,7 @@ Streams are asked for and checked, clocks compared, silence judged, and repetiti
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
@@ -15,6 +15,8 @@ from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.estimators import Estimators
+from gcs.supervisor.operator_control import TOKEN as CONTROL
+from gcs.supervisor.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -52,6 +54,7 @@ class ExternalFleet:
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self._estimators = Estimators(scenario)
         self._modes = standard_modes.ModeRequests()
+        self.control = OperatorControl(self.rules, scenario.station)
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -90,6 +93,7 @@ class ExternalFleet:
                 streams.received(frame.msgid, now_s)
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
+            self._events += self.control.receive(sysid, own, now_s)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -119,8 +123,11 @@ class ExternalFleet:
         if sysid in self.streams:
             self.streams[sysid].restart()
 
-    def decide(self, snapshot: FleetSnapshot) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
-        """Commands, and messages by system id, that keep the streams flowing."""
+    def decide(
+        self, snapshot: FleetSnapshot, released: Container[int] = ()
+    ) -> tuple[list[CommandRequest], dict[int, list[Message]]]:
+        """Commands, and messages by system id, that keep the streams flowing, and control. `released`: vehicles that
+        the operator has left to another station."""
         now_s = snapshot.time_s
         commands: list[CommandRequest] = []
         messages: dict[int, list[Message]] = {}
@@ -131,6 +138,9 @@ class ExternalFleet:
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
             messages[sysid] += self._estimators.requests(sysid, view.profile, now_s)
+            requests, answers = self.control.decide(sysid, now_s, released=sysid in released)
+            commands += requests
+            messages[sysid] += answers
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
@@ -174,7 +184,7 @@ class ExternalFleet:
         if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
             return True
-        if token == MODES:
+        if token in (MODES, CONTROL):
             return True
         if token == ENDING:
             self._answers[sysid] = _answer(result)

@@ -59,6 +59,7 @@ from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.grants import Addressees, OwnFrames
 from gcs.supervisor.operator import Operator, OperatorReply
+from gcs.supervisor.operator_control import TOKEN as CONTROL
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.reception import Reception
 from gcs.supervisor.recovery import Recovery
@@ -488,7 +489,10 @@ class Supervisor:
     def _keep_streams(self, snapshot: FleetSnapshot) -> None:
         if not self.externals.rules:
             return
-        commands, messages = self.externals.decide(snapshot)
+        for sysid in self.externals.control.pop_taken():
+            self.events.append(self.operator.obey({"command": "release", "sysid": sysid}, snapshot)[1])
+        released = {sysid for sysid in self.externals.rules if self.arming[sysid].released}
+        commands, messages = self.externals.decide(snapshot, released)
         for sysid, requests in messages.items():
             self.command_queue.put(sysid, requests)
         self.command_queue.ask(commands, snapshot.time_s)
@@ -601,8 +605,15 @@ class Supervisor:
         self.events += self.externals.pop_events()
 
     def begin_putting_back(self) -> None:
-        """Let external vehicles have the parameters that they had, now that they have their last order."""
+        """Let external vehicles have the parameters that they had, now that they have their last order, and control
+        too."""
+        self.command_queue.ask(self.externals.control.give_back(), self.time_s)
         self.preflight.begin_putting_back(self.snapshot)
+
+    @property
+    def putting_back(self) -> bool:
+        """Whether vehicles have yet to take back what they had, or to answer that."""
+        return self.preflight.putting_back or self.command_queue.awaits(CONTROL)
 
     def report_put_back(self) -> None:
         """Say which vehicles have their own parameters again."""

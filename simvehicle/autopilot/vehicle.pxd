@@ -31,6 +31,8 @@ cdef class Vehicle(Body):
     cdef readonly list announcements
     cdef public object on_change
     cdef readonly double gcs_seen_s  # NaN: never
+    cdef public unsigned char gcs_main  # system id of the ground station that owns it; 0: none does
+    cdef public bint takeover_allowed  # whether another is given control that asks for it
     cdef SetPoint set_point_now
     cdef SetPoint set_point_before
     cdef public bint station_leads  # whether the last set point is the station's

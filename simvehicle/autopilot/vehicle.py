@@ -74,6 +74,9 @@ class Vehicle(Body):
     period_s: float
     leads: bool
     ordered: bool
+    gcs_main: int
+    takeover_allowed: bool
+    intended: Mode
     leader: Any
     gcs_loss_s: float
     set_point_loss_s: float
@@ -113,7 +116,8 @@ class Vehicle(Body):
         self.announcements = []
         self.on_change = _nothing
         self.gcs_seen_s = self.set_point_now.time_s = self.set_point_before.time_s = math.nan
-        self.station_leads = self.leads = False
+        self.station_leads = self.leads = self.takeover_allowed = False
+        self.gcs_main = 0
         self.ordered = True
         self.separation = None
         self._followed = None
@@ -264,6 +268,7 @@ class Vehicle(Body):
         self.load_mission(())
         self.fence, self.rally_ned = Fence(), ()
         self._followed = None
+        self.gcs_main = 0
         self.gcs_seen_s = self.set_point_now.time_s = math.nan
         if self.leads:
             self.separation.release()

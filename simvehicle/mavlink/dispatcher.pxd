@@ -12,6 +12,7 @@ cdef class Services:
     cdef object _logs
     cdef object _files
     cdef object _reboot
+    cdef object _control
     cdef dict _commands
     cdef readonly object fleet
     cdef double _follow_rate_hz

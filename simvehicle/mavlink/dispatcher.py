@@ -34,11 +34,12 @@ from simvehicle.mavlink import (
     message_requests,
     missions,
     offboard,
+    operator_control,
     parameter_protocol,
     traffic,
 )
 from simvehicle.mavlink.codec import ReceivedFrame, as_bytes, decode, message
-from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
+from simvehicle.mavlink.commands import NOT_IN_CONTROL, TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 from simvehicle.mavlink.fleet_messages import FleetService
@@ -80,6 +81,7 @@ class Services:
     _logs: log_protocol.LogService
     _files: file_protocol.FileService
     _reboot: maintenance.Reboot
+    _control: operator_control.OwnerService
     _commands: dict[int, CommandHandler]
     _follow_rate_hz: float
     _fast_counters: bool
@@ -107,7 +109,9 @@ class Services:
         self._logs = log_protocol.LogService(log)
         self._files = file_protocol.FileService(log)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
+        self._control = operator_control.OwnerService(self._context)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
+        self._commands[mav.MAV_CMD_REQUEST_OPERATOR_CONTROL] = self._control.request
         self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
         self._follow_rate_hz = 0.0
         self._fast_counters = False
@@ -125,7 +129,7 @@ class Services:
         if frame.sysid == self.sysid and frame.compid == MAV_COMP_ID_AUTOPILOT1:
             return
         if frame.msgid == SET_POSITION_TARGET_LOCAL_NED_ID:
-            if not self._deaf():
+            if not self._deaf() and (self.vehicle.gcs_main == 0 or not self._control.bars(frame.sysid)):
                 compiled_offboard.local_set_point(self._context, self.vehicle, self.sysid, frame.payload)
                 self.vehicle.station_leads = frame.sysid == SYSTEM and connection is self.connections[0]
             return
@@ -134,7 +138,10 @@ class Services:
                 self._peers.receive(frame.sysid, frame.msgid, frame.payload, self.vehicle.time_ms)
             return
         if frame.msgid == HEARTBEAT_ID:
-            if not self._deaf() and compiled_offboard.is_ground_station(frame.payload):
+            owner = self.vehicle.gcs_main
+            if owner not in (0, frame.sysid) or self._deaf():
+                return  # while one owns it, that one is the link
+            if compiled_offboard.is_ground_station(frame.payload):
                 self.vehicle.receive_gcs_heartbeat()
             return
         if frame.msgid not in UNDERSTOOD:
@@ -149,7 +156,7 @@ class Services:
         call = Call(content, frame, connection)
         if frame.msgid in _COMMAND_MESSAGES:
             self._command(call)
-        elif self._deaf():
+        elif self._deaf() or (frame.msgid in operator_control.STATE_CHANGING and self._control.bars(frame.sysid)):
             return
         elif frame.msgid in missions.MESSAGES:
             self._planning.receive(call)
@@ -168,12 +175,15 @@ class Services:
         request = commands.request_from(call.content, call.sender)
         if Failure.LINK in self.vehicle.failed and request.command != mav.MAV_CMD_INJECT_FAILURE:
             return
-        if call.frame.sysid == SYSTEM and call.connection is self.connections[0]:
+        owned = self.vehicle.gcs_main not in (0, SYSTEM)
+        if call.frame.sysid == SYSTEM and call.connection is self.connections[0] and not owned:
             self.vehicle.receive_gcs_command()
         handler = self._commands.get(request.command)
         result = UNSUPPORTED
         if self._reboot.busy_with(request):
             result = TEMPORARILY_REJECTED
+        elif self._control.bars_command(request):
+            result = NOT_IN_CONTROL
         elif handler is not None:
             result = handler(self._context, request, call.connection)
         call.connection.put(commands.acknowledgement(request, result))
@@ -218,6 +228,8 @@ class Services:
         if at_work:
             self._planning.report()
         self._pace_counters()
+        if vehicle.gcs_main != 0:
+            self._control.watch()
         if vehicle.announcements:
             self._announce()
         for connection in self.connections:

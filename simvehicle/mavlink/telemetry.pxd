@@ -3,7 +3,7 @@ from simvehicle.autopilot.vehicle cimport Vehicle
 cimport skytender.messages as messages
 
 cpdef enum:
-    STREAMS = 20
+    STREAMS = 21
     LARGEST_BYTES = 96  # more than any stream's payload
 
 cdef enum:  # of the streams, in the order of TELEMETRY
@@ -27,6 +27,7 @@ cdef enum:  # of the streams, in the order of TELEMETRY
     _ALTITUDE
     _VFR_HUD
     _CURRENT_MODE
+    _CONTROL_STATUS
 
 cdef struct Message:  # that a stream sends
     unsigned int msgid
@@ -71,5 +72,6 @@ cdef _attitude_quaternion(Vehicle v, messages.AttitudeQuaternion* m)
 cdef void _altitude(Vehicle v, messages.Altitude* m) noexcept
 cdef _vfr_hud(Vehicle v, messages.VfrHud* m)
 cdef _current_mode(Vehicle v, messages.CurrentMode* m)
+cdef void _control_status(Vehicle v, messages.ControlStatus* m) noexcept
 
 cdef write_payload(Vehicle v, int stream, unsigned char* payload)

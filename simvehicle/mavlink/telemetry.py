@@ -20,6 +20,7 @@ from cython.cimports.simvehicle.mavlink.telemetry import (
     _ATTITUDE_QUATERNION,
     _BATTERY_STATUS,
     _CONTROL_EFFORT,
+    _CONTROL_STATUS,
     _CURRENT_MODE,
     _EXTENDED_SYS_STATE,
     _FOLLOW_TARGET,
@@ -99,6 +100,7 @@ TELEMETRY: tuple[Stream, ...] = (
     Stream("ALTITUDE", mavlink.MAVLINK_MSG_ID_ALTITUDE, 0.0),
     Stream("VFR_HUD", mavlink.MAVLINK_MSG_ID_VFR_HUD, 0.0),
     Stream("CURRENT_MODE", mavlink.MAVLINK_MSG_ID_CURRENT_MODE, 0.0),
+    Stream("CONTROL_STATUS", mavlink.MAVLINK_MSG_ID_CONTROL_STATUS, 0.0),
 )
 
 
@@ -179,6 +181,8 @@ def write_payload(v: Any, stream: int, payload: Any) -> None:
         _vfr_hud(v, cython.cast("messages.VfrHud *", payload))
     elif stream == _CURRENT_MODE:
         _current_mode(v, cython.cast("messages.CurrentMode *", payload))
+    elif stream == _CONTROL_STATUS:
+        _control_status(v, cython.cast("messages.ControlStatus *", payload))
 
 
 def _heartbeat(v: Any, m: Any) -> None:
@@ -377,6 +381,12 @@ def _vfr_hud(v: Any, m: Any) -> None:
 def _current_mode(v: Any, m: Any) -> None:
     m.standard_mode = v.identity.standard_mode(v.mode)
     m.custom_mode, m.intended_custom_mode = v.identity.spoken[v.mode], v.identity.spoken[v.intended]
+
+
+def _control_status(v: Any, m: Any) -> None:
+    m.gcs_main, m.flags = v.gcs_main, mav.GCS_CONTROL_STATUS_FLAGS_SYSTEM_MANAGER
+    if v.gcs_main == 0 or v.takeover_allowed:
+        m.flags |= mav.GCS_CONTROL_STATUS_FLAGS_TAKEOVER_ALLOWED
 
 
 def available_modes(vehicle: Any, index: int) -> list[Any]:

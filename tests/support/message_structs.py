@@ -18,7 +18,7 @@ MESSAGES = (
     "LOCAL_POSITION_NED", "GLOBAL_POSITION_INT", "MISSION_CURRENT", "GPS_GLOBAL_ORIGIN", "VFR_HUD",
     "SET_POSITION_TARGET_LOCAL_NED", "POSITION_TARGET_LOCAL_NED", "ALTITUDE", "FOLLOW_TARGET", "BATTERY_STATUS",
     "HOME_POSITION", "EXTENDED_SYS_STATE", "NAMED_VALUE_FLOAT", "NAMED_VALUE_INT",
-    "CURRENT_MODE",
+    "CURRENT_MODE", "CONTROL_STATUS",
 )  # fmt: skip
 CONSTANTS = (
     "MAV_COMP_ID_AUTOPILOT1", "MAV_TYPE_GCS", "MAV_TYPE_QUADROTOR", "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED",
@@ -33,7 +33,8 @@ CONSTANTS = (
     "MAV_FRAME_LOCAL_NED", "MAV_FRAME_LOCAL_OFFSET_NED", "MAV_FRAME_BODY_NED", "MAV_FRAME_BODY_OFFSET_NED",
     "MAV_FRAME_BODY_FRD", "POSITION_TARGET_TYPEMASK_AX_IGNORE", "POSITION_TARGET_TYPEMASK_AY_IGNORE",
     "POSITION_TARGET_TYPEMASK_AZ_IGNORE", "POSITION_TARGET_TYPEMASK_YAW_IGNORE",
-    "POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE",
+    "POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE", "GCS_CONTROL_STATUS_FLAGS_SYSTEM_MANAGER",
+    "GCS_CONTROL_STATUS_FLAGS_TAKEOVER_ALLOWED",
 )  # fmt: skip
 _C_TYPES = {
     "char": "char",
@@ -62,7 +63,8 @@ def declarations() -> str:
         for field, length in zip(definition.ordered_fieldnames, definition.array_lengths, strict=True):
             lines.append(f"    {_C_TYPES[types[field]]}{f'[{length}]' if length else ''} {field}")
         parts.append("\n".join(lines) + "\n")
-    constants = [f"    {name} = {getattr(common, name)}" for name in CONSTANTS]
+    numbers = vars(newer.dialect) | vars(common)
+    constants = [f"    {name} = {numbers[name]}" for name in CONSTANTS]
     return "\n".join([*parts, "cdef enum:", *constants, ""])
 
 

@@ -38,7 +38,9 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
     type=click.Choice(sorted(PEER_NAMES), case_sensitive=False),
     help="Only what this peer asks; may be given again.  [default: all]",
 )
-@click.option("--arm", is_flag=True, help="Also change the mode, arm and disarm. Take the propellers off first.")
+@click.option(
+    "--arm", is_flag=True, help="Also change the mode, arm and disarm, and take control. Propellers off first."
+)
 @click.option(
     "--wait", "within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
 )

@@ -16,6 +16,7 @@ from gcs.cli.check.asking import (
     requested,
     to_vehicle,
 )
+from gcs.cli.check.control import STATUS
 from gcs.cli.check.dialogue import CheckedVehicle, Question
 from gcs.cli.check.modes import MODES
 from gcs.cli.check.predicates import OK, always, answered, leaves_alone, refuses
@@ -128,6 +129,7 @@ CONNECT = [
         for name in ("PROTOCOL_VERSION", "COMPONENT_METADATA", "COMPONENT_INFORMATION")
     ),
     *MODES,
+    STATUS,
     Question(
         "unknown-command",
         "an unknown command is refused",

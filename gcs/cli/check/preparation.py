@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, command_long, commanded, to_vehicle
+from gcs.cli.check.control import CONTROL
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.modes import STANDARD_LAND
 from gcs.cli.check.predicates import OK, answered
@@ -85,4 +86,5 @@ PREPARATION = [
     _hold("hold-again", "SET_MODE (11) back to hold"),
     *_arming(True),
     *_arming(False),
+    *CONTROL,
 ]

@@ -146,6 +146,28 @@ def test_a_standard_mode_is_set_where_one_is_listed(standard: int, outcome: str)
     assert ((mav.MAV_CMD_DO_SET_STANDARD_MODE, 7.0) in asked) is (outcome == "ok")
 
 
+@pytest.mark.parametrize(
+    ("flags", "owner", "outcome"), [(3, 0, "ok"), (1, 255, "ok"), (0, 255, "wrong"), (None, 0, "ok")]
+)
+def test_operator_control_is_asked_of_a_vehicle_that_reports_its_owner(
+    flags: int | None, owner: int, outcome: str
+) -> None:
+    vehicle = Scripted()
+    status = mav.mavlink_map[512](flags or 0, owner, [0] * 10)
+
+    def answer(asked: Any) -> list[Any]:
+        if asked.command == mav.MAV_CMD_REQUEST_MESSAGE:
+            return [vehicle.ack(asked.command, 3)] if flags is None else [vehicle.ack(asked.command), status]
+        return [vehicle.ack(asked.command)]
+
+    vehicle.answers["COMMAND_LONG"] = answer
+    found = examine(vehicle, "control-status", "operator-control", "operator-control-released", arm=True)
+    assert found["control-status"].outcome == outcome
+    asked = [(one.param1, one.param4) for one in vehicle.asked if getattr(one, "command", 0) == 32100]
+    assert asked == ([] if flags is None else [(1.0, 255.0), (0.0, 255.0)])
+    assert (found["operator-control"].outcome == "skipped") is (flags is None)
+
+
 def test_a_request_that_is_accepted_but_not_met_is_wrong() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]

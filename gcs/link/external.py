@@ -17,6 +17,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from gcs.link.external_peer import ExternalPeer, PeerLink
 from gcs.link.keys import KeyRefused
+from gcs.link.lateness import TIMESYNC
 from gcs.link.link import Key, LinkState
 from gcs.link.open_address import OpenAddress, open_address, radio_in_words
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
@@ -213,6 +214,8 @@ class ExternalLink:
             to = link.address or link.opened.connection.to
             if to is not None:
                 sent += [link.opened.send(item, to) for item in items if link is peer.used or _is_for_all_links(item)]
+                if (question := link.trips.ask(self._sent_s)) is not None:
+                    sent.append(link.opened.send(question, to))
         return sent
 
     def collect(self) -> dict[Key, list[Frame]]:
@@ -307,12 +310,20 @@ class ExternalLink:
                 if frame.compid == AUTOPILOT and (peer.found if link is None else link.address is not None):
                     self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
                 continue
+            own = frame.compid == AUTOPILOT
+            boot_s = codec.fields(frame).time_boot_ms / 1e3 if own and frame.msgid in CLOCKS else None
+            text = peer.answered(link, frame, now_s) if own and frame.msgid == TIMESYNC else ""
+            if self._kept and boot_s is not None:
+                text = peer.judge(link, boot_s, self._now_s(), now_s)
+            if text:
+                self._changes.append((frame.sysid, text))
+            if link.late_s:
+                continue
             taken = peer.takes(frame, link, now_s)
             link.received_s, link.cut_off = now_s, False
             if self._kept and taken:
                 peer.frames.append(frame)
-                if frame.msgid in CLOCKS and frame.compid == AUTOPILOT:
-                    boot_s = codec.fields(frame).time_boot_ms / 1e3
+                if boot_s is not None:
                     rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
 

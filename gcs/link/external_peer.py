@@ -16,6 +16,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
+from gcs.link.lateness import LATE_S, SHORT_S, RoundTrips
 from gcs.link.link import Key, LinkState
 from gcs.link.open_address import OpenAddress
 from gcs.link.quality import LinkQuality
@@ -59,6 +60,11 @@ class PeerLink:
     matched: int = 0
     """how many of its frames in a row came over another link too"""
     matched_s: float = -math.inf
+    trips: RoundTrips = field(default_factory=RoundTrips)
+    late_s: float = 0.0
+    """how late what comes is; 0: in time"""
+    offset_s: float | None = None
+    """from the vehicle's time to the session's at the last short round trip"""
 
     def __post_init__(self) -> None:
         self.quality = LinkQuality(self.gaps)
@@ -87,6 +93,13 @@ class PeerLink:
             return True
         self.usual_s += SMOOTHING * (since_s - self.usual_s)
         return False
+
+    def find_late(self, late_s: float) -> str:
+        """Take note of how late it delivers, 0 for in time; words where it does or no longer does, else none."""
+        before_s, self.late_s = self.late_s, late_s
+        if late_s and not before_s:
+            return f"Delivers {late_s:.1f} s late over {self.connect}: nothing from there is taken until it is in time"
+        return f"Delivers in time again over {self.connect}" if before_s and not late_s else ""
 
     def compare(self, relation: Relation, now_s: float) -> None:
         """Take note of what another link brought with the same number."""
@@ -139,6 +152,22 @@ class ExternalPeer:
             return False
         seen.taken = True
         return True
+
+    def answered(self, link: PeerLink, frame: Frame, now_s: float) -> str:
+        """Take a TIMESYNC that came over one of its links; words as of `find_late`."""
+        link.trips.receive(frame, now_s)
+        takes_s = link.trips.takes_s(now_s)
+        if takes_s <= SHORT_S:
+            link.offset_s = self.clock.offset_s
+        return link.find_late(0.0) if takes_s < LATE_S else ""
+
+    def judge(self, link: PeerLink, boot_s: float, t_s: float, now_s: float) -> str:
+        """Judge by the autopilot's time in a message that came at `t_s` of the session whether the link delivers late;
+        words where that has changed, else none."""
+        offset_s = self.clock.offset_s if link.offset_s is None else link.offset_s
+        behind_s = 0.0 if offset_s is None else t_s - boot_s - offset_s
+        outrun = any(one is not link and one.fresh(now_s) for one in self.links)
+        return link.find_late(link.trips.late_s(behind_s, now_s, outrun=outrun))
 
     def choose(self, now_s: float) -> str:
         """Change to a better link where there is one; words about that, empty where it stays."""

@@ -24,7 +24,9 @@ from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS, BootClock
 from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
+from gcs.mavlink.services import vehicle_uid
 from gcs.scenario.external import External
 from skytender import mavlink as mav
 from skytender.signing import SignatureVerdict
@@ -36,6 +38,9 @@ MOST_UNKNOWN_SENDERS = 32
 UNKNOWN_READ = 256
 """Most datagrams of unknown senders that are looked into before anything else has its turn."""
 UNKNOWN_BYTES = 512
+MOST_UIDS = 1024
+UID_S = 1.0
+"""Two with one id have so long to say their uids."""
 CLAIM_S = 1.5
 """Time after a vehicle's first HEARTBEAT in which another sender may claim its id: a HEARTBEAT comes once a second."""
 MOVED_AFTER_S = 10.0
@@ -74,6 +79,10 @@ class ExternalLink:
         self.malformed = 0
         self._rebooted: set[int] = set()
         self._changes: list[tuple[int, str]] = []
+        self._uids: dict[tuple[int, Where], str] = {}
+        """of hardware, by system id and address"""
+        self._twins: dict[Key, tuple[Where, Where, float]] = {}
+        """vehicles with one id: the address that is kept, the other one, and since when both are asked for uids"""
         for sysid, external in expected.items():
             links = [PeerLink(self._opened(connect, external), connect) for connect in external.addresses]
             self._peers[sysid] = ExternalPeer((sysid, AUTOPILOT), links, links[0])
@@ -108,6 +117,22 @@ class ExternalLink:
     def signature_reasons(self) -> dict[int, SignatureVerdict]:
         """Why the last of them was refused."""
         return {sysid: why for opened in self._addresses.values() for sysid, why in opened.gate.reasons.items()}
+
+    def twin_sentence(self, key: Key) -> str | None:
+        """A sentence about a vehicle whose id another has, once both have said their uids or UID_S have passed."""
+        kept, other, since_s = self._twins[key]
+        uids = [self._uids.get((key[0], address)) for address in (other, kept)]
+        if None in uids and time.monotonic() - since_s < UID_S:
+            return None
+        named = [f"{address[0]}:{address[1]}" for address in (other, kept)]
+        return vehicle_uid.twins(key[0], *named, *[uid or "" for uid in uids])
+
+    def pop_twins(self) -> list[tuple[int, str]]:
+        """(system id, sentence) of vehicles whose id another has, each once."""
+        said = [(key, text) for key in self._twins if (text := self.twin_sentence(key)) is not None and self._kept]
+        for key, _ in said:
+            del self._twins[key]
+        return [(key[0], text) for key, text in said]
 
     def pop_moved(self) -> dict[Key, Where]:
         """Vehicles received from another address, after a silence, since the last call."""
@@ -304,11 +329,15 @@ class ExternalLink:
             if peer is None:
                 continue
             link = peer.link_of(opened)
+            if frame.msgid == vehicle_uid.VERSION and frame.compid == AUTOPILOT and len(self._uids) < MOST_UIDS:
+                self._uids[frame.sysid, address] = vehicle_uid.uid_of(codec.fields(frame))
             if link is not None and link.address != address and _is_autopilot(frame):
                 self._claim(peer.key, link, address, now_s)
             if link is None or link.address != address:
-                if frame.compid == AUTOPILOT and (peer.found if link is None else link.address is not None):
-                    self.refused.setdefault(peer.key, (str(address[0]), int(address[1])))
+                known = peer.found if link is None else link.address is not None
+                if known and frame.compid == AUTOPILOT and peer.key not in self.refused:
+                    self.refused[peer.key] = str(address[0]), int(address[1])
+                    self._ask_uids(peer, opened, address)
                 continue
             own = frame.compid == AUTOPILOT
             boot_s = codec.fields(frame).time_boot_ms / 1e3 if own and frame.msgid in CLOCKS else None
@@ -327,13 +356,23 @@ class ExternalLink:
                     rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
                     self._rebooted |= {frame.sysid} if rebooted else set()
 
+    def _ask_uids(self, peer: ExternalPeer, opened: OpenAddress, other: Where) -> None:
+        """Ask a vehicle, and another that has its id, for the uids of their hardware."""
+        known = next(link for link in peer.links if link.address is not None)
+        assert known.address is not None
+        self._twins[peer.key] = known.address, other, time.monotonic()
+        for at, address in ((known.opened, known.address), (opened, other)):
+            at.send(CommandLong(CommandTarget(*peer.key), *vehicle_uid.ASKED).message(0), address)
+
     def _claim(self, key: Key, link: PeerLink, address: Where, now_s: float) -> None:
         """A new address claims to be this vehicle."""
         silent_s = MOVED_SIGNED_S if link.opened.gate.has_key else MOVED_AFTER_S
         if link.address is None:
             link.found_s = now_s
         elif not self._kept and not link.cut_off:
-            self.rivals.setdefault(key, (link.address, address))
+            if key not in self.rivals:
+                self.rivals[key] = link.address, address
+                self._ask_uids(self._peers[key[0]], link.opened, address)
             return
         elif now_s - link.received_s < silent_s and not link.cut_off:
             return

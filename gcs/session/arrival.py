@@ -42,7 +42,7 @@ def arriving(
     booting = [vehicle.sysid for vehicle in scenario.vehicles.all if vehicle.real is not None]
     arrivals, began_s = Arrivals(labels, scenario.vehicles.external, booting), time.monotonic()
     missing: set[int] | None = None
-    while missing is None or missing or not (external is None or external.settled):
+    while missing is None or missing or not (external is None or (external.settled and not external.rivals)):
         missing = {sysid for sysid, _ in link.listen(WATCH_EVERY_S)}
         waited_s = time.monotonic() - began_s
         seen = external.waits() if external is not None else {}
@@ -59,9 +59,13 @@ def arriving(
 
 def _refuse_rivals(scenario: Scenario, labels: Mapping[int, str], external: ExternalLink) -> None:
     """Nothing flies while two say that they are one vehicle: the wrong one would be believed."""
-    for (sysid, _), (one, other) in external.rivals.items():
+    for key, (one, other) in external.rivals.items():
+        sysid, said = key[0], external.twin_sentence(key)
+        if said is None:
+            continue
+        uids = f" ({words})" if (words := said.partition("; ")[2]) else ""
         at = scenario.vehicles.external[sysid].where
         raise SessionFailed(
-            f"two say that they are {labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}: "
+            f"two say that they are {labels[sysid]} at {at}, {one[0]}:{one[1]} and {other[0]}:{other[1]}{uids}: "
             "end the one that is not, or let the vehicle sign (signing.key_file)"
         )

@@ -27,7 +27,8 @@ class LinkNotices:
 
     def poll(self, now_s: float, *, begun: bool) -> Iterator[Notice]:
         """Notices since the last call, at `now_s` of the monotonic clock; `begun`: the session's clock runs."""
-        for key in self._link.refused.keys() - self._reported:
+        external = self._external.refused.keys() if self._external is not None else ()
+        for key in self._link.refused.keys() - self._reported - set(external):
             self._reported.add(key)
             host, port = self._link.refused[key]
             yield key[0], "warning", f"Another vehicle says that it is {key[0]}, from {host}:{port}: ignored"
@@ -40,7 +41,7 @@ class LinkNotices:
     def _of_externals(self, link: ExternalLink, now_s: float, *, begun: bool) -> Iterator[Notice]:
         for (sysid, _), address in link.pop_moved().items():
             yield sysid, "warning", f"Heard from {address[0]}:{address[1]} now, after a silence"
-        for sysid, text in link.pop_changes():
+        for sysid, text in [*link.pop_twins(), *link.pop_changes()]:
             yield sysid, "warning", text
         for connect, problem in link.pop_problems() if begun else ():
             text = f"{connect} is lost: {problem}" if problem else f"{connect} is there again"

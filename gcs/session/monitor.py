@@ -22,7 +22,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import sequence_numbers
-from gcs.mavlink.services import standard_modes
+from gcs.mavlink.services import standard_modes, vehicle_uid
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.messages import reply_message
@@ -66,6 +66,7 @@ class MonitorSource:
         self._peers: dict[tuple[int, int], tuple[Where, float]] = {}
         """where components of vehicles speak from, and when they did last"""
         self._refused: set[tuple[int, Where]] = set()
+        self._uids: dict[tuple[int, Where], str] = {}
         self._queues: dict[int, CommandQueue] = {}
         self._silent_vehicles = SilentVehicles()
         self._modes = standard_modes.ModeRequests()
@@ -127,6 +128,8 @@ class MonitorSource:
 
     def _receive(self, frame: Frame, peer: Where, t_s: float) -> None:
         observer, sender = self._observer, (frame.sysid, frame.compid)
+        if frame.msgid == vehicle_uid.VERSION and len(self._uids) < MOST_REFUSED:
+            self._uids[frame.sysid, peer] = vehicle_uid.uid_of(codec.fields(frame))
         known = self._peers.get(sender)
         if known is not None and known[0] != peer and t_s - known[1] < GONE_S:
             # A camera or a companion has a port of its own, or two: only a second autopilot is another vehicle.
@@ -150,7 +153,9 @@ class MonitorSource:
     def _refuse(self, sysid: int, peer: Where, t_s: float) -> None:
         if len(self._refused) < MOST_REFUSED:
             self._refused.add((sysid, peer))
-            text = f"Another vehicle says that it is {sysid}, from {peer[0]}:{peer[1]}: ignored"
+            places = [peer, self._peers[self._autopilot(sysid)][0]]
+            uids = [self._uids.get((sysid, place), "") for place in places]
+            text = vehicle_uid.twins(sysid, *[f"{place[0]}:{place[1]}" for place in places], *uids)
             self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
 
     def _report_silent(self, t_s: float) -> None:

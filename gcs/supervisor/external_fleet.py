@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
 
+from gcs.mavlink import codec
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_in_words
-from gcs.mavlink.services import standard_modes
+from gcs.mavlink.services import standard_modes, vehicle_uid
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
@@ -38,7 +39,9 @@ BEHIND_S = 2.0
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
-ENDING, MODES = "end", "modes"
+ENDING, MODES, UID = "end", "modes", "uid"
+UID_EVERY_S, UID_TIMES = 1.0, 3
+"""A vehicle is asked so often for its uid: behind one address another may have its id, whose answer may be lost."""
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
 _DISARM = (int(mav.MAV_CMD_COMPONENT_ARM_DISARM), (0.0,))
 
@@ -67,6 +70,10 @@ class ExternalFleet:
         self._events: list[Event] = []
         self._now_s = 0.0
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
+        self._uids: dict[int, dict[str, None]] = {sysid: {} for sysid in scenario.vehicles.external}
+        self._uids_asked = dict.fromkeys(self._uids, 0)
+        self.ambiguous: dict[int, str] = {}
+        """why vehicles are not to be armed: what is sent to them reaches another one too"""
         self._offset_s: dict[int, float] = {}
         """from each one's own time to the session's, as last reported"""
 
@@ -86,6 +93,7 @@ class ExternalFleet:
         for sysid in rebooted:
             self.streams[sysid].restart()
             self._offset_s.pop(sysid, None)
+            self._uids.get(sysid, {}).clear()
             self._note(sysid, "warning", "Its clock has begun anew: it has booted")
         for sysid, streams in self.streams.items():
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
@@ -94,6 +102,7 @@ class ExternalFleet:
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
             self._events += self.control.receive(sysid, own, now_s)
+            self._compare_uids(sysid, own)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -107,6 +116,17 @@ class ExternalFleet:
                 self._note(
                     sysid, "critical", f"No telemetry for {LOST_S:.0f} s: it is counted as lost until it is heard"
                 )
+
+    def _compare_uids(self, sysid: int, frames: Iterable[Frame]) -> None:
+        """Notice two vehicles with one id behind one address."""
+        uids = self._uids.get(sysid, {})
+        for frame in frames:
+            if frame.msgid == vehicle_uid.VERSION and (uid := vehicle_uid.uid_of(codec.fields(frame))):
+                uids[uid] = None
+        if len(uids) > 1 and sysid not in self.ambiguous:
+            text = f"Two vehicles say that they are {sysid}, both at {self.rules[sysid].where}, with the uids "
+            self.ambiguous[sysid] = text + f"{' and '.join(uids)}: it is not armed, for both would fly"
+            self._note(sysid, "critical", self.ambiguous[sysid])
 
     def _watch_pace(self, sysid: int, offset_s: float) -> None:
         if self._speed == 1.0:
@@ -138,6 +158,10 @@ class ExternalFleet:
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
             messages[sysid] += self._estimators.requests(sysid, view.profile, now_s)
+            times = self._uids_asked.get(sysid, UID_TIMES)
+            if times < UID_TIMES and now_s >= UID_EVERY_S * times:
+                self._uids_asked[sysid] = times + 1
+                commands.append(CommandRequest(sysid, *vehicle_uid.ASKED, UID))
             requests, answers = self.control.decide(sysid, now_s, released=sysid in released)
             commands += requests
             messages[sysid] += answers
@@ -184,7 +208,7 @@ class ExternalFleet:
         if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
             return True
-        if token in (MODES, CONTROL):
+        if token in (MODES, CONTROL, UID):
             return True
         if token == ENDING:
             self._answers[sysid] = _answer(result)

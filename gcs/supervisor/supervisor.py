@@ -448,7 +448,8 @@ class Supervisor:
             self.command_queue.put(sysid, messages)
         for sysid in under_way:
             arming = self.arming[sysid]
-            arming.checked, arming.unfit = self.preflight.ended(sysid), self.preflight.failed(sysid)
+            arming.checked = self.preflight.ended(sysid)
+            arming.unfit = self.externals.ambiguous.get(sysid) or self.preflight.failed(sysid)
         self.events += self.preflight.pop_events()
 
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
@@ -496,6 +497,8 @@ class Supervisor:
         for sysid, requests in messages.items():
             self.command_queue.put(sysid, requests)
         self.command_queue.ask(commands, snapshot.time_s)
+        for sysid, why in self.externals.ambiguous.items():
+            self.arming[sysid].unfit = why
         self.events += self.externals.pop_events()
 
     def _plan(

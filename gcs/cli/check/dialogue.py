@@ -15,6 +15,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import Profile, profile_of
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
+from gcs.mavlink.services import vehicle_uid
 from gcs.mavlink.statustext import chunk_of, recorded
 from skytender import mavlink as mav
 
@@ -66,6 +67,8 @@ class CheckedVehicle:
     arrivals_s: dict[str, list[float]] = field(default_factory=dict)
     parameters: dict[str, Any] = field(default_factory=dict)
     """PARAM_VALUE's fields by name"""
+    uids: dict[str, set[str]] = field(default_factory=dict)
+    """uids of hardware that its id comes with, by address; empty ones are not said"""
     modes: dict[int, Any] = field(default_factory=dict)
     """AVAILABLE_MODES' fields by mode_index"""
     neighbours: dict[int, str] = field(default_factory=dict)
@@ -203,8 +206,8 @@ class Dialogue:
         """Whether every question has its finding."""
         return not self._left
 
-    def receive(self, frame: Frame, now_s: float) -> None:
-        """Take in one frame that came."""
+    def receive(self, frame: Frame, now_s: float, at: str = "") -> None:
+        """Take in one frame that came, from the address `at`."""
         name = codec.name(frame.msgid)
         content: Any
         try:
@@ -222,6 +225,9 @@ class Dialogue:
             self.vehicle.neighbours.setdefault(frame.sysid, command_name(content.command))
         if (frame.sysid, frame.compid) != (self.vehicle.sysid, self.vehicle.compid):
             return
+        uids = self.vehicle.uids.setdefault(at, set())
+        if frame.msgid == vehicle_uid.VERSION:
+            uids.add(vehicle_uid.uid_of(content))
         received = ReceivedMessage(name, content, now_s)
         self.vehicle.receive(received)
         self._received.append(received)

@@ -66,6 +66,19 @@ def _alone(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
     return Verdict("wrong", f"acknowledged too by {others}")
 
 
+def _twin(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
+    if len(vehicle.uids) <= 1 and all(len(uids) <= 1 for uids in vehicle.uids.values()):
+        return OK
+    said = [f"{at} (uid {' and '.join(sorted(filter(None, uids))) or 'not said'})" for at, uids in vehicle.uids.items()]
+    return Verdict("wrong", f"its system id comes from {' and from '.join(said)}")
+
+
+TWIN = judged(
+    "twin",
+    "its system id from one address, with one uid",
+    dict.fromkeys((MAVSDK, QGC, MAVPROXY), "takes two vehicles for one, and commands both"),
+    _twin,
+)
 ALONE = judged(
     "neighbours",
     "no other vehicle behind this address obeyed its commands",

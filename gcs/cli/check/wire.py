@@ -55,13 +55,13 @@ class Wire:
         self._numbers = sequence_numbers()
         self._peers: dict[int, Where] = {}
 
-    def receive(self, wait_s: float) -> list[codec.Frame]:
-        """The frames that have come, waiting at most so long for the first."""
+    def receive(self, wait_s: float) -> list[tuple[codec.Frame, str]]:
+        """The frames that have come, with their addresses, waiting at most so long for the first."""
         self.listener.wait(wait_s)
-        received: list[codec.Frame] = []
+        received: list[tuple[codec.Frame, str]] = []
         for frames, sender in self.listener.receive():
             self._peers.update((frame.sysid, sender) for frame in frames)
-            received += frames
+            received += [(frame, f"{sender[0]}:{sender[1]}") for frame in frames]
         return received
 
     def send(self, messages: Sequence[codec.Message], sysid: int | None, *, unsigned: bool = False) -> None:
@@ -92,8 +92,8 @@ def check(
     while not dialogue.done:
         frames = wire.receive(POLL_S)
         now_s = clock.advance(time.monotonic())
-        for frame in frames:
-            dialogue.receive(frame, now_s)
+        for frame, at in frames:
+            dialogue.receive(frame, now_s, at)
         vehicle = dialogue.vehicle
         if vehicle is None and now_s > find_within_s:
             reasons = ", ".join(sorted(set(wire.listener.gate.reasons.values())))

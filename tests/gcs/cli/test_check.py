@@ -168,6 +168,31 @@ def test_operator_control_is_asked_of_a_vehicle_that_reports_its_owner(
     assert (found["operator-control"].outcome == "skipped") is (flags is None)
 
 
+@pytest.mark.parametrize(
+    ("seen", "text"),
+    [
+        ({"a": 0xA1}, ""),
+        ({"a": None}, ""),
+        ({"a": 0xA1, "b": 0xB2}, "its system id comes from a (uid a1) and from b (uid b2)"),
+        ({"a": 0xA1, "b": None}, "its system id comes from a (uid a1) and from b (uid not said)"),
+    ],
+)
+def test_a_system_id_from_two_addresses_is_named_with_both_and_their_uids(
+    seen: dict[str, int | None], text: str
+) -> None:
+    vehicle = Scripted()
+    dialogue = Dialogue([q for q in questions() if q.key == "twin"])
+    for at, uid in seen.items():
+        dialogue.receive(vehicle.frame(vehicle.heartbeat()), 0.0, at)
+        if uid is not None:
+            version = mav.MAVLink_autopilot_version_message(0, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, uid)
+            dialogue.receive(vehicle.frame(version), 0.0, at)
+    for k in range(3):
+        dialogue.poll(0.1 * k)
+    (finding,) = dialogue.findings
+    assert (finding.outcome, finding.text) == ("wrong" if text else "ok", text)
+
+
 def test_a_request_that_is_accepted_but_not_met_is_wrong() -> None:
     vehicle = Scripted()
     vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command)]

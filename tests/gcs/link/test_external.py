@@ -191,6 +191,51 @@ def test_a_second_vehicle_with_the_same_id_is_reported_and_refused(stand: Any) -
     assert link.collect() == {KEYS[1]: []}
 
 
+def version(uid: int, uid2: bytes = b"") -> Any:
+    return mav.MAVLink_autopilot_version_message(
+        0, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, uid, uid2.ljust(18, b"\0")
+    )
+
+
+@pytest.mark.parametrize(
+    ("kept", "other", "words"),
+    [
+        (version(0xA1), version(0xB2), "; their uids are b2 and a1"),
+        (version(1, b"\x01\x02"), version(1, b"\x01\x03"), f"; their uids are {'0103'.ljust(36, '0')} and"),
+        (version(0xA1), version(0xA1), "; both have the uid a1, as one vehicle that comes two ways has"),
+        (version(0xA1), None, "; their uids are not said and a1"),
+        (None, None, "is kept"),
+    ],
+)
+def test_twins_are_asked_for_their_uids_and_named_with_both_addresses(
+    stand: Any, monkeypatch: pytest.MonkeyPatch, kept: Any, other: Any, words: str
+) -> None:
+    if kept is None or other is None:
+        monkeypatch.setattr(external, "UID_S", 0.3)
+    link, port = udpin(1)
+    stand(link)
+    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    twin.say(port, twin.heartbeat())
+    until(link, lambda: bool(link.refused))
+    assert link.pop_twins() == []
+    for vehicle, answer in ((one, kept), (twin, other)):
+        (asked,) = vehicle.hear(1)
+        assert (asked.get_type(), asked.command, asked.param1) == ("COMMAND_LONG", mav.MAV_CMD_REQUEST_MESSAGE, 148.0)
+        if answer is not None:
+            vehicle.say(port, vehicle.packed(answer))
+    said: list[tuple[int, str]] = []
+    until(link, lambda: said.extend(link.pop_twins()) or said)
+    ((sysid, text),) = said
+    places = f"from 127.0.0.1:{twin.port}: ignored, the one at 127.0.0.1:{one.port} is kept"
+    assert sysid == 1
+    assert text.startswith(f"Another vehicle says that it is 1, {places}")
+    assert words in text
+    assert text.endswith("is kept") is (kept is other)
+
+
 def test_console_text_before_the_first_frame_is_passed_over_and_broken_frames_after_it_are_counted(stand: Any) -> None:
     link, port = udpin(1)
     stand(link)
@@ -326,7 +371,7 @@ def test_a_vehicle_that_was_silent_may_go_on_from_another_address(stand: Any, mo
     until(link, lambda: bool(link._moved))
     assert link.pop_moved() == {KEYS[1]: ("127.0.0.1", again.port)}
     link.grant(KEYS[1], [codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)], [])
-    assert again.hear(1)[0].get_type() == "PING"
+    assert [one.get_type() for one in again.hear(2)] == ["COMMAND_LONG", "PING"]  # at first it was asked for its uid
 
 
 def test_of_a_flood_of_strangers_little_is_read_and_the_vehicle_is_heard(

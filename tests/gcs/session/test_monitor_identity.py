@@ -82,9 +82,9 @@ def test_every_component_may_have_a_port_of_its_own_and_only_a_second_autopilot_
             select.select([source], [], [], 1.0)
             NOW["s"] += 0.2
             said += source.receive()
-        port = twin.socket.getsockname()[1]
+        port, kept = twin.socket.getsockname()[1], autopilot.socket.getsockname()[1]
     assert [text for text in events(said) if "that it is" in text] == [
-        f"Another vehicle says that it is 1, from 127.0.0.1:{port}: ignored"
+        f"Another vehicle says that it is 1, from 127.0.0.1:{port}: ignored, the one at 127.0.0.1:{kept} is kept"
     ]
     (row,) = said[-1]["vehicles"]
     assert row["heading_rad"] == pytest.approx(0.5)

@@ -38,7 +38,7 @@ class Tower:
 
     def decide(self, now_s: float) -> dict[str, int]:
         wishes, _ = self.externals.decide(self.fleet.snapshot(now_s))
-        return {wish.token: wish.command for wish in wishes}
+        return {wish.token: wish.command for wish in wishes if wish.token != "uid"}
 
     def said(self) -> list[tuple[str, str]]:
         return [(event.level, event.text) for event in self.externals.pop_events()]
@@ -272,3 +272,34 @@ def test_a_vehicle_with_numbers_of_its_own_ends_in_the_standard_mode_that_it_lis
     px4.hear(0.1, available(1, 4 << 16 | 5 << 24, standard=5), available(2, 4 << 16 | 6 << 24, standard=7))
     ((command, _),) = px4.end(Stage.FLY)
     assert command == {"return": mav.MAV_CMD_NAV_RETURN_TO_LAUNCH, "land": mav.MAV_CMD_NAV_LAND}[end]
+
+
+def version(uid: int) -> Any:
+    return mav.MAVLink_autopilot_version_message(0, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, uid)
+
+
+def test_two_vehicles_with_one_id_behind_one_address_are_not_armed_and_named_by_their_uids() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), version(0xA1), version(0xA1))
+    assert tower.externals.ambiguous == {}
+    tower.hear(0.1, version(0xB2))
+    tower.hear(0.2, version(0xA1))
+    ((level, said),) = tower.said()
+    assert level == "critical"
+    assert said == tower.externals.ambiguous[3]
+    assert said.startswith("Two vehicles say that they are 3, both at udpin:127.0.0.1:14550, with the uids a1 and b2")
+
+
+def test_another_uid_after_a_reboot_and_none_at_all_are_no_twin() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), version(0xA1), version(0))
+    tower.hear(5.0, heartbeat(), rebooted=(3,))
+    tower.hear(5.1, version(0xB2))
+    assert tower.externals.ambiguous == {}
+
+
+def test_a_vehicle_is_asked_for_its_uid_three_times() -> None:
+    tower = Tower()
+    tower.hear(0.0, heartbeat())
+    asked = [wish for k in range(80) for wish in tower.externals.decide(tower.fleet.snapshot(0.1 * k))[0]]
+    assert [(one.command, one.params) for one in asked if one.token == "uid"] == [(512, (148.0,))] * 3

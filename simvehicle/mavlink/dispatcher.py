@@ -27,6 +27,7 @@ from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.rules import FleetRules
 from simvehicle.mavlink import (
     commands,
+    component_metadata,
     file_protocol,
     flight_commands,
     log_protocol,
@@ -105,7 +106,7 @@ class Services:
         self._context = ServiceContext(vehicle, sysid, self.connections, store)
         self._planning = missions.Planning(self._context)
         self._logs = log_protocol.LogService(log)
-        self._files = file_protocol.FileService(log)
+        self._files = file_protocol.FileService(log, lambda path: component_metadata.content_of(vehicle, path))
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
@@ -224,17 +225,24 @@ class Services:
             compiled = cython.declare(Connection, connection)
             compiled.put_due(vehicle)
         if at_work:
-            self._logs.report()
-            self._files.report()
-            self._at_work = self._reboot.at_work or self._planning.at_work or self._logs.at_work or self._files.at_work
+            self._at_work = self._reboot.at_work or self._planning.at_work
+            for service in (self._context.events, self._logs, self._files):
+                service.report()
+                self._at_work = self._at_work or service.at_work
 
     def _announce(self) -> None:
         """Queue what the vehicle has to say, for everyone."""
+        events = self._context.events
         for severity, text in self.vehicle.announcements:
             self._long_texts += len(as_bytes(text)) > TEXT_BYTES
-            for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
-                for connection in self.connections:
+            event = events.take(severity, text)
+            for connection in self.connections:
+                both = event is not None and events.reaches(connection)
+                words = f"{text}\t" if both else text
+                for content in _status_texts(_SEVERITY[severity], words, self._long_texts):
                     connection.put(content)
+                if both:
+                    connection.put(event)
         self.vehicle.announcements.clear()
 
     def _counts_fast(self) -> bool:

@@ -14,6 +14,7 @@ from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.estimators import Estimators
+from gcs.supervisor.external_events import METADATA, ExternalEvents
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -50,6 +51,7 @@ class ExternalFleet:
         """how much longer than others their fleets wait until they are in the air"""
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self._estimators = Estimators(scenario)
+        self._own_events = ExternalEvents(scenario)
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -88,6 +90,8 @@ class ExternalFleet:
                 streams.received(frame.msgid, now_s)
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
+            fleet.statustexts += self._own_events.receive(sysid, own, now_s)
+            self._events += self._own_events.losses(sysid, now_s)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -129,6 +133,8 @@ class ExternalFleet:
             known = view.origin_offset_ned is not None
             asks, messages[sysid] = streams.poll(now_s, origin_known=known)
             messages[sysid] += self._estimators.requests(sysid, view.profile, now_s)
+            messages[sysid] += self._own_events.requests(sysid, now_s)
+            commands += self._own_events.commands(view, now_s)
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
@@ -167,6 +173,8 @@ class ExternalFleet:
             return False
         if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
+            return True
+        if token == METADATA:
             return True
         if token == ENDING:
             self._answers[sysid] = _answer(result)

@@ -110,13 +110,14 @@ def decoded(content: bytes, kind: Any, path: str) -> Any:
 class MetadataClient:
     """The dialogue with one vehicle's component about files of these COMP_METADATA_TYPEs, or all that it has."""
 
-    def __init__(self, sysid: int, compid: int, wanted: Collection[int] | None = None) -> None:
+    def __init__(self, sysid: int, compid: int, wanted: Collection[int] | None = None, *, asks: bool = True) -> None:
+        """`asks`: it asks for COMPONENT_METADATA itself; else it waits for it."""
         self.sysid, self.compid = sysid, compid
         self.files: dict[int, bytes] = {}
         """content of each that came, unpacked, by COMP_METADATA_TYPE"""
         self.problem = ""
         """why there is none, or why one did not come, in words"""
-        self._wanted = wanted
+        self._wanted, self._asks = wanted, asks
         self._requests = FileRequests(sysid, compid)
         self._open: FileClient | None = None
         self._open_kind: int = mav.COMP_METADATA_TYPE_GENERAL
@@ -139,7 +140,7 @@ class MetadataClient:
             self._open.receive(name, content, now_s)
         elif name == "COMPONENT_METADATA":
             self._fetch(_NamedFile(mav.COMP_METADATA_TYPE_GENERAL, content.uri, content.file_crc))
-        elif name == "COMMAND_ACK" and self._is_refusal(content):
+        elif name == "COMMAND_ACK" and self._asks and self._is_refusal(content):
             self._end(f"it has no metadata ({result_name(content.result)})")
 
     def poll(self, now_s: float) -> list[Message]:
@@ -147,7 +148,7 @@ class MetadataClient:
         if self.done:
             return []
         if self._open is None:
-            return self._ask(now_s)
+            return self._ask(now_s) if self._asks else []
         messages = self._open.poll(now_s)
         if self._open.done:
             self._take(self._open)

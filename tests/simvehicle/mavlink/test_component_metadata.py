@@ -11,6 +11,7 @@ from typing import Any
 
 import jsonschema
 import pytest
+from metadata_vehicle import crc32
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.parameters import TABLE
@@ -20,16 +21,6 @@ SCHEMAS = json.loads((Path(__file__).parents[2] / "support" / "metadata_schemas.
 COMPONENT_METADATA = 397
 PARAMETER, EVENTS = 1, 4
 SPEED = {"m/s": "MPC_XY_CRUISE", "s": "COM_DL_LOSS_T", "J": "SIM_BAT_CAP_J", "deg": "MPC_TILTMAX_AIR"}
-
-
-def crc32(content: bytes) -> int:
-    """As PX4's generate_crc.py counts it, bit by bit."""
-    crc = 0
-    for byte in content:
-        crc ^= byte
-        for _ in range(8):
-            crc = crc >> 1 ^ (0xEDB88320 if crc & 1 else 0)
-    return crc
 
 
 def fetched(bench: Any, uri: str) -> bytes:

@@ -27,7 +27,7 @@ def questions(
     """Questions of these peers, in order; with `arm` also what changes the mode, arms and disarms. `ready_within_s`:
     at first wait so long until it could be armed. `now_unix_s`: with the clock that its own is compared with.
     `signed`: over a link with a key."""
-    services = [metadata(), LOGS, *([clock(now_unix_s)] if now_unix_s is not None else ()), signing(signed=signed)]
+    services = [*metadata(), LOGS, *([clock(now_unix_s)] if now_unix_s is not None else ()), signing(signed=signed)]
     everything = [
         *PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *services, *(PREPARATION if arm else ()), *AT_LAST, ALONE,
     ]  # fmt: skip

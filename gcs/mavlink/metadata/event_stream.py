@@ -63,9 +63,10 @@ class EventStream:
             return []
         if self._tries >= TRIES:
             self._skip(1)
-            return self.poll(now_s) if not self._waiting else []
-        self._tries, self._due_s = self._tries + 1, now_s + REPEAT_S
         missing = (self._last + 1) % _COUNT
+        if not self._ahead or missing in self._waiting:  # it is handed out with the next message
+            return []
+        self._tries, self._due_s = self._tries + 1, now_s + REPEAT_S
         return [codec.message("REQUEST_EVENT", **self._to, first_sequence=missing, last_sequence=missing)]
 
     def _beyond(self, sequence: int) -> int:

@@ -17,6 +17,7 @@ from gcs.supervisor.estimators import Estimators
 from gcs.supervisor.external_events import METADATA, ExternalEvents
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
+from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -52,6 +53,7 @@ class ExternalFleet:
         self.streams = {sysid: StreamRequests(sysid, wanted) for sysid in self.rules}
         self._estimators = Estimators(scenario)
         self._own_events = ExternalEvents(scenario)
+        self._remote_ids = RemoteIds()
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -88,6 +90,8 @@ class ExternalFleet:
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
                 streams.received(frame.msgid, now_s)
+                if (remote_id := self._remote_ids.receive(frame)) is not None:
+                    fleet.statustexts.append((sysid, *remote_id))
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
             fleet.statustexts += self._own_events.receive(sysid, own, now_s)

@@ -116,6 +116,7 @@ TABLE: tuple[ParameterRow, ...] = (
     ParameterRow("SYS_FAILURE_EN", 0, 1, 0, "1 lets MAV_CMD_INJECT_FAILURE make things fail", whole=True),
 )
 ALONE: tuple[ParameterRow, ...] = (
+    ParameterRow("DID_ENABLE", 0, 1, 0, "1: send Remote ID, the Open Drone ID messages", whole=True),
     ParameterRow("RTL_LAND_DELAY", 0.0, 300.0, 0.0, "s over home, as high as it returned, before the vehicle lands"),
 )
 """Rows behind the table's, of a vehicle that no session has launched: a launched one returns by its fleet's

@@ -43,6 +43,7 @@ from simvehicle.mavlink.commands import TEMPORARILY_REJECTED, UNSUPPORTED
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 from simvehicle.mavlink.fleet_messages import FleetService
+from simvehicle.mavlink.remote_id import RemoteIdService
 from skytender import mavlink as mav
 
 TRANSFER_RATE_HZ = 10.0
@@ -80,6 +81,7 @@ class Services:
     _planning: missions.Planning
     _logs: log_protocol.LogService
     _files: file_protocol.FileService
+    _remote_id: RemoteIdService
     _reboot: maintenance.Reboot
     _commands: dict[int, CommandHandler]
     _follow_rate_hz: float
@@ -107,6 +109,7 @@ class Services:
         self._planning = missions.Planning(self._context)
         self._logs = log_protocol.LogService(log)
         self._files = file_protocol.FileService(log, lambda path: component_metadata.content_of(vehicle, path))
+        self._remote_id = RemoteIdService(vehicle, sysid, self.connections)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
         self.fleet = None if rules is None else FleetService(vehicle, sysid, rules)
@@ -226,7 +229,7 @@ class Services:
             compiled.put_due(vehicle)
         if at_work:
             self._at_work = self._reboot.at_work or self._planning.at_work
-            for service in (self._context.events, self._logs, self._files):
+            for service in (self._context.events, self._logs, self._files, self._remote_id):
                 service.report()
                 self._at_work = self._at_work or service.at_work
 

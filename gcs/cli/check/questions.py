@@ -13,6 +13,7 @@ from gcs.cli.check.parameters import PARAMETERS
 from gcs.cli.check.preparation import PREPARATION
 from gcs.cli.check.presence import AT_LAST, PRESENCE
 from gcs.cli.check.readiness import readiness
+from gcs.cli.check.remote_id import REMOTE_ID
 from gcs.cli.check.services import ALONE, LOGS, clock, signing
 
 
@@ -29,7 +30,8 @@ def questions(
     `signed`: over a link with a key."""
     services = [*metadata(), LOGS, *([clock(now_unix_s)] if now_unix_s is not None else ()), signing(signed=signed)]
     everything = [
-        *PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *services, *(PREPARATION if arm else ()), *AT_LAST, ALONE,
+        *PRESENCE, *CONNECT, *PARAMETERS, *MISSIONS, *services, *(PREPARATION if arm else ()), *AT_LAST, REMOTE_ID,
+        ALONE,
     ]  # fmt: skip
     ready = [] if ready_within_s is None else [readiness(ready_within_s)]
     return ready + [q for q in everything if set(q.misses) & set(peers) or q.key == "heartbeat"]

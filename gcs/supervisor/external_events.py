@@ -20,6 +20,7 @@ from skytender import mavlink as mav
 
 ASK_AFTER_S = 5.0
 """By then a session has asked for what it needs itself."""
+SAY_EVERY_S = 10.0
 METADATA = "metadata"
 """Token of the command."""
 _IDS = frozenset(map(codec.msgid, NAMES))
@@ -34,6 +35,7 @@ class ExternalEvents:
         self._asked: set[int] = set()
         """which were asked for COMPONENT_METADATA"""
         self._lost = dict.fromkeys(self._reported, 0)
+        self._said_s: dict[int, float] = {}
 
     def receive(self, sysid: int, frames: Iterable[Frame], now_s: float) -> list[tuple[int, int, str]]:
         """Take an autopilot's frames; (system id, MAV_SEVERITY, text) of each event."""
@@ -65,7 +67,8 @@ class ExternalEvents:
         """Event that says how many of a vehicle's were lost since the last call."""
         reported = self._reported.get(sysid)
         lost = 0 if reported is None else reported.lost - self._lost[sysid]
-        if not lost:
+        if not lost or now_s < self._said_s.get(sysid, -SAY_EVERY_S) + SAY_EVERY_S:
             return []
         self._lost[sysid] += lost
+        self._said_s[sysid] = now_s
         return [Event(now_s, sysid, "warning", f"{lost} of its events did not arrive, nor when asked for", "link")]

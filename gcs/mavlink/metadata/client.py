@@ -71,7 +71,8 @@ class ParameterMeaning(msgspec.Struct, rename="camel"):
             "" if self.default is None else f"default {self.default:g}",
             "after a reboot" if self.reboot_required else "",
         ]
-        return "  ".join(part for part in parts if part)
+        line = "  ".join(part for part in parts if part)
+        return "".join(letter if letter.isprintable() else " " for letter in line)
 
 
 class _Parameters(msgspec.Struct):

@@ -24,6 +24,8 @@ _BASE = {
 _UNITS = {"m_v": " m", "C": " °C"}
 _PROFILE = re.compile(r'<profile name="(!?)([^"]*)">(.*?)</profile>', re.DOTALL)
 _PART = re.compile(r"\\(.)|</?[a-z][^>]*>|\{(\d+)(?::(?:\.(\d))?)?(m|m_v|m/s|m\^2|C)?\}", re.DOTALL)
+MOST_CHARACTERS = 500
+"""Of a message, and of the text that is made of it; libevents' schema has 120 for the first."""
 PROFILE = "normal"
 """Users' profile: what is for developers alone is left out."""
 
@@ -127,8 +129,8 @@ def _filled(message: str, values: list[str | float]) -> str:
         text = value if isinstance(value, str) else f"{value:.{digits}f}" if digits else _plain(value)
         return text + ("" if unit is None else _UNITS.get(unit, f" {unit}"))
 
-    message = _PROFILE.sub(lambda m: m[3] if (m[2] == PROFILE) != bool(m[1]) else "", message)
-    return _PART.sub(shown, message).strip()
+    message = _PROFILE.sub(lambda m: m[3] if (m[2] == PROFILE) != bool(m[1]) else "", message[:MOST_CHARACTERS])
+    return _PART.sub(shown, message).strip()[:MOST_CHARACTERS]
 
 
 def _plain(value: float) -> str:

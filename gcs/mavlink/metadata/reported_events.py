@@ -16,6 +16,8 @@ from gcs.mavlink.metadata.event_stream import EventStream
 from gcs.mavlink.metadata.event_words import EventDefinitions, EventWords
 
 MOST_WAITING = 64
+MOST_PARTS, MOST_CHECKS = 8, 32
+"""Of a report on what stands against arming; more are not kept."""
 LEAST_SEVERE = 7
 """Debug; beyond it stand events of protocols, and those that are disabled."""
 CHECKS = ("arming_check", "health")
@@ -78,10 +80,10 @@ class ReportedEvents:
         if words.group in CHECKS:
             if words.type == "summary":
                 self._part = words.values[0] if words.values else None
-                if words.group == "arming_check":
+                if words.group == "arming_check" and (self._part in self._checks or len(self._checks) < MOST_PARTS):
                     self._checks[self._part] = []
-            else:
-                self._checks.setdefault(self._part, []).append(words.text)
+            elif len(part := self._checks.get(self._part, [])) < MOST_CHECKS:
+                part.append(words.text)
             return ""
         if words.group != "default":
             return ""

@@ -42,7 +42,7 @@ class _Definition(msgspec.Struct):
     arguments: list[_Argument] = []
 
 
-class _Group(msgspec.Struct):
+class _EventGroup(msgspec.Struct):
     events: dict[int, _Definition] = {}
 
 
@@ -60,7 +60,7 @@ class _Enum(msgspec.Struct):
 class _Namespace(msgspec.Struct):
     namespace: str
     enums: dict[str, _Enum] = {}
-    event_groups: dict[str, _Group] = {}
+    event_groups: dict[str, _EventGroup] = {}
 
 
 class _Definitions(msgspec.Struct):

@@ -60,25 +60,34 @@ def params() -> None:
 
 @params.command(short_help="Show parameters.")
 @click.argument("patterns", nargs=-1, metavar="NAME...")
+@click.option(
+    "--describe", is_flag=True, help="Also what each is, by the vehicle's own metadata: unit, range, default."
+)
 @_of_components
 @of_the_fleet
-def get(patterns: tuple[str, ...], compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
+def get(patterns: tuple[str, ...], describe: bool, compids: tuple[int, ...], as_json: bool, **options: Any) -> int:
     """Show the parameters named NAME..., or all, of every vehicle.
 
     \b
     Examples:
       gcs params get FENCE_ENABLE 'WP_*'
+      gcs params get --describe 'MPC_*'
       gcs params get --sysid 3 --json > three.json
     """
+    from gcs.cli import parameter_meanings as meanings
+
     with fleet_at(**options) as fleet:
         clients = _read(fleet, _addresses(fleet, compids), patterns or ("*",))
+        meant = meanings.read(fleet, {(c.sysid, c.compid): _label(c) for c in clients}) if describe else {}
     found = {_label(client): _matching(client, patterns or ("*",)) for client in clients}
     if as_json:
         rows = {of: {name: value.json for name, value in values.items()} for of, values in found.items()}
-        click.echo(json.dumps({"vehicles": rows}))
+        click.echo(json.dumps({"vehicles": rows, **({"meanings": meanings.as_json(meant, rows)} if describe else {})}))
     else:
         for name in sorted({name for values in found.values() for name in values}):
             _say(name, {of: values.get(name) for of, values in found.items()})
+            for line in meanings.lines(name, meant):
+                click.echo(f"{'':<{LONGEST_NAME}}  {line}")
     return _missing(clients)
 
 

@@ -17,7 +17,6 @@ from collections.abc import Callable, Mapping, Sequence
 
 from gcs.link.external_peer import ExternalPeer, PeerLink
 from gcs.link.keys import KeyRefused
-from gcs.link.lateness import TIMESYNC
 from gcs.link.link import Key, LinkState
 from gcs.link.open_address import OpenAddress, open_address, radio_in_words
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
@@ -27,6 +26,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandTarget
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION
 from gcs.mavlink.services import vehicle_uid
+from gcs.mavlink.services.lateness import TIMESYNC
 from gcs.scenario.external import External
 from skytender import mavlink as mav
 from skytender.signing import SignatureVerdict

@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from gcs.link.lateness import LATE_S, SHORT_S, RoundTrips
 from gcs.link.link import Key, LinkState
 from gcs.link.open_address import OpenAddress
 from gcs.link.quality import LinkQuality
@@ -25,6 +24,7 @@ from gcs.mavlink.boot_clock import BootClock
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.recent_frames import RecentFrames, Relation
+from gcs.mavlink.services.lateness import LATE_S, SHORT_S, RoundTrips
 
 SILENT_S = 0.4
 """[choice] A PX4 leaves offboard half a second to a second after the last set point."""

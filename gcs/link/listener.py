@@ -38,6 +38,12 @@ class Listener:
         self._diagnosis = Diagnosis(at)
         self.open = True
 
+    def use_key(self, key_file: Path | None) -> None:
+        """From now on sign, and take only what is signed, with another key, or none. Raises KeyRefused."""
+        gate = SignatureGate(key_file)
+        self.gate.close()
+        self.gate = gate
+
     @property
     def silence(self) -> str:
         """Reason why no vehicle is received, where that can be seen."""

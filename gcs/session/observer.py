@@ -41,6 +41,7 @@ from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
+from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 from skytender import mavlink as mav
@@ -92,6 +93,7 @@ class Observer:
         self.quality = LinkQuality(self._gaps)
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
+        self._remote_ids = RemoteIds()
         self._nameless = False
         """whether a vehicle of system id 0 has been received"""
         self._modes: dict[int, str] = {}
@@ -134,6 +136,8 @@ class Observer:
             return
         if frame.sysid in self.inspection.wanted:
             self.inspection.add((frame,), t_s)
+        if (remote_id := self._remote_ids.receive(frame)) is not None:
+            self.fleet.statustexts.append((frame.sysid, *remote_id))
         if frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:

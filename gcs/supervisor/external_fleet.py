@@ -16,10 +16,12 @@ from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.estimators import Estimators
+from gcs.supervisor.external_events import METADATA, ExternalEvents
 from gcs.supervisor.operator_control import TOKEN as CONTROL
 from gcs.supervisor.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
+from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -58,6 +60,8 @@ class ExternalFleet:
         self._estimators = Estimators(scenario)
         self._modes = standard_modes.ModeRequests()
         self.control = OperatorControl(self.rules, scenario.station)
+        self._own_events = ExternalEvents(scenario)
+        self._remote_ids = RemoteIds()
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -99,10 +103,14 @@ class ExternalFleet:
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
                 streams.received(frame.msgid, now_s)
+                if (remote_id := self._remote_ids.receive(frame)) is not None:
+                    fleet.statustexts.append((sysid, *remote_id))
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
             self._events += self.control.receive(sysid, own, now_s)
             self._compare_uids(sysid, own)
+            fleet.statustexts += self._own_events.receive(sysid, own, now_s)
+            self._events += self._own_events.losses(sysid, now_s)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -165,6 +173,8 @@ class ExternalFleet:
             requests, answers = self.control.decide(sysid, now_s, released=sysid in released)
             commands += requests
             messages[sysid] += answers
+            messages[sysid] += self._own_events.requests(sysid, now_s)
+            commands += self._own_events.commands(view, now_s)
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
@@ -208,7 +218,7 @@ class ExternalFleet:
         if StreamRequests.owns(token):
             self._asks[sysid] += self.streams[sysid].answered(token, result.outcome == "accepted")
             return True
-        if token in (MODES, CONTROL, UID):
+        if token in (MODES, CONTROL, UID, METADATA):
             return True
         if token == ENDING:
             self._answers[sysid] = _answer(result)

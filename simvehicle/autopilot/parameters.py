@@ -31,6 +31,9 @@ class ParameterError(ValueError):
         self.code = code
 
 
+UNITS = frozenset({"J", "W", "deg", "m", "m/s", "m/s2", "rad/s2", "s"})
+
+
 class ParameterRow(NamedTuple):
     """One parameter: its least and greatest value, its default and what it is; `whole`: an INT32 on the wire."""
 
@@ -40,6 +43,12 @@ class ParameterRow(NamedTuple):
     default: float
     meaning: str
     whole: bool = False
+
+    @property
+    def units(self) -> str:
+        """The unit with which its meaning begins; empty where it has none."""
+        first = self.meaning.split()[0].rstrip(",")
+        return first if first in UNITS else ""
 
 
 GAIN_SETS = ("default", "paper", "paper_literal")
@@ -107,12 +116,14 @@ TABLE: tuple[ParameterRow, ...] = (
     ParameterRow("SYS_FAILURE_EN", 0, 1, 0, "1 lets MAV_CMD_INJECT_FAILURE make things fail", whole=True),
 )
 ALONE: tuple[ParameterRow, ...] = (
+    ParameterRow("DID_ENABLE", 0, 1, 0, "1: send Remote ID, the Open Drone ID messages", whole=True),
     ParameterRow("RTL_LAND_DELAY", 0.0, 300.0, 0.0, "s over home, as high as it returned, before the vehicle lands"),
 )
 """Rows behind the table's, of a vehicle that no session has launched: a launched one returns by its fleet's
 timetable."""
 _ROWS = {row.name: row for row in (*TABLE, *ALONE)}
-_ONLY_AT_START = {"SIM_BAT_INIT_J", "SIM_GAIN_SET"}
+READ_ONCE = frozenset({"SIM_BAT_INIT_J", "SIM_GAIN_SET"})
+"""Names of those that can only be given at start."""
 
 
 def float32(value: float) -> float:
@@ -166,7 +177,7 @@ class Parameters:
 
     def set(self, name: str, value: float) -> float:
         """Change a value while the vehicle runs; returns what is now in force; raises ParameterError, value kept."""
-        if name in _ONLY_AT_START:
+        if name in READ_ONCE:
             raise ParameterError(f"{name} can only be given at start", READ_ONLY)
         before = self._values.get(name)
         self._values[name] = self._checked(name, value)

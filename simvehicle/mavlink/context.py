@@ -11,6 +11,7 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.commands import VehicleCommand
 from simvehicle.mavlink.connection import Connection
+from simvehicle.mavlink.services.events import EventService
 
 COMPLAIN_EVERY_S = 5.0
 
@@ -35,6 +36,7 @@ class ServiceContext:
         self.sysid = sysid
         self.connections = connections
         self.store = store
+        self.events = EventService(vehicle)
         self.after_ack: list[Any] = []
         self._complained_s: dict[str, float] = {}
 

@@ -11,6 +11,7 @@ cdef class Services:
     cdef object _planning
     cdef object _logs
     cdef object _files
+    cdef object _remote_id
     cdef object _reboot
     cdef object _control
     cdef dict _commands

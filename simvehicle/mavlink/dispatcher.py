@@ -34,7 +34,6 @@ from simvehicle.mavlink import (
     message_requests,
     missions,
     offboard,
-    operator_control,
     parameter_protocol,
     traffic,
 )
@@ -43,6 +42,8 @@ from simvehicle.mavlink.commands import NOT_IN_CONTROL, TEMPORARILY_REJECTED, UN
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext, Store
 from simvehicle.mavlink.fleet_messages import FleetService
+from simvehicle.mavlink.services import component_metadata, operator_control
+from simvehicle.mavlink.services.remote_id import RemoteIdService
 from skytender import mavlink as mav
 
 TRANSFER_RATE_HZ = 10.0
@@ -80,6 +81,7 @@ class Services:
     _planning: missions.Planning
     _logs: log_protocol.LogService
     _files: file_protocol.FileService
+    _remote_id: RemoteIdService
     _reboot: maintenance.Reboot
     _control: operator_control.OwnerService
     _commands: dict[int, CommandHandler]
@@ -107,7 +109,8 @@ class Services:
         self._context = ServiceContext(vehicle, sysid, self.connections, store)
         self._planning = missions.Planning(self._context)
         self._logs = log_protocol.LogService(log)
-        self._files = file_protocol.FileService(log)
+        self._files = file_protocol.FileService(log, lambda path: component_metadata.content_of(vehicle, path))
+        self._remote_id = RemoteIdService(vehicle, sysid, self.connections)
         self._reboot = maintenance.Reboot(self._context, self._planning.restart)
         self._control = operator_control.OwnerService(self._context)
         self._commands = {**COMMANDS, mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN: self._reboot.ask}
@@ -236,17 +239,24 @@ class Services:
             compiled = cython.declare(Connection, connection)
             compiled.put_due(vehicle)
         if at_work:
-            self._logs.report()
-            self._files.report()
-            self._at_work = self._reboot.at_work or self._planning.at_work or self._logs.at_work or self._files.at_work
+            self._at_work = self._reboot.at_work or self._planning.at_work
+            for service in (self._context.events, self._logs, self._files, self._remote_id):
+                service.report()
+                self._at_work = self._at_work or service.at_work
 
     def _announce(self) -> None:
         """Queue what the vehicle has to say, for everyone."""
+        events = self._context.events
         for severity, text in self.vehicle.announcements:
             self._long_texts += len(as_bytes(text)) > TEXT_BYTES
-            for content in _status_texts(_SEVERITY[severity], text, self._long_texts):
-                for connection in self.connections:
+            event = events.take(severity, text)
+            for connection in self.connections:
+                both = event is not None and events.reaches(connection)
+                words = f"{text}\t" if both else text
+                for content in _status_texts(_SEVERITY[severity], words, self._long_texts):
                     connection.put(content)
+                if both:
+                    connection.put(event)
         self.vehicle.announcements.clear()
 
     def _counts_fast(self) -> bool:

@@ -1,8 +1,8 @@
-"""MAVFTP without a socket, a file or a clock, read-only: the only file of a vehicle is its log, `@LOG/NUMBER`.
+"""MAVFTP without a socket, a file or a clock, read-only: a vehicle's files are its metadata and its log, `@LOG/NUMBER`.
 
 Rules:
 1. One session, 0. OpenFileRO opens it for the station that asks, even if another had it before, and says how long
-   the log is; it is read as far as it has been written then. ResetSessions and TerminateSession close it.
+   the file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it.
 2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
 3. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
@@ -11,6 +11,7 @@ Rules:
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from simvehicle.mavlink.codec import message
@@ -42,12 +43,14 @@ class _Request(NamedTuple):
 
 
 class FileService:
-    """The log of one vehicle as a file, on all its connections; `log` is None where it writes none."""
+    """The files of one vehicle, on all its connections."""
 
-    def __init__(self, log: Log | None) -> None:
-        self._log = log
-        self._size_bytes: int | None = None
-        """of the open log; None: closed"""
+    def __init__(self, log: Log | None, metadata: Callable[[str], bytes | None]) -> None:
+        """`log`: None where it writes none; `metadata`: content of the other files by their paths."""
+        self._log, self._metadata = log, metadata
+        self._read: Callable[[int, int], bytes] | None = None
+        """the open file's bytes from a place on, so many; None: closed"""
+        self._size_bytes = 0
         self._burst: tuple[Connection, tuple[int, int], _Request] | None = None
         self._sent = 0
         """answers to the burst so far"""
@@ -57,18 +60,17 @@ class FileService:
         asked = _Request.of(bytes(call.content.payload))
         self._burst = None
         to = call.connection, call.sender, asked
-        if self._log is None or asked.opcode not in (TERMINATE, RESET, OPEN, READ, BURST):
+        if asked.opcode not in (TERMINATE, RESET, OPEN, READ, BURST):
             _answer(*to, refusal=UNKNOWN_COMMAND)
         elif asked.opcode in (TERMINATE, RESET):
-            self._size_bytes = None
+            self._read = None
             _answer(*to)
         elif asked.opcode == OPEN:
-            if asked.data.rstrip(b"\0") != f"@LOG/{self._log.number}".encode():
-                _answer(*to, refusal=NOT_FOUND)
-            else:
-                self._size_bytes = self._log.size_bytes
+            if self._open(asked.data.rstrip(b"\0")):
                 _answer(*to, data=struct.pack("<I", min(self._size_bytes, 0xFFFFFFFF)))
-        elif self._size_bytes is None or asked.session:
+            else:
+                _answer(*to, refusal=NOT_FOUND)
+        elif self._read is None or asked.session:
             _answer(*to, refusal=INVALID_SESSION)
         elif asked.opcode == READ:
             piece = self._piece(asked, asked.offset)
@@ -94,11 +96,22 @@ class FileService:
             if not piece:
                 self._burst = None
 
+    def _open(self, path: bytes) -> bool:
+        """Open a file; False where there is none of this path, and what was open stays."""
+        log = self._log
+        if log is not None and path == f"@LOG/{log.number}".encode():
+            self._read, self._size_bytes = log.read, log.size_bytes
+            return True
+        content = self._metadata(path.decode("ascii", "replace"))
+        if content is not None:
+            self._read, self._size_bytes = lambda at, count: content[at : at + count], len(content)
+        return content is not None
+
     def _piece(self, asked: _Request, offset: int) -> bytes:
-        assert self._log is not None
-        count = min(self._piece_bytes(asked), (self._size_bytes or 0) - offset)
+        assert self._read is not None
+        count = min(self._piece_bytes(asked), self._size_bytes - offset)
         try:
-            return self._log.read(offset, count) if count > 0 else b""
+            return self._read(offset, count) if count > 0 else b""
         except OSError:  # it cannot be read any more: it ends here
             return b""
 

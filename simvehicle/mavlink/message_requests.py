@@ -8,6 +8,7 @@ from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.commands import ACCEPTED, DENIED, UNSUPPORTED, VehicleCommand
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
+from simvehicle.mavlink.services.component_metadata import component_metadata
 from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, available_modes, message_of
 from skytender import mavlink as mav
 
@@ -41,7 +42,10 @@ def get_interval(context: ServiceContext, request: VehicleCommand, connection: C
 
 
 def request_message(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    return _answer_with(context, request.whole(1, -1), request.whole(2))
+    msgid = request.whole(1, -1)
+    if msgid in (mav.MAVLINK_MSG_ID_COMPONENT_METADATA, mav.MAVLINK_MSG_ID_CURRENT_EVENT_SEQUENCE):
+        context.events.listen(connection)
+    return _answer_with(context, msgid, request.whole(2))
 
 
 def requests(msgid: int) -> CommandHandler:
@@ -58,6 +62,10 @@ def _answer_with(context: ServiceContext, msgid: int, index: int = 0) -> int:
         answers = available_modes(context.vehicle, index)
     elif msgid == mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR:
         answers = [message("AVAILABLE_MODES_MONITOR")()]  # its modes never change
+    elif msgid == mav.MAVLINK_MSG_ID_COMPONENT_METADATA:
+        answers = [component_metadata(context.vehicle)]
+    elif msgid == mav.MAVLINK_MSG_ID_CURRENT_EVENT_SEQUENCE:
+        answers = [context.events.current()]
     context.after_ack.extend(answers)
     return ACCEPTED if answers else UNSUPPORTED
 
@@ -83,7 +91,12 @@ def timesync(context: ServiceContext, call: Call) -> None:
         call.connection.put(call.content._replace(tc1=1000 * unix_us))
 
 
+def request_event(context: ServiceContext, call: Call) -> None:
+    context.events.request(call.content.first_sequence, call.content.last_sequence, call.sender, call.connection)
+
+
 MESSAGES: dict[int, MessageHandler] = {
+    mav.MAVLINK_MSG_ID_REQUEST_EVENT: request_event,
     mav.MAVLINK_MSG_ID_REQUEST_DATA_STREAM: data_stream,
     mav.MAVLINK_MSG_ID_PING: ping,
     mav.MAVLINK_MSG_ID_TIMESYNC: timesync,

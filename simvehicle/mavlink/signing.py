@@ -4,7 +4,7 @@ Rules:
 1. Without a key nothing is signed, and a signed frame is refused: it cannot be checked.
 2. With one everything is signed, and only frames count that the key signed, or that need no signature.
 3. SETUP_SIGNING sets the key while there is none; later only a signed one does, and 32 zero bytes remove the key. It is
-   acted on here and goes no further.
+   acted on here and goes no further. While the vehicle is armed nothing of this happens, as with PX4 and ArduPilot.
 """
 
 from __future__ import annotations
@@ -54,13 +54,13 @@ class VehicleSigning:
             return without_key(frame.raw)
         return self._signing.judge(frame.raw, frame.msgid, now_ticks)
 
-    def take_setup(self, frame: ReceivedFrame) -> bool:
+    def take_setup(self, frame: ReceivedFrame, *, armed: bool = False) -> bool:
         """Act on a SETUP_SIGNING that was judged good; whether the frame was one, for this vehicle or another."""
         if frame.msgid != SETUP_SIGNING:
             return False
         content = decode(frame)
         assert content is not None
-        if content.target_system in (0, self._sysid):
+        if content.target_system in (0, self._sysid) and not armed:
             key = bytes(content.secret_key)
             self._latest = max(self.latest, min(content.initial_timestamp, LAST_STAMP - 1))
             self._use(key if any(key) else None)

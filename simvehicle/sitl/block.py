@@ -112,7 +112,7 @@ class Block:
 
     def _seat(self, one: _Built, i: int, opened: ExitStack) -> ConnectedUnit:
         wanted, connections = one.wanted, one.connections
-        keyring = Keyring(wanted.sysid, wanted.key_file, wanted.state)
+        keyring = Keyring(wanted.sysid, wanted.key_file, wanted.state, armed=lambda: one.unit.armed)
         opened.callback(keyring.close)
         supervised = None
         if self._supervisor is not None:

@@ -33,11 +33,16 @@ class Keyring:
     """One vehicle's key with its file: judges what plain links receive, signs what they send."""
 
     def __init__(
-        self, sysid: int, given: Path | None = None, state: Path | None = None, clock: Callable[[], float] = time.time
+        self,
+        sysid: int,
+        given: Path | None = None,
+        state: Path | None = None,
+        clock: Callable[[], float] = time.time,
+        armed: Callable[[], bool] = lambda: False,
     ) -> None:
         """`given`: the key file of the command line; `state`: a folder where a key set by SETUP_SIGNING outlives the
-        process, and counts more than the given one. Raises KeyFileError."""
-        self._sysid, self._clock = sysid, clock
+        process, and counts more than the given one. `armed`: whether the vehicle is. Raises KeyFileError."""
+        self._sysid, self._clock, self._armed = sysid, clock, armed
         self._own = None if state is None else state / f"{sysid}.key"
         path = self._own if self._own is not None and self._own.exists() else given
         self._stamps = None if path is None else path.with_name(f"{path.name}.{sysid}.stamps")
@@ -56,7 +61,7 @@ class Keyring:
             why = self._signing.judge(frame, now)
             if why is not SignatureVerdict.GOOD:
                 self._refuse(why, frame.sysid)
-            elif not self._signing.take_setup(frame):
+            elif not self._signing.take_setup(frame, armed=self._armed()):
                 passed.append(frame)
         return passed
 

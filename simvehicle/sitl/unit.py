@@ -44,6 +44,11 @@ class VehicleUnit(Unit):
         self._services = services
         self._truth = truth
 
+    @property
+    def armed(self) -> bool:
+        """Whether the vehicle is."""
+        return self._vehicle.armed
+
     def hello(self) -> object:
         """The vehicle's HEARTBEAT."""
         return message_of(self._vehicle, "HEARTBEAT")

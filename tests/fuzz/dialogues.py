@@ -1,8 +1,9 @@
-"""Dialogues with one vehicle that are attacked: logs, files, parameters, plans; and a signed link."""
+"""Dialogues with one vehicle that are attacked: logs, files, parameters, plans, metadata, events; and a signed link."""
 
 from __future__ import annotations
 
 import contextlib
+import json
 import struct
 import tempfile
 from collections.abc import Callable, Iterator
@@ -17,12 +18,24 @@ from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.ftp.requests import ACK, BURST, LIST, NAK, OPEN, READ, RESET
 from gcs.mavlink.log_client import LogClient, LogEntry
+from gcs.mavlink.metadata.client import MetadataClient
+from gcs.mavlink.metadata.event_words import EventDefinitions
+from gcs.mavlink.metadata.reported_events import ReportedEvents
 from gcs.mavlink.parameters.client import ParameterClient
 from gcs.mavlink.plans.client import PlanClient
 from gcs.mavlink.plans.items import PlanItem
 from skytender.signing import UNSIGNED
 
 _FTP = struct.Struct("<HBBBBBxI")
+EVENTS = json.dumps({
+    "version": 2, "components": {"1": {"namespace": "a", "enums": {"b_t": {"type": "uint8_t", "is_bitfield": True}},
+    "event_groups": {
+        "default": {"events": {"1": {"name": "c", "message": "{1} {2:.1m} <a>{3}", "arguments": [
+            {"name": "d", "type": "b_t"}, {"name": "e", "type": "float"}, {"name": "f", "type": "uint64_t"}]}}},
+        "arming_check": {"events": {"2": {"name": "g", "message": "{1}", "type": "summary", "arguments": [
+            {"name": "h", "type": "uint64_t"}]}, "3": {"name": "i", "message": "j"}}},
+    }}},
+}).encode()  # fmt: skip
 LIVES = 400
 """Messages that a dialogue hears before another one takes its place."""
 
@@ -40,14 +53,17 @@ def new_clients() -> list[Any]:
     writing.read_all()
     plan = PlanClient(7, 1, 1, [PlanItem(5001, 0, 4.0, n, n, 0.0) for n in range(4)])
     mission = PlanClient(7, 1, 0, [PlanItem(16, 3, 4.0, n, n, 0.0) for n in range(4)], ARDUCOPTER.plans)
-    return [logs, by_ranges, reading, writing, plan, mission, PlanClient(7, 1, 1, None)]
+    reported = ReportedEvents(7, 1)
+    reported.definitions = EventDefinitions(EVENTS)
+    plans = [plan, mission, PlanClient(7, 1, 1, None)]
+    return [logs, by_ranges, reading, writing, *plans, MetadataClient(7, 1), reported]
 
 
 def _answer(hostile: Hostile, asked: list[Message]) -> tuple[str, dict[str, Any]]:
     """An answer such as a vehicle could give to one of the requests, with some of it hostile."""
     rng = hostile.random
     whole, real = rng.choice(WHOLE), rng.choice(REAL)
-    kind = rng.randrange(7)
+    kind = rng.randrange(9)
     if kind < 3:
         data = rng.randbytes(rng.choice((0, 1, 4, 239, 239, 251)))
         if rng.random() < 0.3:
@@ -72,6 +88,17 @@ def _answer(hostile: Hostile, asked: list[Message]) -> tuple[str, dict[str, Any]
         name = rng.choice(("MPC_XY_CRUISE", "SIM_BAT_CAP_J", "", "x" * 16, f"P{rng.randrange(99)}"))
         return "PARAM_VALUE", {"param_id": name, "param_value": real, "param_type": rng.randrange(256),
                                "param_index": whole & 0xFFFF, "param_count": rng.choice((0, 3, 65535))}  # fmt: skip
+    if kind == 6:
+        at = {"sequence": rng.choice((0, 1, 2, 40, 65535, whole & 0xFFFF))}
+        arguments = list(rng.randbytes(40))
+        event = {"id": 1 << 24 | rng.randrange(5), "event_time_boot_ms": whole & 0xFFFFFFFF, "arguments": arguments}
+        return rng.choice((
+            ("EVENT", at | event), ("CURRENT_EVENT_SEQUENCE", at | {"flags": rng.randrange(2)}),
+            ("RESPONSE_EVENT_ERROR", at | {"sequence_oldest_available": whole & 0xFFFF}),
+        ))  # fmt: skip
+    if kind == 7:
+        uri = rng.choice(("mftp://file.xz", "mftp://[;comp=1]file", "https://a/b", "mftp://", "\x7f" * 100))
+        return "COMPONENT_METADATA", {"uri": uri, "file_crc": whole & 0xFFFFFFFF}
     name = rng.choice(("MISSION_COUNT", "MISSION_REQUEST_INT", "MISSION_ITEM_INT", "MISSION_ACK", "MISSION_REQUEST"))
     fields: dict[str, Any] = {"mission_type": rng.choice((1, 1, 1, 0, 255))}
     if name == "MISSION_COUNT":

@@ -97,3 +97,12 @@ def test_a_scenario_is_made_of_the_vehicles_that_are_heard(params: Params, tmp_p
     assert external[1].capacity_j == 24000.0 == external[2].capacity_j
     assert external[3].capacity_j == pytest.approx(70 * 3600.0, rel=0.2)  # its 70 Wh, by mAh times the present volts
     assert (scenario.origin.lat_deg, scenario.origin.lon_deg) == pytest.approx((47.397742, 8.545594), abs=1e-5)
+
+
+def test_meanings_come_from_each_vehicles_own_metadata(params: Params) -> None:
+    shown = params("get", "MPC_XY_CRUISE", "SYS_AUTOSTART", "--describe", sysids=(1, 2))
+    assert shown.returncode == 0, shown.stderr
+    assert "m/s on the way home  [m/s]  0.5..20  default 5" in shown.stdout
+    done = params("get", "RTL_ALT", "--describe", "--json", sysids=(3,))
+    assert json.loads(done.stdout) == {"vehicles": {"3": {"RTL_ALT": 1500.0}}, "meanings": {"3": {}}}
+    assert "vehicle 3 does not say what its parameters are: it has no metadata" in done.stderr

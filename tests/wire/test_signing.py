@@ -189,6 +189,14 @@ def test_a_key_is_set_by_anybody_while_there_is_none_and_then_only_by_who_has_it
     assert keys == [KEY, OTHER, None]
 
 
+def test_no_key_is_set_while_the_vehicle_is_armed() -> None:
+    keys: list[bytes | None] = []
+    vehicle = VehicleSigning(1, on_key=keys.append)
+    (frame,) = vehicle_codec.split(bytes(setup(KEY).pack(common.MAVLink(None, 255, 190))))
+    assert vehicle.take_setup(frame, armed=True)  # nor passed on
+    assert (vehicle.has_key, keys) == (False, [])
+
+
 def test_a_key_has_32_bytes(program: str) -> None:
     with pytest.raises(ValueError, match="32 bytes, not 31"):
         Ours(program, bytes(31))

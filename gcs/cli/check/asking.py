@@ -17,7 +17,6 @@ PEERS = (MAVSDK, QGC, MAVPROXY)
 OUTSIDE = {
     "PROTOCOL_VERSION": 300,
     "COMPONENT_INFORMATION": 395,
-    "COMPONENT_METADATA": 397,
 }
 """Messages that are asked for but stand in no dialect of pymavlink: known by their id, not read."""
 

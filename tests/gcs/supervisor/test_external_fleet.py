@@ -1,14 +1,19 @@
 """What a session does for vehicles that it has not launched, tick by tick; the frames are pymavlink's."""
 
+import json
+import struct
 from typing import Any
 
+import newer
 import pytest
+from metadata_vehicle import GENERAL, OUT, MetadataVehicle, crc32
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.command_protocol import CommandResult, CommandTarget
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
+from gcs.supervisor.external_events import ASK_AFTER_S, METADATA
 from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, ExternalFleet
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.track import Member
@@ -303,3 +308,37 @@ def test_a_vehicle_is_asked_for_its_uid_three_times() -> None:
     tower.hear(0.0, heartbeat())
     asked = [wish for k in range(80) for wish in tower.externals.decide(tower.fleet.snapshot(0.1 * k))[0]]
     assert [(one.command, one.params) for one in asked if one.token == "uid"] == [(512, (148.0,))] * 3
+
+
+def test_events_are_said_by_the_vehicles_own_metadata() -> None:
+    content = json.dumps({"version": 2, "components": {"1": {"namespace": "px4", "event_groups": {"default": {
+        "events": {"7": {"name": "denied", "message": "Arming denied: {1:.1}", "arguments": [
+            {"name": "a", "type": "float"}]}}}}}}}).encode()  # fmt: skip
+    named = [{"type": 4, "uri": "mftp://events.json", "fileCrc": crc32(content)}]
+    vehicle, tower = MetadataVehicle(named, {"events.json": content}), Tower()
+    tower.hear(0.0, heartbeat(base_mode=0x01))
+    tower.decide(0.0)
+    tower.hear(ASK_AFTER_S, heartbeat(base_mode=0x01))
+    wishes, _ = tower.externals.decide(tower.fleet.snapshot(ASK_AFTER_S))
+    (ask,) = [wish for wish in wishes if wish.token == METADATA]
+    assert (ask.command, ask.params) == (mav.MAV_CMD_REQUEST_MESSAGE, (397.0,))
+    uri = f"mftp://{GENERAL}".encode()
+    arguments = struct.pack("<f", 2.25).ljust(40, b"\0")
+    answers = [newer.dialect.MAVLink_component_metadata_message(1, vehicle.crc, uri)]
+    answers += [newer.dialect.MAVLink_event_message(0, 0, 1 << 24 | 7, 900, k, 0x44, arguments) for k in (1, 3)]
+    now_s, asked = ASK_AFTER_S, []
+    while now_s < 30.0:
+        now_s += 0.1
+        number = newer.dialect.MAVLink_current_event_sequence_message(3, 0)
+        tower.hear(now_s, heartbeat(base_mode=0x01), *answers, number)
+        _, messages = tower.externals.decide(tower.fleet.snapshot(now_s))
+        sent = [frame for message in messages[3] for frame in OUT.parse_buffer(codec.frame(message, 0, 255, 190)) or []]
+        asked += [message.first_sequence for message in sent if message.get_type() == "REQUEST_EVENT"]
+        files = [message for message in sent if message.get_type() == "FILE_TRANSFER_PROTOCOL"]
+        answers = [answer for message in files for answer in vehicle.hear(message)]
+    assert set(asked) == {2}  # which never comes
+    assert tower.fleet.pop_statustexts(now_s) == [(3, 4, "Arming denied: 2.2")] * 2
+    assert [text for _, text in tower.said() if "events" in text] == [
+        "1 of its events did not arrive, nor when asked for"
+    ]
+    assert tower.externals.settles(3, result(METADATA), now_s)

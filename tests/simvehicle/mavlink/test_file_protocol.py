@@ -111,5 +111,6 @@ def test_nothing_is_written_or_looked_for(vehicle_bench: Any, opcode: int) -> No
     assert (log.content, log.number) == (CONTENT, 4)
 
 
-def test_a_vehicle_without_a_log_has_no_files(vehicle_bench: Any) -> None:
-    assert [ask(vehicle_bench(), opcode)[0][::3] for opcode in (RESET, OPEN)] == [(NAK, bytes([UNKNOWN_COMMAND]))] * 2
+def test_a_vehicle_without_a_log_has_none_to_open(vehicle_bench: Any) -> None:
+    assert ask(vehicle_bench(), RESET) == [(ACK, 71, 0, b"")]
+    assert ask(vehicle_bench(), OPEN, b"@LOG/1")[0][::3] == (NAK, bytes([NOT_FOUND]))

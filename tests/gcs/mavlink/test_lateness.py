@@ -10,9 +10,9 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.external_peer import ExternalPeer, PeerLink
-from gcs.link.lateness import ASK_EVERY_S, LATE_S, SHORT_S, TIMESYNC, UNANSWERED
 from gcs.mavlink import codec
 from gcs.mavlink.boot_clock import CLOCKS
+from gcs.mavlink.services.lateness import ASK_EVERY_S, LATE_S, SHORT_S, TIMESYNC, UNANSWERED
 
 STEP_S = 0.1
 BOOTED_S = 1000.0

@@ -1,0 +1,1 @@
+"""Microservices of MAVLink that say more of a vehicle: metadata, events, operator control, Remote ID."""

@@ -24,6 +24,7 @@ class FlightMode(StrEnum):
     LAND = "land"
     RETURN = "return"
     REFUEL = "refuel"
+    MISSION = "mission"
     MANUAL = "manual"
     OTHER = "other"
 
@@ -53,6 +54,8 @@ class Profile:
     hold: Params
     arming: Params
     arms_in: frozenset[FlightMode]
+    mission: tuple[int, Params]
+    """command, with its parameters, that lets one in flight begin its mission, or go on with the item it was at"""
     takeoff_is_amsl: bool
     not_given: float
     integers_bytewise: bool
@@ -140,12 +143,10 @@ PX4 = Profile(
     name="px4",
     offboard_name="offboard",
     modes={
-        **dict.fromkeys(map(_px4, (1, 2, 3, 5, 7)), FlightMode.MANUAL),
-        _px4(3, 1): FlightMode.MANUAL,
-        _px4(3, 2): FlightMode.MANUAL,
-        _px4(11): FlightMode.MANUAL,
+        **dict.fromkeys((*map(_px4, (1, 2, 3, 5, 7, 11)), _px4(3, 1), _px4(3, 2)), FlightMode.MANUAL),
         _px4(4, 2): FlightMode.TAKEOFF,
         _px4(4, 3): FlightMode.HOLD,
+        _px4(4, 4): FlightMode.MISSION,
         _px4(4, 5): FlightMode.RETURN,
         _px4(4, 6): FlightMode.LAND,
         _px4(6): FlightMode.OFFBOARD,
@@ -155,6 +156,7 @@ PX4 = Profile(
     hold=(_CUSTOM, 4.0, 3.0),
     arming=(_CUSTOM, 4.0, 3.0),
     arms_in=frozenset({FlightMode.HOLD, FlightMode.TAKEOFF, FlightMode.OTHER}),
+    mission=(int(mav.MAV_CMD_DO_SET_MODE), (_CUSTOM, 4.0, 4.0)),  # MISSION_START would begin it anew
     takeoff_is_amsl=True,
     not_given=math.nan,
     integers_bytewise=True,
@@ -184,7 +186,6 @@ PX4 = Profile(
         _px4(3, 1): "orbit",
         _px4(3, 2): "position, slow",
         _px4(4, 1): "ready",
-        _px4(4, 4): "mission",
         _px4(4, 8): "follow",
         _px4(4, 9): "precision land",
         _px4(4, 10): "VTOL takeoff",
@@ -202,6 +203,7 @@ ARDUCOPTER = Profile(
     offboard_name="GUIDED",
     modes={
         **dict.fromkeys((0, 1, 2, 13, 16), FlightMode.MANUAL),
+        3: FlightMode.MISSION,
         4: FlightMode.OFFBOARD,
         5: FlightMode.HOLD,
         6: FlightMode.RETURN,
@@ -212,6 +214,7 @@ ARDUCOPTER = Profile(
     hold=(_CUSTOM, 17.0, 0.0),
     arming=(_CUSTOM, 4.0, 0.0),
     arms_in=frozenset({FlightMode.OFFBOARD}),
+    mission=(int(mav.MAV_CMD_MISSION_START), (0.0, 0.0)),
     takeoff_is_amsl=False,
     not_given=0.0,
     integers_bytewise=False,
@@ -238,7 +241,6 @@ ARDUCOPTER = Profile(
         0: "stabilize",
         1: "acro",
         2: "altitude hold",
-        3: "auto",
         7: "circle",
         11: "drift",
         13: "sport",
@@ -263,14 +265,12 @@ ARDUPLANE = replace(
     ARDUCOPTER,
     modes={
         **dict.fromkeys((0, 2, 3, 4, 5, 6, 7, 17, 18, 23), FlightMode.MANUAL),
-        11: FlightMode.RETURN,
-        12: FlightMode.HOLD,
+        10: FlightMode.MISSION,
+        **dict.fromkeys((11, 21), FlightMode.RETURN),
+        **dict.fromkeys((12, 19), FlightMode.HOLD),
         13: FlightMode.TAKEOFF,
         15: FlightMode.OFFBOARD,
-        19: FlightMode.HOLD,
-        20: FlightMode.LAND,
-        21: FlightMode.RETURN,
-        26: FlightMode.LAND,
+        **dict.fromkeys((20, 26), FlightMode.LAND),
     },
     offboard=(_CUSTOM, 15.0, 0.0),
     hold=(_CUSTOM, 12.0, 0.0),
@@ -287,7 +287,6 @@ ARDUPLANE = replace(
         6: "fly by wire B",
         7: "cruise",
         8: "autotune",
-        10: "auto",
         14: "avoid ADSB",
         16: "initialising",
         17: "Q stabilize",
@@ -304,6 +303,7 @@ ARDUROVER = replace(
         **dict.fromkeys((0, 1, 3, 7), FlightMode.MANUAL),
         4: FlightMode.HOLD,
         5: FlightMode.HOLD,
+        10: FlightMode.MISSION,
         11: FlightMode.RETURN,
         15: FlightMode.OFFBOARD,
     },
@@ -320,7 +320,6 @@ ARDUROVER = replace(
         7: "simple",
         8: "dock",
         9: "circle",
-        10: "auto",
         12: "smart return",
         16: "initialising",
     },
@@ -329,6 +328,7 @@ ARDUSUB = replace(
     ARDUCOPTER,
     modes={
         **dict.fromkeys((0, 1, 2, 19), FlightMode.MANUAL),
+        3: FlightMode.MISSION,
         4: FlightMode.OFFBOARD,
         16: FlightMode.HOLD,
     },
@@ -338,7 +338,6 @@ ARDUSUB = replace(
         0: "stabilize",
         1: "acro",
         2: "altitude hold",
-        3: "auto",
         7: "circle",
         9: "surface",
         19: "manual",
@@ -354,6 +353,7 @@ BLIMP = replace(
         2: FlightMode.MANUAL,
         3: FlightMode.HOLD,
         4: FlightMode.RETURN,
+        5: FlightMode.MISSION,
         6: FlightMode.HOLD,
     },
     offboard=(_CUSTOM, 3.0, 0.0),  # it has no mode in which it is guided
@@ -361,7 +361,7 @@ BLIMP = replace(
     arming=(_CUSTOM, 3.0, 0.0),
     arms_in=frozenset({FlightMode.HOLD}),
     mode_table="blimp",
-    names={1: "manual", 2: "velocity", 5: "auto"},
+    names={1: "manual", 2: "velocity"},
 )
 GENERIC = replace(
     PX4,

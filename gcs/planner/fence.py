@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from gcs.scenario.fence import CIRCLE, NO_FENCE, Area
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.mission import way_of
 from gcs.telemetry.state import Vec3
 from skytender import elementary, geometry
 from skytender.geometry import FloatArray
@@ -152,6 +153,7 @@ def _heights(scenario: Scenario) -> tuple[float, float]:
         downs += [vehicle.start_m[2], vehicle.start_m[2] - vehicle.takeoff_m]
         for key in ("waypoints_m", "path_m"):
             downs += [place[2] for place in getattr(vehicle, key, ())]
+        downs += [place[2] for place in way_of(vehicle, scenario)]
         home_m = getattr(vehicle, "home_m", None)
         downs += [home_m[2]] if home_m else []
     above_m = scenario.refuelling.height_m + abs(scenario.formation.height_m) + ABOVE_M

@@ -127,7 +127,7 @@ def _heights_m(scenario: Scenario) -> dict[int, float]:
     found = {target.sysid: highest_m([target], 0.0) for target in vehicles.targets}
     for pursuer in vehicles.pursuers:
         own_m = highest_m([pursuer], 0.0)
-        found[pursuer.sysid] = own_m if pursuer.waypoints_m else max(own_m, of_targets_m)
+        found[pursuer.sysid] = own_m if pursuer.own_way else max(own_m, of_targets_m)
     of_pursuers_m = max((found[pursuer.sysid] for pursuer in vehicles.pursuers), default=0.0)
     for tanker in vehicles.tankers:
         found[tanker.sysid] = max(highest_m([tanker], 0.0), of_pursuers_m + rules.height_m)

@@ -36,7 +36,7 @@ class PlanRequest(NamedTuple):
     next request. pursuing: the target of each pursuer while all others hold; None: each pursues its own. stations:
     vehicles that are to be at a place instead. given: position and velocity of vehicles that a program steers, in place
     of a planner's. stand_off_m: how far above their receivers tankers in approaches are to stand; without it, as the
-    others.
+    others. claims: (k, 3) places where a vehicle on a mission will be, by its system id; the others stay away.
     """
 
     snapshot: FleetSnapshot
@@ -49,6 +49,7 @@ class PlanRequest(NamedTuple):
     stations: Mapping[int, Vec3] = _NONE
     given: Mapping[int, tuple[Vec3, Vec3]] = _NONE
     stand_off_m: Mapping[int, float] = _NONE
+    claims: Mapping[int, NDArray[np.float64]] = _NONE
 
 
 class TickPlanner(Protocol):

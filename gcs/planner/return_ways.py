@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gcs.scenario.accuracy import widest_m
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
+from gcs.scenario.parts.mission import way_of
 from gcs.scenario.types import Vec3
 from skytender.geometry import FloatArray, bounds, of_scenario
 
@@ -28,6 +29,7 @@ def places_of(vehicle: VehicleBase, scenario: Scenario) -> Iterator[Vec3]:
     yield (n, e, d - vehicle.takeoff_m)
     yield from getattr(vehicle, "waypoints_m", ())
     yield from getattr(vehicle, "path_m", ())
+    yield from way_of(vehicle, scenario)
     if (home_m := getattr(vehicle, "home_m", None)) is not None:
         yield home_m
     for base in scenario.bases:
@@ -45,7 +47,7 @@ def boxes_of(vehicles: Sequence[VehicleBase], scenario: Scenario) -> FloatArray:
             if vehicle.role != role:
                 continue
             own = places[vehicle.sysid]
-            if role == "pursuer" and not getattr(vehicle, "waypoints_m", ()) and len(targets):
+            if role == "pursuer" and not getattr(vehicle, "own_way", False) and len(targets):
                 own = np.vstack([own, targets - ring_m, targets + ring_m])
             if role == "tanker":
                 own = np.vstack([own, pursuers])

@@ -46,6 +46,10 @@ OFF_LEADER_M = 2.0
 LATE_PERIODS = 3
 """[choice] A tick that stands for so many periods is late: what vehicles that live on the wall clock flew meanwhile is
 where they say they are, and not where their leaders would be."""
+STRAYS_M = 0.3
+"""[choice] How far a vehicle on a mission may be from where its items lead it."""
+CLAIM_EVERY = 2
+"""Of the places of its claim one in so many is kept away from: they are STEP_M apart then, or less."""
 SETTLE_S = 0.5
 """A leader that is not where a planner of a user's own wants it comes there in about so long."""
 PARTNERS_SHARE = 0.5
@@ -295,6 +299,11 @@ class SafePlanner(TickPlanner):
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+        for sysid, places in request.claims.items():
+            strays_m = rules.separation_m + STRAYS_M + float(self._spread_m[self._row[sysid]]) + 0.5 * STEP_M
+            owner = sysid if self._led[self._row[sysid]] else None
+            for claimed in places[::CLAIM_EVERY]:
+                others.append(Intruder.of(f"vehicle {sysid}", owner, claimed, STILL, 0.0, strays_m, 0.0))
         traffic = request.snapshot.traffic
         return others + self._traffic_reach.intruders(traffic, self.lag_s, rules.separation_m, self._attracting)
 

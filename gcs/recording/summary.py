@@ -60,6 +60,19 @@ class VehicleLinkSummary(SummaryPart):
     """of the frames of the last 10 s, 0 to 1"""
 
 
+class MissionSummary(SummaryPart):
+    """A vehicle's own mission."""
+
+    items: int
+    reached: int
+    """items that are behind it"""
+    flown_at_s: float | None
+    """when it reached its last item; null where it has not"""
+    holds: int
+    """how often it was held, to keep apart"""
+    held_s: float
+
+
 class VehicleSummary(SummaryPart):
     """One vehicle's session."""
 
@@ -77,6 +90,8 @@ class VehicleSummary(SummaryPart):
     """what was checked before it was armed; empty where nothing was"""
     refused_messages: int = 0
     """messages with its id that were refused: not signed, signed with another key, repeated, or without a key here"""
+    mission: MissionSummary | None = None
+    """null where it has none"""
     links: list[VehicleLinkSummary] = []
     """of an external vehicle with several links, in the scenario's order; empty where it has one"""
 

@@ -86,6 +86,17 @@ def records_of_tick(
     return records, events
 
 
+def mission_sentence(record: Mapping[str, Any]) -> str:
+    """Decision about a vehicle's mission, for people."""
+    at = f"at item {record['item']} of {record['of']}"
+    return {
+        "begins": f"Begins its mission of {record['of']} items",
+        "held": f"Held on its mission {at}: waits for {record.get('by')}",
+        "steps aside": f"Steps aside from its mission {at}, for {record.get('by')}",
+        "goes on": f"Goes on with its mission {at}",
+    }.get(str(record["state"]), f"Has flown its mission of {record['of']} items")
+
+
 def is_event(record: Mapping[str, Any]) -> bool:
     """Whether a decision is one for people; an obstacle may be moved in every tick."""
     return record["kind"] not in QUIET and not (record["kind"] == "world" and record.get("change") == "moved")
@@ -112,6 +123,8 @@ def event_of(record: Mapping[str, Any]) -> Event:
         return Event(t_s, int(record.get("sysid", 0)), "info", str(record["text"]), "operator")
     if kind == "pursuit":
         return Event(t_s, int(record["pursuer"]), "info", f"Pursues {record['target']} from now on", "decision")
+    if kind == "mission":
+        return Event(t_s, int(record["sysid"]), "info", mission_sentence(record), "decision")
     if kind == "safety":
         by = str(record["by"])
         gives = "Gives way to" if by.startswith(("vehicle", "traffic")) else "Keeps clear of"

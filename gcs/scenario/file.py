@@ -17,7 +17,7 @@ from gcs.scenario.document import Conflict, Document, KeyPath, Problem, Scenario
 from gcs.scenario.grid import expand
 from gcs.scenario.json_schema import editor_schema
 from gcs.scenario.model import Scenario, repeats
-from gcs.scenario.parts import plan_file
+from gcs.scenario.parts import mission, plan_file
 
 CURRENT = 1
 CAMPAIGNS = "campaigns"
@@ -104,6 +104,7 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
             external.inherited(vehicle, own)
         del vehicles["defaults"]
     plan_file.fill(document)
+    mission.fill(document, _vehicles(document.data))
     external.absolute_paths((keys for _, keys in _vehicles(document.data)), Path(document.file).parent)
     try:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})

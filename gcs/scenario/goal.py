@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.mission import items_of
 from gcs.scenario.plugins import named
 
 MET, INTERRUPTED = "met", "interrupted"
@@ -153,7 +154,7 @@ def _has_ground(scenario: Scenario) -> float | None:
 
 
 def _waypoints(scenario: Scenario) -> float | None:
-    some = any(pursuer.waypoints_m for pursuer in scenario.vehicles.pursuers)
+    some = any(pursuer.own_way for pursuer in scenario.vehicles.pursuers)
     return 0.0 if scenario.goal.waypoints == "all" and some else None
 
 
@@ -205,7 +206,7 @@ def _judge_duration(time_s: float, limit_s: float, _: Scenario) -> _Found:
 
 
 def _judge_waypoints(missed_of: Mapping[int, int], _: float, scenario: Scenario) -> _Found:
-    count = {pursuer.sysid: len(pursuer.waypoints_m) for pursuer in scenario.vehicles.pursuers}
+    count = {pursuer.sysid: len(pursuer.waypoints_m or items_of(pursuer)) for pursuer in scenario.vehicles.pursuers}
     missed = {sysid: number for sysid, number in missed_of.items() if number}
     if not missed:
         return _Found(True, "all passed", 0.0)

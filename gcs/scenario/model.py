@@ -13,6 +13,7 @@ from gcs.scenario import external
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
 from gcs.scenario.fence import NO_FENCE, FenceRules, fence_conflicts
+from gcs.scenario.parts import mission
 from gcs.scenario.parts.bases import Base, base_conflicts
 from gcs.scenario.parts.radio import PERFECT, Blackout, Radio
 from gcs.scenario.parts.reach import Shown
@@ -365,6 +366,8 @@ def _vehicle_conflicts(s: Scenario) -> Iterator[Conflict]:
             yield Conflict((*path, "target"), f"{vehicle.label} follows {vehicle.target}, which is no target's sysid")
         if isinstance(vehicle, Pursuer) and vehicle.target is not None and vehicle.waypoints_m:
             yield Conflict((*path, "waypoints_m"), f"{vehicle.label} has waypoints_m and a target; leave one out")
+        if isinstance(vehicle, Pursuer) and vehicle.mission is not None:
+            yield from mission.conflicts(path, vehicle, s)
         if isinstance(vehicle, Tanker) and vehicle.reserve_j >= vehicle.battery.capacity_j:
             yield Conflict((*path, "reserve_j"), f"{vehicle.label} has a reserve_j above its capacity_j")
         if isinstance(vehicle, Target):

@@ -13,6 +13,7 @@ from typing import Any
 from gcs.extras import require
 from gcs.scenario.colours import LIGHT
 from gcs.scenario.model import Obstacle, Scenario, Target, VehicleBase
+from gcs.scenario.parts.mission import way_of
 
 Point = tuple[float, ...]
 Plane = tuple[float, float]
@@ -107,8 +108,8 @@ def _routes(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point], bool]]:
             yield ROUTE, (target.start_m, target.path_m[0]), False
         yield ROUTE, target.path_m, target.closed
     for pursuer in scenario.vehicles.pursuers:
-        if pursuer.waypoints_m:
-            yield COURSE, pursuer.waypoints_m if pursuer.external else (pursuer.start_m, *pursuer.waypoints_m), False
+        if way := pursuer.waypoints_m or tuple(way_of(pursuer, scenario)):
+            yield COURSE, way if pursuer.external else (pursuer.start_m, *way), False
 
 
 def _fence(scenario: Scenario) -> Iterator[tuple[str, Sequence[Point]]]:

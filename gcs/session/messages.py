@@ -19,6 +19,7 @@ from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
+from gcs.scenario.parts.mission import plan_of
 from gcs.scenario.weather import CALM
 from gcs.session.message_types import (
     BaseRow,
@@ -239,7 +240,9 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
         ordered = arming.ordered is not None or sysid in supervisor.grounded
         row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=arming.down, ordered=ordered)
-        row.stage, row.note, row.state = arming.stage, notes.get(sysid, ""), states[sysid]
+        notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]
+        row.stage, row.note, row.state = arming.stage, "; ".join(filter(None, notes_of)), states[sysid]
+        row.mission_item = supervisor.missions.item(sysid) or UNSET
         row.target_m = distance_m(view.p_ned, at.get(target_of.get(sysid, -1)))
         row.v, row.tau = competition_state.v.get(sysid), competition_state.tau.get(sysid)
         row.aim_ned, row.margin_m = aims.get(sysid), supervisor.planner.margin_m(sysid)
@@ -275,7 +278,7 @@ def session_message(
             bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=goal_of(scenario),
             origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
-            plans=[plan] if (plan := scenario_plan(scenario)) is not None else UNSET,
+            plans=plans_of(scenario) or UNSET,
             wind=None if scenario.wind == CALM else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
@@ -320,6 +323,17 @@ def _item(item: MissionItem, number: int, origin: Origin, home_alt_m: float) -> 
         above=place.above if isinstance(place, GlobalPlace) and of_earth else None,
         flown=item.flown,
     )
+
+
+def plans_of(scenario: Scenario) -> list[PlanRow]:
+    """The scenario's own fence and rally points, and the missions of its vehicles; none where it has none."""
+    origin = (scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m)
+    missions = [
+        plan_row(plan_of(vehicle), vehicle.label, vehicle.sysid, origin, None)
+        for vehicle in scenario.vehicles.on_missions
+    ]
+    own = scenario_plan(scenario)
+    return missions if own is None else [own, *missions]
 
 
 def scenario_plan(scenario: Scenario) -> PlanRow | None:

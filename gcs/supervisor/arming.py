@@ -4,6 +4,8 @@
                                       ▲           │ any other mode, unless it is landing
                                       └───────────┘
 
+One that flies a mission leaves `fly` for `mission`, and comes back by `start offboard`.
+
 A vehicle that starts in the air and already follows set points goes from `identify` straight to `fly`. One that lands,
 whatever its reason, is `down` and stays there, unless it was to land: then it is `at a base`, and comes back by `arm`.
 One that refuses to be armed is asked ever more seldom, and at once when its battery has been charged. One that an
@@ -16,6 +18,7 @@ from __future__ import annotations
 
 import math
 from enum import StrEnum
+from typing import Literal
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.mavlink.codec import Message, message
@@ -45,6 +48,12 @@ SET_POINTS_FIRST_S = 0.2
 """Set points flow for this long before offboard is asked for: PX4 wants them first."""
 
 
+Mission = Literal["", "fly", "hold"]
+"""Part of a vehicle in its mission: none, as it is led by set points; fly it, or stand where it is."""
+ON_MISSION = frozenset({FlightMode.MISSION, FlightMode.HOLD})
+"""Modes of a vehicle that flies its mission, or holds on it."""
+
+
 class Stage(StrEnum):
     """Stage of a vehicle."""
 
@@ -53,6 +62,7 @@ class Stage(StrEnum):
     TAKEOFF = "take off"
     OFFBOARD = "start offboard"
     FLY = "fly"
+    MISSION = "mission"
     YIELDED = "yielded"
     BASE = "at a base"
     DOWN = "down"
@@ -75,7 +85,8 @@ class ArmingSequence:
         self.stage = Stage.IDENTIFY
         self.grounded = False
         """whether the schedule wants it to land where it is, and to stay there"""
-        self._comes_down = False
+        self.mission: Mission = ""
+        self._comes_down = self._led_still = False
         self._takeoff_m = takeoff_m
         self._stage_since_s = 0.0
         self._asked_s = self._read_s = -RETRY_S
@@ -98,7 +109,8 @@ class ArmingSequence:
     @property
     def sends_set_points(self) -> bool:
         """Whether set points should flow."""
-        return self.stage in (Stage.OFFBOARD, Stage.FLY) or (self.stage is Stage.BASE and not self._comes_down)
+        at_base = self.stage is Stage.BASE and not self._comes_down
+        return self.stage in (Stage.OFFBOARD, Stage.FLY) or at_base or (self.stage is Stage.MISSION and self._led_still)
 
     @property
     def down(self) -> bool:
@@ -112,6 +124,11 @@ class ArmingSequence:
     def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
         self.ordered, self._order_sent = mode, False
+        self.touched.add(self.sysid)
+
+    def go_on_mission(self, mission: Mission) -> None:
+        """Let this be its part in its mission from now on."""
+        self.mission, self._asked_s = mission, -RETRY_S
         self.touched.add(self.sysid)
 
     def release(self) -> None:
@@ -168,7 +185,7 @@ class ArmingSequence:
             return False
         if self.stage is Stage.TAKEN:
             return self._order_sent or self.ordered is None
-        if self.ordered is not None or self.grounded:
+        if self.ordered is not None or self.grounded or self.mission == "fly":
             return False
         steered = view.fresh and view.armed and view.mode in STEERABLE
         return self.stage is Stage.DOWN or (self.stage is Stage.FLY and steered and not self.rejoining)
@@ -230,7 +247,19 @@ class ArmingSequence:
             return [self._command(mav.MAV_CMD_NAV_TAKEOFF, 0.0, 0.0, 0.0, *[view.profile.not_given] * 3, height)]
         if self.stage is Stage.OFFBOARD and now_s - self._stage_since_s >= SET_POINTS_FIRST_S - _ROUNDING_S:
             return [self._command(mav.MAV_CMD_DO_SET_MODE, *view.profile.offboard)]
+        if self.stage is Stage.MISSION:
+            return self._on_mission(view)
         return self._come_down(view, now_s) if self.stage is Stage.BASE else []
+
+    def _on_mission(self, view: VehicleView) -> list[CommandRequest]:
+        """The command that starts its mission, or lets it go on; or by which it holds."""
+        if self.mission == "fly" and view.mode is not FlightMode.MISSION:
+            command, params = view.profile.mission
+        elif self.mission == "hold" and view.mode is FlightMode.MISSION:
+            command, params = view.profile.ending("hold")
+        else:
+            return []
+        return [self._command(command, *params, token=f"{ARMING} {self.stage}, {self.mission}")]
 
     def _move_on(self, view: VehicleView, now_s: float, bound: bool) -> None:
         if self.stage in (Stage.OFFBOARD, Stage.FLY):
@@ -246,6 +275,7 @@ class ArmingSequence:
             self._arming_tries = 0
             self._refusals.clear()
         self._comes_down = view.landed or view.mode not in STEERABLE
+        self._led_still = view.mode in STEERABLE
 
     def _blame_link(self, view: VehicleView, now_s: float) -> None:
         """Let a vehicle rejoin that its failsafe took out of offboard control because its link was out."""
@@ -279,11 +309,15 @@ class ArmingSequence:
             return Stage.TAKEOFF if view.armed else Stage.ARM
         if self.stage is Stage.TAKEOFF:
             return self._climbed(view) if view.armed else Stage.ARM
+        if self.stage is Stage.FLY and self.mission == "fly" and view.mode in STEERABLE and view.armed:
+            return Stage.MISSION
+        if self.stage is Stage.MISSION and self.mission and view.armed and view.mode in STEERABLE | ON_MISSION:
+            return Stage.MISSION
         if self.grounded and self.stage in (Stage.OFFBOARD, Stage.FLY, Stage.BASE):
             return Stage.BASE
         if self.stage is Stage.BASE:
             return Stage.OFFBOARD if view.flying else Stage.ARM
-        if self.stage in (Stage.OFFBOARD, Stage.FLY):
+        if self.stage in (Stage.OFFBOARD, Stage.FLY, Stage.MISSION):
             if view.mode in STEERABLE and view.armed:
                 self.rejoining = False
                 return Stage.FLY

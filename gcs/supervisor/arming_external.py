@@ -11,7 +11,8 @@
    it: then it is the autopilot's answer to that, and offboard is asked for again. Before it has been in offboard, a
    mode that is not steered by hand is but on its way there: a HEARTBEAT may be a second old.
 4. What an operator orders goes before all that, and so does the order to have it back.
-5. While it is silent nothing changes; it may come back. A return or a landing in which it does is its failsafe's or a
+5. On its mission that is its mode, and hold while it waits; by any other, or if it holds of its own, it is theirs.
+6. While it is silent nothing changes; it may come back. A return or a landing in which it does is its failsafe's or a
    pilot's, which cannot be known: it is left alone, unless the scenario says `rejoins`.
 """
 
@@ -23,7 +24,7 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.external import External
-from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.arming import ON_MISSION, ArmingSequence, Mission, Stage
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -54,7 +55,7 @@ COMING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 earlier session ordered at its end."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
-_FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.YIELDED})
+_FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.MISSION, Stage.YIELDED})
 _BEFORE_FLIGHT = frozenset({Stage.IDENTIFY, Stage.ARM, Stage.TAKEOFF})
 
 
@@ -67,14 +68,15 @@ class ExternalArmingSequence(ArmingSequence):
         self._now_s = 0.0
         self._begun_s = math.inf
         self._silent = False
-        self._took_off = self._climbs = False
+        self._took_off = self._climbs = self._on_its_way = False
         self._reads = 0
         self._decided_s = self._starved_s = self._takeoff_s = -math.inf
 
     @property
     def sends_set_points(self) -> bool:
         """Whether set points should flow."""
-        return (self.stage in _FLOWN or super().sends_set_points) and not self._silent
+        flown = self.stage in _FLOWN and self.stage is not Stage.MISSION
+        return (flown or super().sends_set_points) and not self._silent
 
     def mend(self, view: VehicleView) -> None:
         """As `ArmingSequence.mend`, also while its failsafe still flies it; a mode that it reports late counts too."""
@@ -139,6 +141,8 @@ class ExternalArmingSequence(ArmingSequence):
             return Stage.BASE
         if not view.armed and view.landed:
             return Stage.ARM if self.rejoining else Stage.DOWN
+        if self.mission and self.stage is not Stage.OFFBOARD and (onward := self._mission_stage(view)) is not None:
+            return onward
         if view.mode in STEERABLE:
             self.rejoining = False
             if view.landed and stage is not Stage.FLY:
@@ -147,10 +151,28 @@ class ExternalArmingSequence(ArmingSequence):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self.rejoining else Stage.OFFBOARD
-        if self.rejoining:
+        if self.rejoining or (stage is Stage.MISSION and view.mode in ON_MISSION):  # it was to step aside, or is done
             return Stage.OFFBOARD
         starved = self._now_s - self._starved_s <= BLAMED_S
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
+
+    def _mission_stage(self, view: VehicleView) -> Stage | None:
+        """Its stage as far as its mission says so; its mode may still be the one before the last order."""
+        if view.mode is FlightMode.MISSION:
+            self._on_its_way = self.mission == "hold"
+            return Stage.MISSION if self.mission == "fly" or self.stage is Stage.MISSION else None
+        if self.stage is not Stage.MISSION:
+            begins = self.mission == "fly" and self.stage is Stage.FLY and view.mode in STEERABLE
+            return Stage.MISSION if begins else None
+        waits = self.mission == "hold" or self._on_its_way or self._now_s - self._starved_s <= BLAMED_S
+        if view.mode in STEERABLE or (view.mode is FlightMode.HOLD and waits):
+            return Stage.MISSION
+        return Stage.YIELDED
+
+    def go_on_mission(self, mission: Mission) -> None:
+        """As `ArmingSequence.go_on_mission`."""
+        super().go_on_mission(mission)
+        self._on_its_way = True
 
     def _before_flight(self, view: VehicleView) -> Stage:
         if view.p_ned is None or view.last_received_s < 0.0:

@@ -16,9 +16,9 @@ from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.estimators import Estimators
-from gcs.supervisor.external_events import METADATA, ExternalEvents
-from gcs.supervisor.operator_control import TOKEN as CONTROL
-from gcs.supervisor.operator_control import OperatorControl
+from gcs.supervisor.services.external_events import METADATA, ExternalEvents
+from gcs.supervisor.services.operator_control import TOKEN as CONTROL
+from gcs.supervisor.services.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.remote_id import RemoteIds
@@ -40,7 +40,7 @@ BEHIND_S = 2.0
 """At another speed than 1: a clock that has fallen so much further behind the session's is reported."""
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
-STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY})
+STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY, Stage.MISSION})
 ENDING, MODES, UID = "end", "modes", "uid"
 UID_EVERY_S, UID_TIMES = 1.0, 3
 """A vehicle is asked so often for its uid: behind one address another may have its id, whose answer may be lost."""

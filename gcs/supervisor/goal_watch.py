@@ -248,7 +248,7 @@ class GoalWatch:
             if arming.rejoining and not view.flying:
                 return "landed by itself"
         by_itself = vehicle.foreign is None or view.failsafe
-        ours = held or arming.stage in (*_STEERED, Stage.YIELDED)
+        ours = held or arming.stage in (*_STEERED, Stage.MISSION, Stage.YIELDED)
         taken_down = ours and by_itself and view.flying and view.mode in GOING_DOWN
         return f"its failsafe flies it ({view.mode})" if taken_down else ""
 

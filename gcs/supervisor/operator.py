@@ -28,6 +28,7 @@ TAKEN: dict[str, tuple[End, str]] = {
     "return": ("return", "returns to its home and lands there"),
     "land": ("land", "lands where it is"),
 }
+OUT_MISSION = "on its mission"
 OUT_TAKEN, OUT_SKIPPED = "taken by the operator", "skipped by the operator"
 
 
@@ -147,8 +148,9 @@ class Operator:
             refusal = f"{name} is refuelled next already."
         if refusal is None and view.sysid in schedule.out:
             arming = self._arming[view.sysid]
-            back = "rejoin it" if arming.ordered is not None or arming.released else "skip it again"
-            refusal = f"{name} is {schedule.out[view.sysid]}: {back} first."
+            back = "rejoin it first" if arming.ordered is not None or arming.released else "skip it again first"
+            back = "it is refuelled when it has flown it" if schedule.out[view.sysid] == OUT_MISSION else back
+            refusal = f"{name} is {schedule.out[view.sysid]}: {back}."
         if refusal is None and not view.flying:
             refusal = f"{name} is not flying."
         if refusal is None and view.remaining_j >= self._until * view.capacity_j:

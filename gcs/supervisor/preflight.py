@@ -7,7 +7,8 @@ clock compared.
    At another speed than 1 only the pace of its own time counts, by `time_boot_ms`, over PACE_OVER_S of the session: a
    simulator has to keep the session's, within PACE_OFF.
 4. Return parameters are set on vehicles whose autopilots are not ours, and put back at the end (return_setting.py).
-5. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
+5. A mission that does not read as it was written fails its vehicle whatever `preflight` says: it would fly elsewhere.
+6. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
 Origins are judged where frames are (`arming_external`): one that is too far away is left out.
 """
 
@@ -26,13 +27,15 @@ from gcs.mavlink.ids import AUTOPILOT, STATION
 from gcs.mavlink.parameters.value import ParameterValue
 from gcs.mavlink.plans.client import MESSAGES as PLAN_MESSAGES
 from gcs.mavlink.plans.client import PlanClient
-from gcs.mavlink.plans.items import KINDS, PlanItem
+from gcs.mavlink.plans.items import KINDS, PlanItem, wire_items
+from gcs.missions.items import MissionPlan
 from gcs.planner.failsafes import foreign_returns_of
 from gcs.scenario.model import Scenario
+from gcs.scenario.parts.mission import items_of, plan_of
 from gcs.supervisor import return_setting
 from gcs.supervisor.return_setting import ReturnSetting
 from gcs.telemetry.events import Event, Level
-from gcs.telemetry.state import FleetSnapshot
+from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import geodesy
 from skytender import mavlink as mav
 
@@ -56,13 +59,14 @@ _WORDS = {
     "silent": "not answered",
 }
 _FAILS = frozenset({"refused", "differs", "silent"})
+_FAILS_MISSION = _FAILS | {"unsupported"}
 
 
 class CheckItem(NamedTuple):
     """An entry of a vehicle's check list."""
 
     key: str
-    """fence, rally, return, clock, or pace at another speed than 1"""
+    """fence, rally, mission, return, clock, or pace at another speed than 1"""
     passed: bool
     text: str
 
@@ -71,9 +75,17 @@ class _CheckList:
     """One vehicle's."""
 
     def __init__(
-        self, clients: Mapping[str, PlanClient], homecoming: ReturnSetting | None, *, external: bool, paced: bool
+        self,
+        clients: dict[str, PlanClient],
+        homecoming: ReturnSetting | None,
+        mission: MissionPlan,
+        *,
+        external: bool,
+        paced: bool,
     ) -> None:
         self.clients = clients
+        self.mission = mission
+        """which is put into it once its autopilot's habits are known"""
         self.homecoming = homecoming
         self.items: dict[str, CheckItem] = {}
         self.asks_clock = ASK_TIMES if external and not paced else 0
@@ -88,6 +100,7 @@ class _CheckList:
     def complete(self) -> bool:
         """Whether nothing of it is open."""
         due = self.clients.keys() | ({"return"} if self.homecoming is not None else set())
+        due |= {"mission"} if self.mission.mission else set()
         return self.items.keys() >= due and not self.clock_open and not self.pace_open
 
 
@@ -98,6 +111,7 @@ class Preflight:
         """`returns_set`: whether return parameters are written; else it is only said what they would be."""
         self.enforced = scenario.preflight == "enforce"
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
+        self._stations = dict.fromkeys(scenario.vehicles.external, scenario.station.ids)
         plans = {"fence": fence_items(scenario), "rally": rally_items(scenario)}
         returns = foreign_returns_of(scenario)
         self._lists = {
@@ -108,7 +122,7 @@ class Preflight:
                         AUTOPILOT,
                         KINDS[key],
                         items,
-                        station=scenario.station.ids if v.external is not None else STATION,
+                        station=self._stations.get(v.sysid, STATION),
                     )
                     for key, items in plans.items()
                     if items
@@ -118,11 +132,12 @@ class Preflight:
                 )
                 if v.sysid in returns
                 else None,
+                plan_of(v),
                 external=v.external is not None,
                 paced=self._speed != 1.0,
             )
             for v in scenario.vehicles.all
-            if any(plans.values()) or v.external is not None or v.sysid in returns
+            if any(plans.values()) or v.external is not None or v.sysid in returns or items_of(v)
         }
         self._events: list[Event] = []
         self._back: tuple[int, ...] = ()
@@ -140,8 +155,13 @@ class Preflight:
 
     def failed(self, sysid: int) -> str:
         """Why a vehicle is not to be armed, as a sentence; empty where it may be."""
-        wrong = [item.text for item in self.items(sysid) if not item.passed]
-        if not wrong or not self.enforced or not self.ended(sysid):
+        failed = [item for item in self.items(sysid) if not item.passed]
+        if not self.ended(sysid):
+            return ""
+        if wrong := [item.text for item in failed if item.key == "mission"]:
+            return f"Does not begin, and is not armed: {wrong[0]}"
+        wrong = [item.text for item in failed]
+        if not wrong or not self.enforced:
             return ""
         return f"Fails its check list and is not armed: {'; '.join(wrong)} ('preflight: warn' arms it all the same)"
 
@@ -171,6 +191,8 @@ class Preflight:
             if not view.alive or view.last_received_s < 0.0:
                 continue
             messages = self._ask_clock(sysid, checks, now_s)
+            if checks.mission.mission and "mission" not in checks.clients:
+                checks.clients["mission"] = self._mission_client(view, checks.mission)
             if checks.pace_open and now_s >= PACE_WITHIN_S:
                 checks.pace_open = False
                 checks.items["pace"] = CheckItem(
@@ -232,13 +254,22 @@ class Preflight:
         taken, self._events = self._events, []
         return taken
 
+    def _mission_client(self, view: VehicleView, mission: MissionPlan) -> PlanClient:
+        kind, habits = KINDS["mission"], view.profile.plans
+        items = wire_items(mission, kind, habits, view.profile.not_given)
+        station = self._stations.get(view.sysid, STATION)
+        return PlanClient(view.sysid, AUTOPILOT, kind, items, habits, station=station, first=1)
+
     def _plan(self, key: str, client: PlanClient, checks: _CheckList, now_s: float) -> list[Message]:
         messages = client.poll(now_s)
         if client.outcome is not None:
             why = f" ({client.why})" if client.why and client.outcome != "unsupported" else ""
             name = "rally points" if key == "rally" else key
             text = f"{name} {_WORDS[client.outcome]}{why}"
-            checks.items[key] = CheckItem(key, client.outcome not in _FAILS, text)
+            if key == "mission" and client.outcome == "unsupported":
+                text = f"mission not taken: {client.why}"
+            fails = _FAILS_MISSION if key == "mission" else _FAILS
+            checks.items[key] = CheckItem(key, client.outcome not in fails, text)
         return messages
 
     def _ask_clock(self, sysid: int, checks: _CheckList, now_s: float) -> list[Message]:

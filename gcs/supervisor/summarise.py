@@ -18,6 +18,7 @@ from gcs.recording.summary import (
     FaultSummary,
     GoalPartSummary,
     LinkSummary,
+    MissionSummary,
     RefuellingSummary,
     Role,
     Summary,
@@ -98,6 +99,7 @@ def summarise(
                 energy=_ledger(view, credited_j[view.sysid]),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
                 check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
+                mission=_mission(supervisor, view.sysid),
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
                 links=[VehicleLinkSummary(**one._asdict()) for one in links.get(view.sysid, ())],
             )
@@ -138,6 +140,22 @@ def _ledger(view: VehicleView, credited_j: int) -> EnergySummary:
         lost_j=view.given_j - credited_j - returned_j,
         remaining_j=view.remaining_j,
         source=view.energy_source,
+    )
+
+
+def _mission(supervisor: Supervisor, sysid: int) -> MissionSummary | None:
+    flight = supervisor.missions.flights.get(sysid)
+    if flight is None:
+        return None
+    count = len(flight.items)
+    return MissionSummary(
+        items=count,
+        reached=count if flight.done else min(flight.index, count),
+        flown_at_s=_finite(flight.done_s),
+        holds=flight.holds,
+        held_s=flight.held_s
+        if math.isnan(flight.held_since_s)
+        else flight.held_s + supervisor.time_s - flight.held_since_s,
     )
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -58,12 +59,13 @@ from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
 from gcs.supervisor.grants import Addressees, OwnFrames
+from gcs.supervisor.mission_watch import MissionWatch
 from gcs.supervisor.operator import Operator, OperatorReply
-from gcs.supervisor.operator_control import TOKEN as CONTROL
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.reception import Reception
 from gcs.supervisor.recovery import Recovery
 from gcs.supervisor.script import COMMAND, Script
+from gcs.supervisor.services.operator_control import TOKEN as CONTROL
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.events import Event, Kind, level_of
 from gcs.telemetry.metrics import Metrics
@@ -75,7 +77,7 @@ if TYPE_CHECKING:  # most sessions have none
 WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20
 """Most texts of one vehicle that are shown in one tick."""
-_SETTLED = frozenset({Stage.FLY, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
+_SETTLED = frozenset({Stage.FLY, Stage.MISSION, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 _SYSID_AT = 5  # in a frame
 _SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
@@ -113,7 +115,7 @@ class Supervisor:
         self.pursuit: TargetAssignment | None = None
         if scenario.pursuit.by == "competition":
             targets = [target.sysid for target in scenario.vehicles.targets]
-            pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.waypoints_m]
+            pursuers = [p.sysid for p in scenario.vehicles.pursuers if not p.own_way]
             self.pursuit = TargetAssignment(scenario.pursuit, pursuers, targets, scenario.planner.cruise_m_s)
         self.metrics = Metrics(scenario)
         self.arming = make_arming_sequences(scenario)
@@ -125,6 +127,7 @@ class Supervisor:
         self._forwarded = ForwardedControl(self.arming, self.operator, stations)
         self.externals = ExternalFleet(scenario)
         self.preflight = Preflight(scenario)
+        self.missions = MissionWatch(scenario, self.arming, self.schedule.out)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         injections = drawn(scenario.faults, scenario.seed)
@@ -196,6 +199,7 @@ class Supervisor:
         decision = self.schedule.decide(snapshot)
         self._serve_at_bases(decision)
         self._prepare(snapshot)
+        self._watch_missions(snapshot)
         self._fly(snapshot, now_s)
         self.events += self.recovery.look(snapshot)
         self._keep_streams(snapshot)
@@ -237,7 +241,8 @@ class Supervisor:
         measured = self.goal_watch.measured(
             self.snapshot, time_s=self.time_s, pursuit_held_s=held_s, refuelled=refuelled
         )
-        return judge(self.worlds.judged, measured)
+        missed = {**(measured.missed or {}), **self.missions.missed}
+        return judge(self.worlds.judged, replace(measured, missed=missed))
 
     def fault_outcomes(self) -> list[dict[str, Any]]:
         """Faults that were injected so far, and what came of each."""
@@ -387,6 +392,7 @@ class Supervisor:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
+        self.missions.receive(delivered)
         self.received += len(arrived)
         if texts := self.fleet.pop_statustexts(now_s):
             self._report_texts(texts, now_s)
@@ -451,6 +457,14 @@ class Supervisor:
             arming.checked = self.preflight.ended(sysid)
             arming.unfit = self.externals.ambiguous.get(sysid) or self.preflight.failed(sysid)
         self.events += self.preflight.pop_events()
+
+    def _watch_missions(self, snapshot: FleetSnapshot) -> None:
+        if not self.missions.flights:
+            return
+        for sysid, messages in self.missions.decide(snapshot, may_begin=self.targets_move).items():
+            self.command_queue.put(sysid, messages)
+        for sysid in self.missions.turned:
+            self.command_queue.withdraw(sysid)
 
     def _fly(self, snapshot: FleetSnapshot, now_s: float) -> None:
         due = self._fleet_arming.due(snapshot.columns)
@@ -519,6 +533,7 @@ class Supervisor:
                 pursuing,
                 decision.stations,
                 self.script.given(self.time_s),
+                claims=self.missions.claims,
             )
         )
 
@@ -654,7 +669,7 @@ class Supervisor:
             competition_states=self.schedule.competition_states,
         )
         self.events += events
-        interventions = self.planner.pop_records()
+        interventions = [*self.missions.pop_records(), *self.planner.pop_records()]
         if interventions:
             self.events += [event_of(record) for record in interventions]
         return [*self._new_records(), *interventions, *records]

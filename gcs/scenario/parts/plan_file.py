@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from gcs.scenario.document import Document, Problem, ScenarioError
+from gcs.scenario.document import Document, KeyPath, ScenarioError
 from gcs.scenario.types import MOST_M
 from skytender import elementary
 
@@ -32,12 +32,14 @@ def fill(document: Document) -> None:
     ]
     if problems:
         raise ScenarioError(problems)
-    plan = _read(document, value)
+    plan = read_plan(document, value, ("plan",))
+    if not plan.fence and not plan.rally:
+        raise ScenarioError([document.problem(("plan",), f"{value} holds neither a geofence nor rally points")])
     mirror = -1.0 if document.data.get("axes") == "paper" else 1.0
     areas, rally = _ned(plan, origin, mirror)
     if any(elementary.norm(place) > MOST_M for place in _places(areas, rally)):
         message = f"{value} lies more than {MOST_M / 1e3:.0f} km from the scenario's origin"
-        raise ScenarioError([Problem(*_place(document), message)])
+        raise ScenarioError([document.problem(("plan",), message)])
     for key, found in (("fence", areas), ("rally_m", rally)):
         if found:
             document.data[key] = found
@@ -45,12 +47,13 @@ def fill(document: Document) -> None:
     del document.data["plan"]
 
 
-def _read(document: Document, value: str) -> MissionPlan:
+def read_plan(document: Document, value: str, path: KeyPath) -> MissionPlan:
+    """The plan in a file beside the scenario that the key at `path` names. Raises ScenarioError."""
     from gcs.missions.errors import MissionFileError  # noqa: PLC0415 - most scenarios have no such file
     from gcs.missions.files import load  # noqa: PLC0415
 
     def refused(message: str) -> ScenarioError:
-        return ScenarioError([Problem(*_place(document), message)])
+        return ScenarioError([document.problem(path, message)])
 
     try:
         plan = load(Path(document.file).parent / value)
@@ -58,11 +61,10 @@ def _read(document: Document, value: str) -> MissionPlan:
         raise refused(str(error)) from None
     except (OSError, ValueError) as error:  # a name with a zero byte is a ValueError
         raise refused(f"{value} cannot be read: {getattr(error, 'strerror', None) or error}") from None
-    unknown = [text for text in plan.left_out if not text.startswith("mission.")]
+    about_mission = path[-1] == "mission"
+    unknown = [text for text in plan.left_out if text.startswith("mission.") is about_mission]
     if unknown:
         raise refused(f"{value}: {'; '.join(unknown)}")
-    if not plan.fence and not plan.rally:
-        raise refused(f"{value} holds neither a geofence nor rally points")
     return plan
 
 
@@ -70,11 +72,6 @@ def _places(fence: dict[str, Any], rally: list[Any]) -> Iterator[list[float]]:
     yield from rally
     for area in (area for areas in fence.values() for area in areas):
         yield from area.get("polygon_m") or [area["circle_m"]]
-
-
-def _place(document: Document) -> tuple[str, int | None, int | None]:
-    at = document.problem(("plan",), "")
-    return at.file, at.line, at.column
 
 
 def _origin(given: Any) -> tuple[float, float, float] | None:

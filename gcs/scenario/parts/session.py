@@ -80,7 +80,8 @@ class Goal(Part):
     """how many vehicles may be lost: dead, run dry, landed by a failsafe without an order to come down, or never in the
     air"""
     waypoints: Literal["all", "none"] = "all"
-    """`all`: every pursuer with waypoints_m passes all of them in order; `none`: none need"""
+    """`all`: every pursuer with waypoints_m passes all of them in order, and one with a mission reaches its last item;
+    `none`: none need"""
     waypoint_within_m: Metres = 1.0
     """how near a pursuer must pass a way point, m; at least planner.step_m"""
 

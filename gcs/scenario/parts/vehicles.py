@@ -5,6 +5,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, model_validator
 
 from gcs.scenario.external import External, filled
+from gcs.scenario.parts.mission import Mission
 from gcs.scenario.types import (
     Angles,
     Exact,
@@ -118,8 +119,16 @@ class Pursuer(VehicleBase):
     """the target's sysid; without it the first target"""
     waypoints_m: tuple[Vec3, ...] = ()
     """visited in order, within planner.step_m each, instead of a target; it stays at the last one"""
+    mission: Mission = None
+    """a .plan of QGroundControl or a QGC WPL 110 file, beside the scenario: its autopilot flies these items by itself,
+    instead of a target, and is watched and kept apart"""
     transfer: Flag | None = None
     """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
+
+    @property
+    def own_way(self) -> bool:
+        """Whether it follows no target."""
+        return bool(self.waypoints_m or self.mission)
 
     @property
     def transfer_capable(self) -> bool | None:
@@ -170,11 +179,16 @@ class Vehicles(Part):
 
     def target_of(self, pursuer: Pursuer) -> int | None:
         """The system id of the target that a pursuer follows: the one it names, else the first; None without any."""
-        if pursuer.waypoints_m:
+        if pursuer.own_way:
             return None
         if pursuer.target is not None:
             return pursuer.target
         return self.targets[0].sysid if self.targets else None
+
+    @property
+    def on_missions(self) -> tuple[Pursuer, ...]:
+        """Pursuers that fly a mission, in order of system id."""
+        return tuple(sorted((p for p in self.pursuers if p.mission), key=lambda pursuer: pursuer.sysid))
 
     @property
     def followed(self) -> dict[int, int]:

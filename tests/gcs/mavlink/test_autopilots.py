@@ -15,7 +15,7 @@ with warnings.catch_warnings():
 MODES = [
     ("TAKEOFF", FlightMode.TAKEOFF), ("LOITER", FlightMode.HOLD), ("RTL", FlightMode.RETURN),
     ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD),
-    ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL), ("MISSION", FlightMode.OTHER),
+    ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL), ("MISSION", FlightMode.MISSION),
 ]  # fmt: skip
 
 
@@ -30,7 +30,7 @@ def test_px4_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     [
         ("GUIDED", FlightMode.OFFBOARD), ("LOITER", FlightMode.HOLD), ("BRAKE", FlightMode.HOLD),
         ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND),
-        ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.OTHER),
+        ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.MISSION),
     ],
 )  # fmt: skip
 def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:

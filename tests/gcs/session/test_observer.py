@@ -287,7 +287,7 @@ def test_a_position_is_as_old_as_its_coming_whatever_the_vehicles_own_clock_says
 @pytest.mark.parametrize(
     ("autopilot", "mode", "name"),
     [(PX4, 4 << 16 | 4 << 24, "mission"), (PX4, 3 << 16, "position"), (PX4, 6 << 16, "offboard"),
-     (ARDUPILOT, 3, "auto"), (ARDUPILOT, 16, "position hold"), (ARDUPILOT, 6, "return"), (ARDUPILOT, 99, "mode 99")],
+     (ARDUPILOT, 3, "mission"), (ARDUPILOT, 16, "position hold"), (ARDUPILOT, 6, "return"), (ARDUPILOT, 99, "mode 99")],
 )  # fmt: skip
 def test_modes_have_names_that_a_person_reads(observer: Observer, autopilot: int, mode: int, name: str) -> None:
     observer.receive(beat(1, autopilot=autopilot, mode=mode), 0.0)
@@ -299,7 +299,7 @@ def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands
     rows(observer, 0.0)
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=6, armed=True), 1.0)
     events = observer.snapshot(1.0, speed=1.0, phase="flying")["events"]
-    assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "auto -> return")]
+    assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "mission -> return")]
 
 
 def test_a_battery_of_unknown_capacity_is_a_share_and_no_joules(observer: Observer) -> None:

@@ -260,7 +260,7 @@ def test_a_strangers_log_plays_without_a_word_of_configuration(tmp_path: Path) -
     replay.advance(7.9, math.inf)
     found = rows(replay.snapshot(speed=1.0))
     assert found.keys() == {3}
-    assert (found[3]["mode"], found[3]["autopilot"], found[3]["landed"]) == ("auto", "ardupilot", False)
+    assert (found[3]["mode"], found[3]["autopilot"], found[3]["landed"]) == ("mission", "ardupilot", False)
     assert found[3]["p_ned"][0] == pytest.approx((7.9 - 3.0) * 11.12, abs=0.1)
     assert found[3]["height_m"] == pytest.approx(10.0, abs=0.01)
 

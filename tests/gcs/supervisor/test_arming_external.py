@@ -395,3 +395,62 @@ def test_one_that_still_lands_by_an_earlier_sessions_order_is_waited_for_and_arm
     assert made.stage is Stage.IDENTIFY
     assert not made.sends_set_points
     assert told(made, view(), 41.0) == [ARM]
+
+
+ON_MISSION = UP._replace(mode=FlightMode.MISSION)
+HELD = UP._replace(mode=FlightMode.HOLD)
+
+
+def on_mission(profile: Profile = PX4) -> ExternalArmingSequence:
+    made = flying()
+    made.go_on_mission("fly")
+    wishes = made.decide(FLYING._replace(profile=profile), 3.1)[0]
+    assert [(wish.command, wish.params[:3]) for wish in wishes] == [MISSION[profile.name]]
+    assert made.sends_set_points  # until its mode says that it flies the mission
+    made.decide(ON_MISSION._replace(profile=profile), 3.5)
+    assert made.stage is Stage.MISSION
+    assert not made.sends_set_points
+    return made
+
+
+MISSION = {"px4": (SET_MODE, (1.0, 4.0, 4.0)), "ardupilot": (mav.MAV_CMD_MISSION_START, (0.0, 0.0))}
+HOLD = {"px4": (1.0, 4.0, 3.0), "ardupilot": (1.0, 17.0, 0.0)}
+
+
+@pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])
+def test_a_mission_is_begun_held_and_gone_on_with_by_the_autopilots_own_commands(profile: Profile) -> None:
+    made = on_mission(profile)
+    made.go_on_mission("hold")
+    (wish,) = made.decide(ON_MISSION._replace(profile=profile), 4.0)[0]
+    assert (wish.command, wish.params[:3]) == (SET_MODE, HOLD[profile.name])
+    assert told(made, HELD._replace(profile=profile), 4.5) == []
+    made.go_on_mission("fly")
+    (wish,) = made.decide(HELD._replace(profile=profile), 5.0)[0]
+    assert (wish.command, wish.params[:3]) == MISSION[profile.name]
+    assert made.stage is Stage.MISSION
+
+
+def test_one_that_is_to_step_aside_is_brought_back_to_set_points() -> None:
+    made = on_mission()
+    made.go_on_mission("hold")
+    made.decide(HELD, 4.0)
+    made.go_on_mission("")
+    made.decide(HELD, 5.0)
+    assert made.stage is Stage.OFFBOARD
+    assert made.sends_set_points
+    assert told(made, HELD, 6.1) == [SET_MODE]
+    made.decide(FLYING, 7.0)
+    assert made.stage is Stage.FLY
+
+
+@pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.MANUAL, FlightMode.RETURN])
+def test_a_pilot_who_takes_it_from_its_mission_has_it(mode: FlightMode) -> None:
+    made = on_mission()
+    for k in range(5):  # no late tick may be the reason
+        made.decide(ON_MISSION, 4.0 + 0.2 * k)
+    for k in range(20):
+        made.decide(ON_MISSION, 5.0 + 0.2 * k)
+    assert told(made, UP._replace(mode=mode), 9.0) == []
+    assert made.stage is Stage.YIELDED
+    made.decide(ON_MISSION, 10.0)
+    assert made.stage is Stage.MISSION

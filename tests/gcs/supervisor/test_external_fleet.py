@@ -13,8 +13,8 @@ from gcs.mavlink import codec
 from gcs.mavlink.command_protocol import CommandResult, CommandTarget
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.external_events import ASK_AFTER_S, METADATA
 from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, ExternalFleet
+from gcs.supervisor.services.external_events import ASK_AFTER_S, METADATA
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.track import Member
 

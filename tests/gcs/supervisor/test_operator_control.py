@@ -12,7 +12,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import codec
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.station import Station
-from gcs.supervisor.operator_control import ASK_EVERY_S, OperatorControl
+from gcs.supervisor.services.operator_control import ASK_EVERY_S, OperatorControl
 
 REQUEST = newer.dialect.MAV_CMD_REQUEST_OPERATOR_CONTROL
 MANAGER, ALLOWED = 1, 2

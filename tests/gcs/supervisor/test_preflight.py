@@ -17,11 +17,11 @@ NOON_US = 1_790_000_000_000_000
 class Session:
     """An external vehicle, 3, and its check list; time is the test's."""
 
-    def __init__(self, *, preflight: str = "enforce", speed: float = 1.0, **fence: Any) -> None:
+    def __init__(self, *, preflight: str = "enforce", speed: float = 1.0, mission: Any = None, **fence: Any) -> None:
         external = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 1e5}
         scenario = Scenario.model_validate({
             "schema": 1, "name": "list", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400.0},
-            "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": external}]},
+            "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": external, "mission": mission}]},
             "preflight": preflight, "fence": fence, "clock": {"mode": "real", "speed": speed},
         })  # fmt: skip
         self.preflight = Preflight(scenario)
@@ -144,3 +144,47 @@ def test_who_does_not_tell_its_own_time_cannot_be_followed_at_another_speed() ->
     ended, failed, _ = session.end()
     assert ended
     assert "does not tell its own time" in failed
+
+
+WAY = [
+    {"command": mav.MAV_CMD_NAV_WAYPOINT, "params": [0.0, 0.0, 0.0, None, 47.0, 8.0 + 1e-4 * k, 5.0]} for k in (1, 2)
+]
+PLAN = mav.MAV_MISSION_TYPE_MISSION
+
+
+def read_as(session: Session, height_m: float) -> None:
+    """It says that it has two items, the second one at another height."""
+    session.hear(mav.MAVLink_mission_count_message(255, 190, 2, PLAN))
+    for seq in range(2):
+        session.go_on(0.1)
+        session.hear(mav.MAVLink_mission_item_int_message(
+            255, 190, seq, 3, mav.MAV_CMD_NAV_WAYPOINT, 0, 1, 0.0, 0.0, 0.0, float("nan"), 470000000,
+            80000000 + 1000 * (seq + 1), height_m if seq else 5.0, PLAN,
+        ))  # fmt: skip
+    session.go_on(0.1)
+
+
+@pytest.mark.parametrize("preflight", ["enforce", "warn"])
+def test_one_whose_mission_reads_otherwise_than_it_was_written_does_not_begin(preflight: str) -> None:
+    session = Session(preflight=preflight, mission=WAY)
+    session.hear(system_time(0.0))
+    for _ in range(4):  # found, and written three times
+        session.go_on(0.1)
+        read_as(session, 7.0)
+        session.hear(mav.MAVLink_mission_ack_message(255, 190, mav.MAV_MISSION_ACCEPTED, PLAN))
+    session.go_on(0.1)
+    ended, failed, _ = session.end()
+    assert ended
+    assert failed == (
+        "Does not begin, and is not armed: mission not kept as it was written (read back, item 2 NAV_WAYPOINT: "
+        "Altitude 5 is 7)"
+    )
+
+
+def test_one_that_has_its_mission_already_passes() -> None:
+    session = Session(mission=WAY)
+    session.hear(system_time(0.0))
+    session.go_on(0.1)
+    read_as(session, 5.0)
+    assert session.end()[:2] == (True, "")
+    assert "MISSION_COUNT" not in session.sent

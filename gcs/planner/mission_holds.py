@@ -1,0 +1,249 @@
+"""Which vehicles on missions have to wait: the supervisor sends them no set points, but knows their ways.
+
+Each goes from its place straight to the places of its remaining items. Its stretch is where it may be before it stands,
+if it is told to hold now: so far along that way, and straight on, for it may not turn any more.
+
+1. Of two on missions the one with the higher system id gives way. It holds where its stretch comes nearer than the
+   distance wanted to where the other may be by the time when it stands; earlier, if they fly towards each other, by the
+   time that it needs to step aside. While another with a lower id waits for it, it waits.
+2. Everyone holds where its stretch comes near to one that stands or brakes.
+3. Others, which are led by set points, see the stretch and give way themselves (`claims`). A vehicle holds for one that
+   would come too near all the same, both going on as they do, before it could stand.
+4. One that holds in the way of another steps aside: it is led by set points like all others until it goes on.
+5. It goes on when it could by the same rules, were it up to a speed, for CLEAR_S.
+Only what comes nearer counts: two that are too near may part.
+
+NED, m, m/s, s; no clock.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from gcs.telemetry.state import Vec3
+from skytender import elementary
+from skytender.geometry import FloatArray
+
+ALONG_M = 0.3
+"""Between places of a stretch."""
+PARTS_M = 0.02
+"""An approach by less does not count."""
+GAINS_M_S = 0.5
+"""[choice] Speed that a vehicle may gain until an order has effect."""
+SETS_OUT_M_S = 1.0
+"""[choice] Least speed up to which one that holds must be able to go on."""
+CLEAR_S = 1.0
+STANDS_M_S = 0.5
+"""[choice] Speed below which it can be taken over."""
+ASIDE_S = 5.0
+"""[choice] Time to step aside: to be steered again, and to leave."""
+SAMPLE_S = 0.1
+
+
+class Stopping(NamedTuple):
+    """How a vehicle comes to stand."""
+
+    reacts_s: float
+    brakes_m_s2: float
+    strays_m: float
+    """how far it may fly beside its way, and what its places are wrong by"""
+
+    def time_s(self, speed_m_s: float) -> float:
+        """Until it stands."""
+        return self.reacts_s + speed_m_s / self.brakes_m_s2
+
+    def way_m(self, speed_m_s: float) -> float:
+        """Until it stands, from the present."""
+        fast = speed_m_s + GAINS_M_S
+        return fast * self.reacts_s + fast * fast / (2.0 * self.brakes_m_s2)
+
+
+OURS = Stopping(0.4, 2.5, 0.15)
+FOREIGN = Stopping(1.0, 2.0, 0.6)
+"""[choice] Of autopilots that are not ours: a command on its way, and jerk-limited brakes."""
+
+
+@dataclass(frozen=True, slots=True)
+class OnMission:
+    """A vehicle that flies its mission, holds on it, or stepped aside from it."""
+
+    sysid: int
+    name: str
+    p_ned: Vec3
+    v_ned: Vec3
+    ahead: tuple[Vec3, ...]
+    """places of its remaining items, the present one's first"""
+    goes: bool
+    """whether it flies its mission now; else it waits"""
+    led: bool
+    """whether it is led by set points"""
+    stopping: Stopping
+    cruise_m_s: float = 0.0
+    """its greatest speed so far"""
+
+    @property
+    def pace_m_s(self) -> float:
+        """Speed with which it is reckoned: its own; of one that waits, that which it will have."""
+        speed_m_s = elementary.norm(self.v_ned)
+        return speed_m_s if self.goes else max(speed_m_s, self.cruise_m_s, SETS_OUT_M_S)
+
+
+@dataclass(frozen=True, slots=True)
+class Other:
+    """A vehicle or aircraft that flies no mission."""
+
+    name: str
+    p_ned: Vec3
+    v_ned: Vec3
+
+
+class MissionVerdict(NamedTuple):
+    """Decision about one on a mission."""
+
+    waits_for: str
+    """name of what it holds for; empty where it may go on"""
+    aside: bool
+    """whether it stands in another's way"""
+    claim_ned: FloatArray
+    """(k, 3) where the others must not be"""
+
+
+def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: float) -> dict[int, MissionVerdict]:
+    """MissionVerdict for each, by system id; `flights` in order of system id."""
+    verdicts: dict[int, MissionVerdict] = {}
+    for i, one in enumerate(flights):
+        speed_m_s = one.pace_m_s
+        stretch = _stretch(one, one.stopping.way_m(speed_m_s))
+        stands_s = one.stopping.time_s(speed_m_s)
+        waits_for = ""
+        for j, other in enumerate(flights):
+            if j == i:
+                continue
+            if j < i and verdicts[other.sysid].waits_for == one.name:
+                waits_for = waits_for or other.name
+            if other.led:
+                continue
+            wanted_m = separation_m + one.stopping.strays_m + other.stopping.strays_m
+            theirs = _braking(other)
+            if j < i and other.goes and not verdicts[other.sysid].waits_for:
+                for_s = stands_s + (ASIDE_S if _head_on(one, other) else 0.0)
+                theirs = _stretch(other, other.stopping.way_m(_speed(other)) + for_s * _speed(other))
+            if _meet(stretch, theirs, one.p_ned, other.p_ned, wanted_m):
+                waits_for = waits_for or other.name
+        led = [Other(other.name, other.p_ned, other.v_ned) for other in flights if other.led and other is not one]
+        for near in (*others, *led):
+            if not waits_for and _reach(one, near, speed_m_s, stands_s, separation_m + one.stopping.strays_m):
+                waits_for = near.name
+        claim = _bend(one, stretch) if one.goes else stretch[:0]
+        if waits_for and not one.goes:  # led vehicles leave it
+            claim = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))[1:]
+        verdicts[one.sysid] = MissionVerdict(waits_for, False, claim)
+    return {one.sysid: verdicts[one.sysid]._replace(aside=_in_the_way(one, flights, separation_m)) for one in flights}
+
+
+def _in_the_way(one: OnMission, flights: Sequence[OnMission], separation_m: float) -> bool:
+    """Whether one that holds stands where another, which goes before it, leads."""
+    if one.goes or one.led or _speed(one) > STANDS_M_S:
+        return False
+    for other in flights:
+        if other.sysid < one.sysid and not other.led:
+            wanted_m = separation_m + one.stopping.strays_m + other.stopping.strays_m
+            speed_m_s = max(other.pace_m_s, SETS_OUT_M_S)
+            way = _stretch(other, other.stopping.way_m(speed_m_s) + ASIDE_S * speed_m_s)
+            if _meet(way, np.array([one.p_ned]), other.p_ned, one.p_ned, wanted_m):
+                return True
+    return False
+
+
+def _head_on(one: OnMission, other: OnMission) -> bool:
+    """Whether two fly, or are to fly, towards each other rather than across."""
+    mine, theirs = _heading(one), _heading(other)
+    against = sum(a * b for a, b in zip(mine, theirs, strict=True))
+    return against < -0.5 * elementary.norm(mine) * elementary.norm(theirs)
+
+
+def _heading(one: OnMission) -> Vec3:
+    """Along its velocity, or to where it is to go on."""
+    if one.goes or not one.ahead:
+        return one.v_ned
+    n, e, d = (goal - here for goal, here in zip(one.ahead[0], one.p_ned, strict=True))
+    return n, e, d
+
+
+def _speed(one: OnMission) -> float:
+    return elementary.norm(one.v_ned)
+
+
+def _braking(one: OnMission) -> FloatArray:
+    """(k, 3) where it may be if it brakes now."""
+    speed_m_s = _speed(one)
+    if speed_m_s < 0.1:
+        return np.array([one.p_ned])
+    return _line(one.p_ned, one.v_ned, one.stopping.way_m(speed_m_s) / speed_m_s)
+
+
+def _line(p_ned: Vec3, v_ned: Vec3, for_s: float) -> FloatArray:
+    count = int(elementary.norm(v_ned) * for_s / ALONG_M) + 1
+    line: FloatArray = np.array(p_ned) + np.linspace(0.0, for_s, count + 1)[:, np.newaxis] * np.array(v_ned)
+    return line
+
+
+def _along(one: OnMission, length_m: float) -> list[Vec3]:
+    """Places along its way, ALONG_M apart, its own first."""
+    places, here, left_m = [one.p_ned], one.p_ned, length_m
+    for goal in one.ahead:
+        leg_m = elementary.distance(here, goal)
+        count = int(min(leg_m, left_m) / ALONG_M)
+        for k in range(1, count + 1):
+            t = k * ALONG_M / leg_m
+            n, e, d = (a + t * (b - a) for a, b in zip(here, goal, strict=True))
+            places.append((n, e, d))
+        left_m -= leg_m
+        if left_m <= 0.0:
+            break
+        places.append(goal)
+        here = goal
+    return places
+
+
+def _stretch(one: OnMission, length_m: float) -> FloatArray:
+    """(k, 3) where it may be within this length of its way, or straight on."""
+    return np.concatenate([np.array(_along(one, length_m)), _braking(one)])
+
+
+def _bend(one: OnMission, stretch: FloatArray) -> FloatArray:
+    """(k, 3) the part of its stretch off the straight line on which others foresee it."""
+    speed_m_s = _speed(one)
+    away = stretch - np.array(one.p_ned)
+    if speed_m_s < 0.1:
+        return stretch[1:]
+    ahead = np.array(one.v_ned) / speed_m_s
+    along_m = (away * ahead).sum(axis=1)
+    beside = away - np.maximum(along_m, 0.0)[:, np.newaxis] * ahead
+    bend: FloatArray = stretch[(beside * beside).sum(axis=1) > one.stopping.strays_m * one.stopping.strays_m]
+    return bend
+
+
+def _meet(mine: FloatArray, theirs: FloatArray, p_ned: Vec3, other_ned: Vec3, wanted_m: float) -> bool:
+    """Whether places come nearer to each other than wanted, and than the two are now."""
+    limit_m = min(wanted_m, elementary.distance(p_ned, other_ned) - PARTS_M)
+    if limit_m <= 0.0:
+        return False
+    apart = mine[:, np.newaxis] - theirs[np.newaxis]
+    return bool((apart * apart).sum(axis=2).min() < limit_m * limit_m)
+
+
+def _reach(one: OnMission, other: Other, speed_m_s: float, stands_s: float, wanted_m: float) -> bool:
+    """Whether another would come too near before it could stand, if both go on."""
+    limit_m = min(wanted_m, elementary.distance(one.p_ned, other.p_ned) - PARTS_M)
+    if limit_m <= 0.0:
+        return False
+    way = _along(one, speed_m_s * stands_s)
+    times_s = np.arange(0.0, stands_s + SAMPLE_S, SAMPLE_S)
+    rows = np.minimum((times_s * speed_m_s / ALONG_M).astype(np.int64), len(way) - 1)
+    apart = np.array(way)[rows] - (np.array(other.p_ned) + times_s[:, np.newaxis] * np.array(other.v_ned))
+    return bool((apart * apart).sum(axis=1).min() < limit_m * limit_m)

@@ -249,8 +249,8 @@ class AutopilotUnit(Unit, ABC):
         now = self._plant.now
         self._steps += 1
         w, x, y, z = now[rows.TRUE_QUATERNION]
-        p_ned = _sum(self._p_ned, self._failures.position_error_ned)
-        v_ned: Sequence[float] = self._v_ned
+        p_ned = _sum(ned_from_nwu(now[rows.TRUE_POSITION]), self._failures.position_error_ned)
+        v_ned: Sequence[float] = ned_from_nwu(now[rows.TRUE_VELOCITY])
         rates: Sequence[float] = ned_from_nwu(now[rows.BODY_RATES])
         quaternion = (w, x, -y, -z)
         errors = self._wanted.sensors.step()

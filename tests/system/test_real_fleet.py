@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -17,21 +16,14 @@ from pathlib import Path
 from typing import Any
 
 import copter_names
-import pymap3d
 import pytest
 import yaml
 from commands import gcs
 from ports import free_port
+from real_simulators import ARDUCOPTER, FIRST_PX4, ORIGIN, PX4, PX4_PORT, simulator
 from sessions import Outcome, fly
 from strangers import strangers
 
-ARDUCOPTER = os.environ.get("SKYTENDER_ARDUCOPTER", "")
-PX4 = os.environ.get("SKYTENDER_PX4", "")
-DEFAULTS = Path("Tools", "autotest", "default_params", "copter.parm")
-ORIGIN = (47.397742, 8.545594, 488.0)
-PX4_PORT = 14549
-"""Where every PX4 speaks to whose number is above 9; it knows no other way to be told."""
-FIRST_PX4 = 11
 SPEED = 3.0
 FENCE_M = 12.0
 BEYOND_M = 25.0
@@ -83,41 +75,6 @@ FLEETS = (
 )
 
 
-def defaults() -> Path:
-    """The parameters that ArduPilot's own tests start with."""
-    named = os.environ.get("SKYTENDER_ARDUCOPTER_DEFAULTS")
-    known = [Path(named)] if named else [folder / DEFAULTS for folder in Path(ARDUCOPTER).resolve().parents]
-    known += [folder / "ardupilot" / DEFAULTS for folder in Path(ARDUCOPTER).resolve().parents]
-    found = next((path for path in known if path.is_file()), None)
-    assert found is not None, f"no {DEFAULTS} around {ARDUCOPTER}: name it with SKYTENDER_ARDUCOPTER_DEFAULTS"
-    return found.resolve()
-
-
-def arducopter(sysid: int, port: int, home: tuple[float, float, float]) -> list[str]:
-    lat, lon, alt = home
-    return [
-        ARDUCOPTER, "-w", "--model", "quad", "--speedup", f"{SPEED:g}", "--slave", "0",
-        "--sysid", str(sysid), "-I", str(20 + sysid), "--defaults", str(defaults()),
-        "--home", f"{lat:.7f},{lon:.7f},{alt:.2f},0", "--sim-address", "127.0.0.1", "--rc-in-port", str(free_port()),
-        "--serial0", f"udpclient:127.0.0.1:{port}", "--serial1", "none", "--serial2", "none",
-    ]  # fmt: skip
-
-
-def px4(sysid: int, home: tuple[float, float, float]) -> list[str]:
-    names = {"PX4_SIM_MODEL": "sihsim_quadx", "PX4_SIM_SPEED_FACTOR": SPEED}
-    names |= dict(zip(("PX4_HOME_LAT", "PX4_HOME_LON", "PX4_HOME_ALT"), home, strict=True))
-    return [*(f"{name}={value}" for name, value in names.items()), f"{PX4}/bin/px4", "-d", "-i", str(sysid - 1),
-            f"{PX4}/etc"]  # fmt: skip
-
-
-def command(fleet: Fleet, sysid: int, port: int, folder: Path) -> list[str]:
-    folder.mkdir()
-    east_m = 8.0 * (sysid - fleet.beyond)
-    home = tuple(float(x) for x in pymap3d.ned2geodetic(0.0, east_m, 0.0, *ORIGIN))
-    of_its_kind = px4(sysid, home) if fleet.kinds[sysid] == "px4" else arducopter(sysid, port, home)
-    return ["env", "-C", str(folder), *of_its_kind]
-
-
 @dataclass
 class Flown:
     fleet: Fleet
@@ -161,7 +118,10 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     file.write_text(yaml.safe_dump(made), encoding="utf-8")
     ids = {kind: [word for sysid in fleet.sysids if fleet.kinds[sysid] == kind for word in ("--sysid", str(sysid))]
            for kind in dict.fromkeys(fleet.kinds.values())}  # fmt: skip
-    programs = (command(fleet, sysid, port, folder / str(sysid)) for sysid in fleet.sysids)
+    programs = (
+        simulator(fleet.kinds[sysid], sysid, port, folder / str(sysid), 8.0 * (sysid - fleet.beyond), SPEED)
+        for sysid in fleet.sysids
+    )
     with strangers(folder / "said", *programs):
         for kind, words in ids.items():  # until they are there
             gcs("params", "get", SETTINGS[kind][0].split("=")[0], "--connect", at, "--wait", "90", *words, "--json")

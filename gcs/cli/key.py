@@ -65,7 +65,9 @@ def new(file: Path, passphrase: bool) -> int:
 @click.option("--sysid", type=click.IntRange(1, 254), help="The vehicle.  [default: the only one that is heard]")
 @click.option("--remove", is_flag=True, help="Take the key of FILE away: the vehicle signs nothing and obeys anyone.")
 @key_file_option("The key that the vehicle has now, where FILE is to take its place.")
-@click.option("--trust", is_flag=True, help="Send it over a radio or a network too: whoever listens there has the key.")
+@click.option(
+    "--trust", is_flag=True, help="Send it over a radio or a network too: any listener there has the key then."
+)
 @click.option("--wait", "within", type=click.FloatRange(0.1), default=FIND_WITHIN_S, show_default=True,
               help="Seconds to find the vehicle.")  # fmt: skip
 @STATION_OPTION

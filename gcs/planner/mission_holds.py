@@ -1,12 +1,12 @@
 """Which vehicles on missions have to wait: the supervisor sends them no set points, but knows their ways.
 
 Each goes from its place straight to the places of its remaining items. Its stretch is where it may be before it stands,
-if it is told to hold now: so far along that way, and straight on, for it may not turn any more.
+if it is ordered to hold now: so far along that way, and straight on, for it may not turn any more.
 
 1. Of two on missions the one with the higher system id gives way. It holds where its stretch comes nearer than the
    distance wanted to where the other may be by the time when it stands; earlier, if they fly towards each other, by the
    time that it needs to step aside. While another with a lower id waits for it, it waits.
-2. Everyone holds where its stretch comes near to one that stands or brakes.
+2. Each holds where its stretch comes near to one that stands or brakes.
 3. Others, which are led by set points, see the stretch and give way themselves (`claims`). A vehicle holds for one that
    would come too near all the same, both going on as they do, before it could stand.
 4. One that holds in the way of another steps aside: it is led by set points like all others until it goes on.

@@ -5,8 +5,8 @@ Rules:
 1. An announcement whose words stand in FORMS is an event, and gets the next number. Its id and its arguments say what
    it says; what else is announced goes as STATUSTEXT alone.
 2. To a connection nothing of this is sent until a station has asked there for COMPONENT_METADATA, for
-   CURRENT_EVENT_SEQUENCE or for an event: a flight to which nobody listens so is as it was. From then on each event is
-   sent there once, and once a second the number of the last one. The STATUSTEXT that says the same ends there with a
+   CURRENT_EVENT_SEQUENCE or for an event: so a flight without such a station stays as it was. From then on each event
+   is sent there once, and once a second the number of the last one. The STATUSTEXT that says the same ends there with a
    tabulator, by which stations that show events know it.
 3. REQUEST_EVENT brings events again, the last KEPT of them; RESPONSE_EVENT_ERROR is the answer for others.
 [lineage] Events Interface, https://mavlink.io/en/services/events.html; libevents' README for the definitions

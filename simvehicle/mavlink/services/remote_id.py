@@ -3,7 +3,7 @@ station takes.
 
 With DID_ENABLE 1 the moving part (LOCATION) goes out once a second on every connection, the others every three, as the
 standard asks at least. The vehicle is simulated: its serial number is SKYT5 and its system id in five digits, its
-operator SKYTENDER-SIM, who stands where it took off.
+operator SKYTENDER-SIM, placed where it took off.
 [lineage] https://mavlink.io/en/services/opendroneid.html; ASTM F3411; serial numbers by ANSI/CTA-2063-A
 """
 

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +17,7 @@ from skytender.safety.traffic import TrafficView
 
 Vec3 = tuple[float, float, float]
 ZERO: Vec3 = (0.0, 0.0, 0.0)
-EMPTY: standard_modes.Listed = MappingProxyType({})
+EMPTY: standard_modes.Listed = {}
 GRAVITY_M_S2 = 9.8
 STALE_S = 1.5
 """A position older than this is not believed any more."""

@@ -47,7 +47,8 @@ ELSEWHERE = {
     "SKYTENDER_PX4=~/PX4-Autopilot/build/px4_sitl_default python -m pytest "
     "tests/peers/test_real_px4.py tests/system/test_real_fleet.py tests/system/test_real_returns.py": "needs a PX4",
     "SKYTENDER_ARDUCOPTER=~/ardupilot/build/sitl/bin/arducopter python -m pytest "
-    "tests/peers/test_real_arducopter.py tests/system/test_real_fleet.py tests/system/test_real_returns.py": "needs an ArduCopter",
+    "tests/peers/test_real_arducopter.py tests/system/test_real_fleet.py "
+    "tests/system/test_real_returns.py": "needs an ArduCopter",
 }
 """What is not typed here, and why."""
 UNTIL = {

@@ -6,31 +6,53 @@ keeps a vehicle apart by where its items lead it: items whose way is not known a
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 from pydantic import Field
 
-from gcs.missions.items import MissionItem, MissionPlan
 from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError
 from gcs.scenario.parts.plan_file import read_plan
 from gcs.scenario.parts.reach import Shown
 from gcs.scenario.types import Exact, Flag, Number, Part, Vec3
 from skytender import elementary, geodesy
-from skytender import mavlink as mav
+
+if TYPE_CHECKING:
+    from gcs.missions.items import MissionPlan
 
 FARTHEST_FIRST_M = 900.0
 """From a vehicle's start to its first item: what PX4 allows by default (MIS_DIST_1WP of its older versions)."""
 ALONG_M = 0.5
 """Between places of a leg at which it is looked for obstacles."""
 LEAST_HEIGHT_M = 0.3
-_ABOVE_SEA = frozenset({mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT})
-_ABOVE_HOME = frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT})
-WITH_PLACE = frozenset({mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_CMD_NAV_LOITER_TIME, mav.MAV_CMD_NAV_LOITER_UNLIM})
-WATCHED = WITH_PLACE | {mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_NAV_DELAY, mav.MAV_CMD_DO_CHANGE_SPEED}
-"""Commands whose way is known."""
-_HOMEWARD = frozenset({mav.MAV_CMD_NAV_RETURN_TO_LAUNCH, mav.MAV_CMD_NAV_LAND})
+
+
+class _Numbers(NamedTuple):
+    """MAVLink's numbers of what is flown, by what is known of it."""
+
+    above_sea: frozenset[int]
+    above_home: frozenset[int]
+    """frames, by what heights are counted from"""
+    with_place: frozenset[int]
+    watched: frozenset[int]
+    """commands whose way is known"""
+    homeward: frozenset[int]
+
+
+@functools.cache
+def _numbers() -> _Numbers:
+    from skytender import mavlink as mav  # noqa: PLC0415 - so that a scenario is read without MAVLink
+
+    with_place = frozenset({mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_CMD_NAV_LOITER_TIME, mav.MAV_CMD_NAV_LOITER_UNLIM})
+    return _Numbers(
+        above_sea=frozenset({mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_GLOBAL_INT}),
+        above_home=frozenset({mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT}),
+        with_place=with_place,
+        watched=with_place | {mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_NAV_DELAY, mav.MAV_CMD_DO_CHANGE_SPEED},
+        homeward=frozenset({mav.MAV_CMD_NAV_RETURN_TO_LAUNCH, mav.MAV_CMD_NAV_LAND}),
+    )
 
 
 class FlownItem(Part):
@@ -38,8 +60,8 @@ class FlownItem(Part):
 
     command: Annotated[int, Exact(ge=0, le=65535)]
     """MAV_CMD"""
-    frame: Annotated[int, Exact(ge=0, le=255)] = int(mav.MAV_FRAME_GLOBAL_RELATIVE_ALT)
-    """MAV_FRAME"""
+    frame: Annotated[int, Exact(ge=0, le=255)] = 3
+    """MAV_FRAME; by default GLOBAL_RELATIVE_ALT"""
     params: Annotated[tuple[Number | None, ...], Field(min_length=7, max_length=7)]
     """its seven parameters, 5 and 6 in degrees; empty where none is given"""
     autocontinue: Flag = True
@@ -48,6 +70,8 @@ class FlownItem(Part):
     @property
     def name(self) -> str:
         """`NAV_WAYPOINT`"""
+        from skytender import mavlink as mav  # noqa: PLC0415 - so that a scenario is read without MAVLink
+
         return mav.command_name(self.command)
 
     def place_ned(self, origin: tuple[float, float, float], home_down_m: float) -> Vec3 | None:
@@ -55,10 +79,13 @@ class FlownItem(Part):
 
         origin: of the common frame, deg, deg, m. home_down_m: of the vehicle's home, in the common frame.
         """
-        if self.command not in WITH_PLACE and self.command != mav.MAV_CMD_NAV_TAKEOFF:
+        from skytender import mavlink as mav  # noqa: PLC0415 - so that a scenario is read without MAVLink
+
+        numbers = _numbers()
+        if self.command not in numbers.with_place and self.command != mav.MAV_CMD_NAV_TAKEOFF:
             return None
         lat_deg, lon_deg, height_m = (0.0 if value is None else value for value in self.params[4:])
-        down_m = origin[2] - height_m if self.frame in _ABOVE_SEA else home_down_m - height_m
+        down_m = origin[2] - height_m if self.frame in numbers.above_sea else home_down_m - height_m
         if self.command == mav.MAV_CMD_NAV_TAKEOFF:
             return (math.nan, math.nan, down_m)
         north_m, east_m, _ = geodesy.ned_of(lat_deg, lon_deg, origin[2], origin)
@@ -66,19 +93,23 @@ class FlownItem(Part):
 
     def fault(self, *, first: bool, last: bool) -> str:
         """Reason that keeps it from being flown here, as a sentence without its subject; empty where there is none."""
-        if self.command in _HOMEWARD:
+        from skytender import mavlink as mav  # noqa: PLC0415 - so that a scenario is read without MAVLink
+
+        numbers = _numbers()
+        if self.command in numbers.homeward:
             return f"is {self.name}: the session takes its vehicles home by itself; leave it out"
-        if self.command not in WATCHED:
-            known = ", ".join(sorted(mav.command_name(command) for command in WATCHED))
+        if self.command not in numbers.watched:
+            known = ", ".join(sorted(mav.command_name(command) for command in numbers.watched))
             return f"is {self.name}, whose way is not known; known are {known}"
         if self.command == mav.MAV_CMD_NAV_TAKEOFF and not first:
             return "is a take-off, which only the first item can be"
         if self.command == mav.MAV_CMD_NAV_LOITER_UNLIM and not last:
             return "is NAV_LOITER_UNLIM, after which no item is reached"
-        if self.command in WITH_PLACE | {mav.MAV_CMD_NAV_TAKEOFF} and self.frame not in _ABOVE_SEA | _ABOVE_HOME:
+        placed = self.command in numbers.with_place | {mav.MAV_CMD_NAV_TAKEOFF}
+        if placed and self.frame not in numbers.above_sea | numbers.above_home:
             frame = mav.ENUMS["MAV_FRAME"].get(self.frame, f"frame {self.frame}").removeprefix("MAV_FRAME_")
             return f"has its place in {frame}: give its height above home or the sea"
-        if self.command in WITH_PLACE and (None in self.params[4:] or self.params[4] == self.params[5] == 0.0):
+        if self.command in numbers.with_place and (None in self.params[4:] or self.params[4] == self.params[5] == 0.0):
             return "has no place"
         return ""
 
@@ -129,6 +160,7 @@ def items_of(vehicle: Any) -> tuple[FlownItem, ...]:
 
 def plan_of(vehicle: Any) -> MissionPlan:
     """A vehicle's mission as a plan; an empty one where it has none."""
+    from gcs.missions.items import MissionItem, MissionPlan  # noqa: PLC0415 - so that a scenario is read without MAVLink
 
     def item(one: FlownItem) -> MissionItem:
         p1, p2, p3, p4, x, y, z = (math.nan if value is None else value for value in one.params)
@@ -184,7 +216,7 @@ def _faults(vehicle: Any, scenario: Any) -> Iterator[str]:
 def _wrong_places(vehicle: Any, scenario: Any) -> Iterator[str]:
     """Places that are too low, too far or beyond the fence, and legs that pass an obstacle."""
     way, launched = way_of(vehicle, scenario), vehicle.external is None
-    numbers = [number for number, item in enumerate(items_of(vehicle), 1) if item.command in WITH_PLACE]
+    numbers = [number for number, item in enumerate(items_of(vehicle), 1) if item.command in _numbers().with_place]
     numbers = [1] * (len(way) - len(numbers)) + numbers
     if launched and elementary.distance(vehicle.start_m, way[0]) > FARTHEST_FIRST_M:
         away_m = elementary.distance(vehicle.start_m, way[0])

@@ -31,7 +31,7 @@ def test_the_file_has_the_contracts_fields_in_order(scripted: Any) -> None:
     assert [vehicle["sysid"] for vehicle in content["vehicles"]] == [1, 101, 201]
     assert list(content["vehicles"][0]) == [
         "sysid", "role", "final_mode", "max_tracking_error_m", "path_length_m", "control_effort", "energy",
-        "missing_streams", "check_list", "refused_messages", "links",
+        "missing_streams", "check_list", "refused_messages", "mission", "links",
     ]  # fmt: skip
     assert all(vehicle["missing_streams"] == [] for vehicle in content["vehicles"])
     assert (content["schema"], content["scenario"], content["clock"]) == (1, "scripted", "lockstep")

@@ -15,7 +15,11 @@ from simvehicle.mavlink.telemetry import TELEMETRY
 
 PROGRAM = Path(__file__).with_name("read_by_mavsdk.py")
 OTHERS = "COMMAND_ACK STATUSTEXT PARAM_VALUE AUTOPILOT_VERSION MISSION_ITEM_INT MISSION_COUNT MISSION_ACK SYSTEM_TIME"
-OURS = sorted({common.mavlink_map[stream.msgid].msgname for stream in TELEMETRY} | set(OTHERS.split()))
+UNKNOWN_THERE = {"CONTROL_STATUS"}
+"""Messages of MAVLink's development definitions, which MAVSDK does not have: test_asked_by_mavsdk.py gives it these."""
+OURS = sorted(
+    ({common.mavlink_map[stream.msgid].msgname for stream in TELEMETRY} | set(OTHERS.split())) - UNKNOWN_THERE
+)
 THEIRS = "HEARTBEAT COMMAND_LONG COMMAND_INT SET_POSITION_TARGET_LOCAL_NED PARAM_SET PARAM_REQUEST_READ SYSTEM_TIME"
 READER = 200
 

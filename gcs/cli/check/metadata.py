@@ -78,7 +78,7 @@ def metadata() -> list[Question]:
     sequence = Question(
         "event-sequence",
         "the number of its last event (CURRENT_EVENT_SEQUENCE)",
-        {QGC: "does not notice that it missed one", MAVSDK: "events.subscribe_events() misses those that are lost"},
+        {QGC: "does not notice that it missed one", MAVSDK: "events.subscribe_events() misses lost events"},
         answered("CURRENT_EVENT_SEQUENCE"),
         command_long(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_CURRENT_EVENT_SEQUENCE),
         when=lambda _: "" if reading.defines_events else "it defines no events",

@@ -1,6 +1,6 @@
 """`gcs mission`: missions, geofences and rally points over a whole fleet: read, written, cleared, compared.
 
-`show` lists those of a file (show.py).
+`show` lists the plan in a file (show.py).
 """
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once

@@ -1,4 +1,4 @@
-"""Events of one component in their order, each once, and those that a link lost asked for again: no socket and no clock
+"""Events of one component in their order, each once, and lost ones asked for again: no socket and no clock
 here, time is an argument (s).
 
 1. The first number that comes begins the count; what was before it is past.

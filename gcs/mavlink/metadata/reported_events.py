@@ -19,7 +19,7 @@ MOST_WAITING = 64
 MOST_PARTS, MOST_CHECKS = 8, 32
 """Of a report on what stands against arming; more are not kept."""
 LEAST_SEVERE = 7
-"""Debug; beyond it stand events of protocols, and those that are disabled."""
+"""Debug; beyond it stand events of protocols, and disabled ones."""
 CHECKS = ("arming_check", "health")
 APPENDED = "append_health_and_arming_messages"
 NAMES = frozenset(

@@ -120,7 +120,7 @@ class PlanClient:
         return taken
 
     def compare(self, items: Sequence[PlanItem]) -> list[ItemDifference]:
-        """Differences of what was read from these items, one by one; those of home are none."""
+        """Differences of what was read from these items, one by one; home never differs."""
         pairs = list(enumerate(zip(items, self.found or (), strict=False)))[self._home :]
         return [
             ItemDifference(self._first + index, own.command, difference)

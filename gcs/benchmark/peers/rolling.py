@@ -9,6 +9,7 @@ among the calls that are still to be expected; when it is used up, the rest is b
 from __future__ import annotations
 
 import time
+from abc import ABC, abstractmethod
 from typing import NamedTuple
 
 import numpy as np
@@ -69,7 +70,7 @@ def jobs_of(flight: DispatchedFlight) -> Jobs:
     )  # fmt: skip
 
 
-class Rolling:
+class Rolling(ABC):
     """A rule that plans again when something has changed."""
 
     def __init__(self, arrays: Arrays, seconds: float) -> None:
@@ -97,6 +98,6 @@ class Rolling:
                 found[tanker] = receiver
         return found
 
+    @abstractmethod
     def plan(self, jobs: Jobs, seconds: float) -> dict[int, int]:
         """The first job of each tanker that has one."""
-        raise NotImplementedError

@@ -197,6 +197,19 @@ def version(uid: int, uid2: bytes = b"") -> Any:
     )
 
 
+def refused_twin(stand: Any) -> tuple[Any, int, Vehicle, Vehicle]:
+    """A link that has begun, its port, its vehicle, and another with the same id, from elsewhere, that it refuses."""
+    link, port = udpin(1)
+    stand(link)
+    one, other = stand(Vehicle(1)), stand(Vehicle(1))
+    one.say(port, one.heartbeat())
+    until(link, lambda: not link.missing)
+    link.begin()
+    other.say(port, other.heartbeat())
+    until(link, lambda: bool(link.refused))
+    return link, port, one, other
+
+
 @pytest.mark.parametrize(
     ("kept", "other", "words"),
     [
@@ -212,14 +225,7 @@ def test_twins_are_asked_for_their_uids_and_named_with_both_addresses(
 ) -> None:
     if kept is None or other is None:
         monkeypatch.setattr(external, "UID_S", 0.3)
-    link, port = udpin(1)
-    stand(link)
-    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
-    link.begin()
-    twin.say(port, twin.heartbeat())
-    until(link, lambda: bool(link.refused))
+    link, port, one, twin = refused_twin(stand)
     assert link.pop_twins() == []
     for vehicle, answer in ((one, kept), (twin, other)):
         (asked,) = vehicle.hear(1)
@@ -357,14 +363,7 @@ def test_two_who_say_the_same_before_the_session_are_rivals_and_one_alone_settle
 
 
 def test_a_vehicle_that_was_silent_may_go_on_from_another_address(stand: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one, again = stand(Vehicle(1)), stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
-    link.begin()
-    again.say(port, again.heartbeat())
-    until(link, lambda: bool(link.refused))
+    link, port, _, again = refused_twin(stand)
     assert link.pop_moved() == {}
     monkeypatch.setattr(external, "MOVED_AFTER_S", 0.0)
     again.say(port, again.heartbeat(), again.position(5))

@@ -64,8 +64,8 @@ class ForeignReturn:
 def layers_of(scenario: Scenario) -> dict[int, int]:
     """Number of the height at which each returns, from the lowest, by system id; different where ways may meet.
 
-    At one height those that evade others upward return above those that evade downward: whichever hangs over another
-    when the station is lost is to climb first.
+    At one height, vehicles that evade others upward return above vehicles that evade downward, so that a vehicle that
+    hangs over another when the station is lost climbs first.
     """
     heights_m = _heights_m(scenario)
     every = scenario.vehicles.all

@@ -96,7 +96,7 @@ class MissionWatch:
         self.claims: dict[int, FloatArray] = {}
         """(k, 3) m NED where the others must not be, by system id"""
         self.turned: list[int] = []
-        """system ids of those that are to do something else than at the last tick"""
+        """system ids of vehicles that are to do something else than at the last tick"""
         self._out.update(dict.fromkeys(self.flights, OUT_MISSION))
 
     @property

@@ -123,7 +123,7 @@ ALONE: tuple[ParameterRow, ...] = (
 timetable."""
 _ROWS = {row.name: row for row in (*TABLE, *ALONE)}
 READ_ONCE = frozenset({"SIM_BAT_INIT_J", "SIM_GAIN_SET"})
-"""Names of those that can only be given at start."""
+"""Names of parameters that can only be given at start."""
 
 
 def float32(value: float) -> float:

@@ -1,4 +1,4 @@
-"""Modes as a vehicle itself lists them (AVAILABLE_MODES): its names, and standard modes, for those that no table of
+"""Modes as a vehicle itself lists them (AVAILABLE_MODES): names and standard modes of modes that no table of
 autopilots has (https://mavlink.io/en/services/standard_modes.html)."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Events: what the vehicle announces, numbered, so that a ground station learns of those that it missed, and can say
+"""Events: what the vehicle announces, numbered, so that a ground station notices which it missed, and can say
 them in its own way.
 
 Rules:

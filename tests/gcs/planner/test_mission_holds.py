@@ -102,7 +102,7 @@ def test_a_stretch_is_long_enough_to_stand_in() -> None:
 
 
 def test_held_ones_all_get_on_in_the_end() -> None:
-    """Five missions through one point, flown by points that stop and go as they are told: all come to their ends, and
+    """Five missions through one point, flown by points that stop and go as ordered: all come to their ends, and
     no two are ever nearer than wanted. One that steps aside leaves at right angles."""
     goals = [(20.0 * math.cos(k), 20.0 * math.sin(k), -4.0) for k in np.arange(5) * 2.0 * math.pi / 5]
     places = [np.array((-n, -e, d)) for n, e, d in goals]

@@ -55,8 +55,9 @@ class Dialog(ModalScreen[Answer]):
         panel.redraw()
 
     def redraw(self) -> None:
-        """Show what has changed."""
-        self.query_one("#lines", Panel).redraw()
+        """Show what has changed; before it is mounted nothing is shown yet."""
+        if self.is_mounted:
+            self.query_one("#lines", Panel).redraw()
 
 
 class Confirm(Dialog[bool]):

@@ -76,6 +76,17 @@ def test_ctrl_c_asks_and_a_second_one_stops_the_session_of_this_terminal(flown: 
     drive(steps, flown, owner=True)
 
 
+def test_a_snapshot_that_comes_before_the_question_is_drawn_waits_for_it(flown: Messages) -> None:
+    async def steps(shown: Shown) -> None:
+        shown.app.main.action_interrupt()
+        await shown.feed(snapshot(50.0))
+        assert "Stop the session?" in shown.text()
+        await shown.press("ctrl+c")
+        assert [sent["command"] for sent in shown.source.sent] == ["stop"]
+
+    drive(steps, flown, owner=True)
+
+
 def test_ctrl_c_before_there_is_a_session_hands_the_wish_on() -> None:
     async def steps(shown: Shown) -> None:
         shown.source.connected = False

@@ -10,7 +10,10 @@ if it is ordered to hold now: so far along that way, and straight on, for it may
 3. Others, which are led by set points, see the stretch and give way themselves (`claims`). A vehicle holds for one that
    would come too near all the same, both going on as they do, before it could stand.
 4. One that holds in the way of another steps aside: it is led by set points like all others until it goes on.
-5. It goes on when it could by the same rules, were it up to a speed, for CLEAR_S.
+5. Led vehicles leave the way of one that waits (`claims`). Of ways that come near to each other only that of the lowest
+   system id is kept free, and none near one that is not: between several a vehicle would have nowhere to go, and all
+   would wait for ever.
+6. One that waits goes on when it could by the same rules, were it up to a speed, for CLEAR_S.
 Only what comes nearer counts: two that are too near may part.
 
 NED, m, m/s, s; no clock.
@@ -115,6 +118,7 @@ class MissionVerdict(NamedTuple):
 def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: float) -> dict[int, MissionVerdict]:
     """MissionVerdict for each, by system id; `flights` in order of system id."""
     verdicts: dict[int, MissionVerdict] = {}
+    asked: list[tuple[OnMission, FloatArray]] = []
     for i, one in enumerate(flights):
         speed_m_s = one.pace_m_s
         stretch = _stretch(one, one.stopping.way_m(speed_m_s))
@@ -140,7 +144,10 @@ def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: f
                 waits_for = near.name
         claim = _bend(one, stretch) if one.goes else stretch[:0]
         if waits_for and not one.goes:  # led vehicles leave it
-            claim = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))[1:]
+            way = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))
+            if not any(_meet(way, theirs, one.p_ned, first.p_ned, 2.0 * separation_m) for first, theirs in asked):
+                claim = way[1:]
+            asked.append((one, way))
         verdicts[one.sysid] = MissionVerdict(waits_for, False, claim)
     return {one.sysid: verdicts[one.sysid]._replace(aside=_in_the_way(one, flights, separation_m)) for one in flights}
 

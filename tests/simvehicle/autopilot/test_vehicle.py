@@ -15,6 +15,8 @@ from simvehicle.mavlink.telemetry import message_of
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
 PX4_HOLD, PX4_OFFBOARD, PX4_LAND = 4 << 16 | 3 << 24, 6 << 16, 4 << 16 | 6 << 24
 VELOCITY_ONLY, POSITION_ONLY, POSITION_AND_YAW, BOTH = 3527, 3576, 2552, 3520
+MIXED = VELOCITY_ONLY - 7 + 1 + 4 + 8
+BODY, BODY_OFFSET = mav.MAV_FRAME_BODY_NED, mav.MAV_FRAME_BODY_OFFSET_NED
 AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)
 WILD = [math.nan, math.inf, -math.inf, 3.4e38, -3.4e38, 1e12, 0.0]
 
@@ -277,6 +279,9 @@ def test_position_and_yaw_turns_the_vehicle(vehicle_bench: Any) -> None:
         ({"p_ned": (math.nan, 0.0, 0.0)}, "Set point ignored: not a number"),
         ({"v_ned": (0.0, math.inf, 0.0)}, "Set point ignored: not a number"),
         ({"yaw": math.nan, "mask": POSITION_AND_YAW}, "Set point ignored: not a number"),
+        ({"frame": BODY, "mask": MIXED}, f"Set point ignored: type_mask {MIXED}"),  # north by place, right by velocity
+        ({"frame": BODY, "mask": 1479, "yaw_rate": math.nan}, "Set point ignored: not a number"),
+        ({"frame": BODY_OFFSET, "mask": POSITION_ONLY, "p_ned": (math.inf, 0.0, 0.0)}, "Set point ignored: not a number"),
     ],
 )
 def test_bad_set_point_is_ignored_and_said_every_5_seconds_at_most(vehicle_bench: Any, bad: Any, said: str) -> None:

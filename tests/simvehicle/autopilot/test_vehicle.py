@@ -281,7 +281,7 @@ def test_position_and_yaw_turns_the_vehicle(vehicle_bench: Any) -> None:
         ({"yaw": math.nan, "mask": POSITION_AND_YAW}, "Set point ignored: not a number"),
         ({"frame": BODY, "mask": MIXED}, f"Set point ignored: type_mask {MIXED}"),  # north by place, right by velocity
         ({"frame": BODY, "mask": 1479, "yaw_rate": math.nan}, "Set point ignored: not a number"),
-        ({"frame": BODY_OFFSET, "mask": POSITION_ONLY, "p_ned": (math.inf, 0.0, 0.0)}, "Set point ignored: not a number"),
+        ({"frame": BODY_OFFSET, "mask": POSITION_ONLY, "p_ned": (math.inf, 0, 0)}, "Set point ignored: not a number"),
     ],
 )
 def test_bad_set_point_is_ignored_and_said_every_5_seconds_at_most(vehicle_bench: Any, bad: Any, said: str) -> None:

@@ -90,7 +90,8 @@ def test_its_path_is_that_of_a_second_model(name: str) -> None:
     rate = second_model(airframe, wind)
     s = start
     for k in range(steps):
-        s = solve_ivp(lambda _, y, u=wanted[k]: rate(y, u), (0, DT_S), s, method="DOP853", rtol=1e-8, atol=1e-10).y[:, -1]
+        step = solve_ivp(lambda _, y, u=wanted[k]: rate(y, u), (0, DT_S), s, method="DOP853", rtol=1e-8, atol=1e-10)
+        s = step.y[:, -1]
     assert path[-1] == pytest.approx(s, rel=1e-5, abs=1e-5)
 
 

@@ -90,7 +90,7 @@ def field_values(msgid: int) -> st.SearchStrategy[dict[str, Any]]:
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-@settings(max_examples=25)
+@settings(max_examples=6)
 @given(data=st.data())
 def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int, data: st.DataObject) -> None:
     values = data.draw(field_values(msgid))
@@ -104,7 +104,7 @@ def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int,
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-@settings(max_examples=25)
+@settings(max_examples=6)
 @given(data=st.data())
 def test_message_with_any_payload_of_any_length_is_read_like_pymavlink(msgid: int, data: st.DataObject) -> None:
     size = CLASSES[msgid].unpacker.size
@@ -136,42 +136,13 @@ def test_frame_with_an_unknown_incompatibility_flag_is_passed_over(flags: int) -
     assert list(codec.split(with_crc(plain[:2] + bytes([flags]) + plain[3:-2], CLASSES[0].crc_extra))) == []
 
 
-def test_mavlink_1_is_passed_over() -> None:
-    old = bytes(common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(peer(), force_mavlink1=True))
-    assert [frame.seq for frame in codec.split(old + heartbeat(9) + old)] == [9]
-
-
-@pytest.mark.parametrize("at", range(len(heartbeat())))
-def test_any_single_wrong_byte_keeps_the_frame_out(at: int) -> None:
-    good = heartbeat()
-    for flip in (1, 0x80, 0xFF):
-        assert list(codec.split(good[:at] + bytes([good[at] ^ flip]) + good[at + 1 :])) == []
-
-
-@pytest.mark.parametrize("msgid", [8, 380, 11030, 0xFFFFFF])
-def test_unknown_id_is_passed_over_and_its_neighbours_are_read(msgid: int) -> None:
-    assert msgid not in common.mavlink_map
-    head = struct.pack("<BBBBBBBHB", 0xFD, 3, 0, 0, 5, 1, 1, msgid & 0xFFFF, msgid >> 16)
-    stranger = with_crc(head + b"\x01\x02\x03", 99)
-    assert [frame.seq for frame in codec.split(heartbeat(1) + stranger + heartbeat(2))] == [1, 2]
-    assert codec.decode(codec.ReceivedFrame(1, 1, 0, msgid, b"", b"")) is None
-
-
-@settings(max_examples=300)
+@settings(max_examples=80)
 @given(st.lists(st.one_of(st.binary(max_size=40), st.just(b"\xfd"), st.just(heartbeat()))))
 def test_garbage_raises_nothing_invents_nothing_and_hides_no_frame(pieces: list[bytes]) -> None:
     datagram = b"".join(pieces)
     frames = list(codec.split(datagram))
     assert all(frame.raw == heartbeat() for frame in frames)
     assert len(frames) == datagram.count(heartbeat())
-
-
-@settings(max_examples=100)
-@given(st.integers(0, 100), st.integers(1, 5))
-def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None:
-    datagram = b"".join(heartbeat(seq) for seq in range(count))
-    datagram = datagram[: max(len(datagram) - cut, 0)]
-    assert [frame.seq for frame in codec.split(datagram)] == list(range(len(datagram) // len(heartbeat())))
 
 
 @pytest.mark.parametrize("decoy", [b"\xfd", b"\xfd\xff\0\0\0\1\1\0\0\0"])

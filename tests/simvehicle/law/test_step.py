@@ -206,7 +206,6 @@ def test_motors_off_in_the_air_is_a_fall_and_motors_on_catch_it_smoothly():
     assert np.abs(torque(caught)).max() < 1.0
 
 
-
 # the arrays
 
 

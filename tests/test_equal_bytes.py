@@ -30,7 +30,8 @@ OF_LIBC = {"M_PI", "NAN", "INFINITY", "signbit"}
 NOT_OF_NUMPY = {
     "arccos", "arcsin", "arctan", "arctan2", "argpartition", "cbrt", "convolve", "correlate", "cos", "cosh", "dot",
     "einsum", "exp", "exp2", "expm1", "float_power", "hypot", "inner", "interp", "log", "log10", "log1p", "log2",
-    "logaddexp", "matmul", "partition", "polyfit", "polyval", "power", "sin", "sinh", "tan", "tanh", "tensordot", "vdot",
+    "logaddexp", "matmul", "partition", "polyfit", "polyval", "power", "sin", "sinh", "tan", "tanh", "tensordot",
+    "vdot",
 }  # fmt: skip
 OF_LINALG = {"norm"}
 """Along an axis it is a sum of squares; of a whole array it is BLAS's."""

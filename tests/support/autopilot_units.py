@@ -27,12 +27,18 @@ def stand_in(program: Path, script: str, like: str) -> Path:
 
 
 def launched(
-    kind: type[Launched], program: Path, *, sysid: int = LAUNCHED, sensors: dict[str, float] | None = None, **given: Any
+    kind: type[Launched],
+    program: Path,
+    folder: Path,
+    *,
+    sysid: int = LAUNCHED,
+    sensors: dict[str, float] | None = None,
+    **given: float,
 ) -> tuple[Launched, Connection]:
-    """A program, booted; `given`: its parameters. Raises AutopilotError."""
+    """A program, booted in a folder of its own; `given`: its parameters. Raises AutopilotError."""
     content = {
         "program": str(program),
-        "folder": str(program.parent / "own"),
+        "folder": str(folder / "own"),
         "home": [47.4, 8.5, 488.0],
         "start_ned": [1.0, 2.0, 0.0],
         "yaw_deg": 70.0,

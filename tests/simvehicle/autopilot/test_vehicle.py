@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.body import STEP_MS, Start
+from simvehicle.autopilot.body import Start
 from simvehicle.mavlink.telemetry import message_of
 
 ACCEPTED, TEMPORARILY_REJECTED = 0, 1
@@ -259,15 +259,6 @@ def test_mask_says_which_axes_are_flown_by_position(
             assert bench.vehicle.p_ned[axis] == pytest.approx(before[axis] + 8.0 * v_ned[axis], abs=1.0)
 
 
-def test_position_and_yaw_turns_the_vehicle(vehicle_bench: Any) -> None:
-    bench = vehicle_bench(start=AIRBORNE)
-    bench.fly(8.0, p_ned=(1.0, 0.0, -5.0), yaw=1.5, mask=POSITION_AND_YAW)
-    assert bench.of("ATTITUDE")[-1].yaw == pytest.approx(1.5, abs=0.01)
-    assert bench.of("POSITION_TARGET_LOCAL_NED")[-1].yaw == pytest.approx(1.5)
-    bench.fly(2.0, p_ned=(1.0, 0.0, -5.0), yaw=0.0, mask=POSITION_ONLY)  # yaw is ignored here
-    assert bench.of("ATTITUDE")[-1].yaw == pytest.approx(1.5, abs=0.01)
-
-
 @pytest.mark.parametrize(
     ("bad", "said"),
     [
@@ -337,14 +328,6 @@ def test_no_set_point_gives_a_state_that_is_no_number(
     assert abs(bench.ledger_gap_j()) < 1e-6
 
 
-def test_time_goes_in_whole_steps_and_a_remainder_waits(vehicle_bench: Any) -> None:
-    vehicle = vehicle_bench(start=AIRBORNE).vehicle
-    for to_ms, at_ms in ((3, 0), (4, 4), (7, 4), (8, 8), (8, 8), (5, 8), (111, 108), (115, 112)):
-        vehicle.advance(to_ms)
-        assert vehicle.time_ms == at_ms
-    assert STEP_MS == 4
-
-
 @pytest.mark.parametrize("kind", ["airborne", "take-off", "landing", "battery"])
 def test_jump_of_several_periods_equals_single_ones_bit_for_bit(vehicle_bench: Any, kind: str) -> None:
     ends = []
@@ -385,15 +368,3 @@ def test_first_grant_sets_the_clock_without_a_step(vehicle_bench: Any) -> None:
     vehicle.advance(60_100)
     assert vehicle.mode == "offboard"
     assert message_of(vehicle, "GPS_RAW_INT").time_usec == 1_700_000_060_100_000
-
-
-def test_vehicles_in_one_process_share_nothing(vehicle_bench: Any) -> None:
-    alone = vehicle_bench(start=AIRBORNE)
-    alone.fly(3.0, p_ned=(3.0, 0.0, -5.0))
-    one, other = vehicle_bench(start=AIRBORNE), vehicle_bench(2, start=AIRBORNE, params={"MPC_XY_VEL_MAX": 1.0})
-    for _ in range(30):
-        for bench, north in ((one, 3.0), (other, -9.0)):
-            bench.gcs_heartbeat()
-            bench.set_point((north, 0.0, -5.0))
-            bench.tick()
-    assert one.vehicle.state.tobytes() == alone.vehicle.state.tobytes()

@@ -124,16 +124,6 @@ def test_a_curved_path_is_held(params, speed, cross_track, peak):
     assert np.abs(flown[:, 2] - 5.0).max() < 0.02
 
 
-def test_limits_hold_in_flight():
-    rng = np.random.default_rng(5)
-    state = start(DEFAULT, (0.0, 0.0, 50.0), (3.0, 0.0, 0.0), (1.0, 1.0, 1.0))
-    for k in range(40):
-        command = order(rng.uniform(-50, 50, 3), rng.uniform(-5, 5, 3), time_s=0.5 * k, yaw=rng.uniform(-3, 3))
-        path = fly(DEFAULT, state, command, 0.5, time_s=0.5 * k)
-        state = path[-1:]
-        assert np.abs(torque(path)).max() < 30.0 + 1e-6
-
-
 def test_the_linear_reference_goes_from_set_point_to_set_point():
     first = fly(PAPER, start(PAPER), order(velocity=(1.0, 0.0, 0.0)), 0.2)
     v_d = first[:, rows.REFERENCE_VELOCITY][:, 0]

@@ -63,13 +63,6 @@ def test_each_flipped_bit_makes_a_frame_worthless_and_costs_none_beside_it(vehic
     still_obeys(bench)
 
 
-def test_oversized_datagram_of_noise_hides_no_frame(vehicle_bench: Any) -> None:
-    noise = random.Random(3).randbytes(60_000).replace(b"\xfd", b"\xfc")
-    bench = vehicle_bench()
-    assert pinged(bench.feed(noise + framed(ping(5)) + noise)) == [5]
-    still_obeys(bench)
-
-
 @pytest.mark.parametrize("msgid", [8, 380, 441, 52_000, 0xFFFFFF])
 def test_unknown_id_is_passed_over_in_its_datagram(vehicle_bench: Any, msgid: int) -> None:
     stranger = bytes(mav.MAVLink_message(msgid, "X")._pack(mav.MAVLink(None, 255, 190), 77, b"\x01\x02\x03"))
@@ -108,17 +101,6 @@ def test_what_is_meant_for_another_changes_nothing_and_is_not_answered(
     assert said == expected
     assert bench.vehicle.parameters.values() == twin.vehicle.parameters.values()
     still_obeys(bench)
-
-
-def test_replayed_frames_act_as_once(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    frames = [framed(arming(), 0), framed(mav.MAVLink_command_long_message(1, 1, 22, 0, *[NAN] * 7), 1)]
-    for raw in frames * 5:
-        (ack,) = bench.feed(raw)
-        assert ack.result == ACCEPTED
-    bench.tick()
-    assert bench.texts == ["Armed", "Take-off"]
-    assert bench.vehicle.home_ned == (0.0, 0.0, 0.0)
 
 
 def test_plain_frames_count_in_whatever_order_their_numbers_come(vehicle_bench: Any) -> None:

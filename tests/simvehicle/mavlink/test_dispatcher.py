@@ -284,17 +284,3 @@ def test_no_sequence_of_commands_stops_a_vehicle(
         bench.tick()
     assert all(math.isfinite(x) for x in bench.vehicle.state[0])
     assert abs(bench.ledger_gap_j()) < 1e-6
-
-
-@settings(max_examples=40)
-@given(st.data())
-def test_no_message_of_any_kind_or_content_stops_a_vehicle(vehicle_bench: Any, data: st.DataObject) -> None:
-    bench = vehicle_bench(start=AIRBORNE)
-    writer = mav.MAVLink(None, 255, 190)
-    for _ in range(5):
-        msgid = data.draw(st.sampled_from(sorted(mav.mavlink_map)))
-        cls = mav.mavlink_map[msgid]
-        payload = data.draw(st.binary(min_size=1, max_size=cls.unpacker.size))
-        bench.feed(bytes(mav.MAVLink_message(msgid, cls.msgname)._pack(writer, cls.crc_extra, payload)))
-        bench.tick()
-    assert all(math.isfinite(x) for x in bench.vehicle.state[0])

@@ -21,7 +21,8 @@ def unit(
     folder: Path, program: Path | None = None, *, like: str = "4.7", **parameters: float
 ) -> tuple[ArduPilotUnit, Connection]:
     """The stand-in for a version, or another program, booted. Raises AutopilotError."""
-    return launched(ArduPilotUnit, program or stand_in(folder / "arducopter", "json_arducopter.py", like), **parameters)
+    program = program or stand_in(folder / "arducopter", "json_arducopter.py", like)
+    return launched(ArduPilotUnit, program, folder, **parameters)
 
 
 def test_it_boots_before_the_session_and_its_battery_is_ours(tmp_path: Path) -> None:

@@ -35,7 +35,7 @@ def build(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize("build", ["1.15", "1.18"], indirect=True)
 def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> None:
-    booted, connection = launched(Px4Unit, build)
+    booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
         said = said_in_flight(booted, connection, common.MAVLINK_MSG_ID_ATTITUDE)
     assert {(m.autopilot, m.custom_mode) for m in said["HEARTBEAT"]} == {(12, 0x03040000)}
@@ -49,7 +49,7 @@ def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> Non
 @pytest.mark.parametrize(("sigma_m", "least_m", "most_m"), [(0.0, 0.0, 0.1), (20.0, 2.0, 80.0)])
 def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least_m: float, most_m: float) -> None:
     sensors = {"position_m": sigma_m, "velocity_m_s": 0.0, "accel_m_s2": 0.0}
-    booted, connection = launched(Px4Unit, build, sensors=sensors)
+    booted, connection = launched(Px4Unit, build, build.parent, sensors=sensors)
     with booted:
         booted.start_clock(0, 0)
         booted.advance(1000)
@@ -60,7 +60,7 @@ def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least
 
 
 def test_its_receiver_has_no_fix_while_gnss_fails(build: Path) -> None:
-    booted, connection = launched(Px4Unit, build)
+    booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
         booted.start_clock(0, 0)
         assert fixes_around_an_outage(booted, connection) == [1, 6]
@@ -82,7 +82,7 @@ def test_one_that_cannot_be_had_is_one_sentence(
 ) -> None:
     monkeypatch.setattr(autopilot_unit, "BOOTS_WITHIN_S", 3.0)
     with pytest.raises(AutopilotError) as refused:
-        launched(Px4Unit, build, **parameters)
+        launched(Px4Unit, build, build.parent, **parameters)
     assert said in str(refused.value)
     assert "\n" not in str(refused.value)
 
@@ -94,7 +94,7 @@ def test_one_that_did_not_take_its_parameters_is_one_sentence_that_names_its_id(
     forgets = "sed -i /MAV_SYS_ID/d px4-rc.params; unset PX4_PARAM_MAV_SYS_ID; exec"
     program.write_text(as_ever.replace("exec", forgets))
     with pytest.raises(AutopilotError, match=r"it says that its system id is [1-9][0-9]*, not 200$"):
-        launched(Px4Unit, build, sysid=200)
+        launched(Px4Unit, build, build.parent, sysid=200)
 
 
 def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
@@ -104,7 +104,7 @@ def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
         monkeypatch.setattr(px4_link, name, 0.2)
     (build / "bin" / "px4").write_text("#!/bin/sh\necho INFO starting\nexec sleep 99\n")
     with pytest.raises(AutopilotError, match=r"asked for no simulation within 0 s; its last lines: INFO starting$"):
-        launched(Px4Unit, build)
+        launched(Px4Unit, build, build.parent)
     assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
 
 

@@ -23,23 +23,23 @@ Answer = tuple[int, int, int, bytes]
 """(opcode, number, offset, data)"""
 
 
-def read(messages: list[Any]) -> list[Answer]:
+def read(messages: list[Any], asked: int | None = None) -> list[Answer]:
+    """MAVFTP's answers; those to a request name it and its session."""
     found = []
     for message in messages:
         if message.get_type() == "FILE_TRANSFER_PROTOCOL":
             assert (message.target_system, message.target_component) == (255, 190)
             raw = bytes(message.payload)
-            number, _, opcode, size, _, _, offset = struct.unpack_from("<HBBBBBxI", raw)
+            number, session, opcode, size, of, _, offset = struct.unpack_from("<HBBBBBxI", raw)
+            assert asked is None or (session, of) == (0, asked)
             found.append((opcode, number, offset, raw[12 : 12 + size]))
     return found
 
 
-def ask(
-    bench: Any, opcode: int, data: bytes = b"", *, offset: int = 0, size: int = 0, session: int = 0
-) -> list[Answer]:
-    head = struct.pack("<HBBBBBxI", 70, session, opcode, size or len(data), 0, 0, offset)
+def ask(bench: Any, opcode: int, data: bytes = b"", *, offset: int = 0, size: int = 0) -> list[Answer]:
+    head = struct.pack("<HBBBBBxI", 70, 0, opcode, size or len(data), 0, 0, offset)
     payload = (head + data).ljust(251, b"\0")
-    return read(bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload))))
+    return read(bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload))), opcode)
 
 
 def test_the_log_is_opened_and_read_piece_by_piece(vehicle_bench: Any) -> None:

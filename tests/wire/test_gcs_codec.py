@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracle import CLASSES, peer_frame, same, value_of, with_crc
+from oracle import CLASSES, made, peer_frame, same, value_of, values_of, with_crc
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from gcs.mavlink import codec
@@ -84,16 +84,8 @@ def test_every_message_is_read_like_pymavlink(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(CLASSES))
 def test_every_message_is_written_like_pymavlink(name: str) -> None:
     cls = CLASSES[name]
-    given_values: dict[str, Any] = {}
-    for index, (field, kind) in enumerate(zip(cls.fieldnames, cls.fieldtypes, strict=True)):
-        length = cls.array_lengths[cls.orders[index]]
-        if kind == "char":
-            given_values[field] = "Skytender"[: length or 1]
-        elif length:
-            given_values[field] = [(i + index) % 100 for i in range(length)]
-        else:
-            given_values[field] = index + 0.5 if kind in ("float", "double") else index + 1
-    theirs = cls(**{k: v.encode() if isinstance(v, str) else v for k, v in given_values.items()})
+    given_values = values_of(cls)
+    theirs = made(cls, given_values)
     mav = mavlink.MAVLink(None, srcSystem=255, srcComponent=190)
     mav.seq = 200
     raw = codec.encode(name, 200, 255, 190, **given_values)

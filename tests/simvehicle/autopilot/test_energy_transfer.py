@@ -3,8 +3,6 @@
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from simvehicle.autopilot.energy_transfer import (
     Envelope,
@@ -38,33 +36,6 @@ def test_receiver_refuses_what_lies_outside_its_envelope(p: Any, v: Any, age_s: 
     giver = Neighbour(p, v, (0.0, 0.0, 0.0), 10.0)
     assert refusal(None, (0.0, 0.0, 0.0), 0.0, Envelope(1.5, 0.5)) == "the giver is silent"
     assert refusal(giver, (0.0, 0.0, 0.0), 10.0 + age_s, Envelope(1.5, 0.5)) == said
-
-
-@settings(max_examples=50)
-@given(
-    st.floats(1.0, 5000.0),
-    st.one_of(st.none(), st.integers(0, 10**6)),
-    st.lists(st.tuples(st.floats(0.004, 0.4), st.booleans(), st.integers(0, 20)), min_size=1, max_size=100),
-)
-def test_giver_is_never_farther_ahead_of_what_is_acknowledged_than_it_may_be(
-    rate_w: float, known_j: int | None, steps: list[tuple[float, bool, int]]
-) -> None:
-    """Whatever acknowledgements come, late and in any order, each of what had arrived at its time."""
-    transfer = Transfer(order(rate_w=rate_w), 0.0, known_j)
-    start_j = known_j or 0
-    arrived_j, told, now_s = 0, [start_j], 0.0
-    seen = None if known_j is None else known_j
-    for span_s, arrives, late in steps:
-        now_s += span_s
-        transfer.give(span_s, 1e9)
-        acknowledged_j = (start_j if seen is None else seen) - start_j
-        assert transfer.moved_j - acknowledged_j <= max(rate_w, 1.0)
-        assert seen is not None or transfer.moved_j == 0
-        arrived_j = transfer.moved_j if arrives else arrived_j
-        told.append(start_j + arrived_j)
-        said = told[max(len(told) - 1 - late, 0)]
-        seen = said if seen is None else max(seen, said)
-        transfer.receive_in(said, now_s)
 
 
 def test_giver_ends_when_the_receivers_counter_has_stood_still_for_too_long() -> None:

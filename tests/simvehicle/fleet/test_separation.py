@@ -201,25 +201,16 @@ def test_the_lower_of_a_column_waits_if_the_radio_parts_it_while_it_climbs(parte
 def test_one_that_turns_while_the_radio_parts_it_stays_where_the_other_group_presumes_it(parted_s: float) -> None:
     """Seven of the 26 of row 4 of that seed, and their heights: 21 evades 6 and 22 on its way up while the radio
     parts them from 7 and 9, which later fly level past the place where they received it last."""
-    places = {
-        6: (17.81, -0.46, -5.9),
-        7: (20.71, -0.84, -5.48),
-        9: (18.9, 0.47, -5.46),
-        17: (17.59, 0.83, -5.41),
-        21: (17.65, -0.24, -4.33),
-        22: (18.2, -1.42, -4.83),
-        23: (16.91, -1.71, -4.97),
+    column = {
+        6: ((17.81, -0.46, -5.9), (6.0, -3.0, 0.0), 13.15),
+        7: ((20.71, -0.84, -5.48), (6.0, -1.0, 0.0), 14.48),
+        9: ((18.9, 0.47, -5.46), (4.0, 3.0, 0.0), 17.14),
+        17: ((17.59, 0.83, -5.41), (6.0, 5.0, 0.0), 27.78),
+        21: ((17.65, -0.24, -4.33), (4.0, -3.0, 0.0), 33.1),
+        22: ((18.2, -1.42, -4.83), (2.0, -1.0, 0.0), 34.43),
+        23: ((16.91, -1.71, -4.97), (0.0, 3.0, 0.0), 35.76),
     }
-    homes = {
-        6: (6.0, -3.0, 0.0),
-        7: (6.0, -1.0, 0.0),
-        9: (4.0, 3.0, 0.0),
-        17: (6.0, 5.0, 0.0),
-        21: (4.0, -3.0, 0.0),
-        22: (2.0, -1.0, 0.0),
-        23: (0.0, 3.0, 0.0),
-    }
-    heights_m = {6: 13.15, 7: 14.48, 9: 17.14, 17: 27.78, 21: 33.1, 22: 34.43, 23: 35.76}
+    places, homes, heights_m = ({sysid: row[i] for sysid, row in column.items()} for i in range(3))
     times = {"level_after_s": 11.95, "down_after_s": 21.42, "again_after_s": 40.51}
 
     def passes(sender: int, reader: int, now_s: float) -> bool:

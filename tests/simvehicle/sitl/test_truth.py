@@ -87,6 +87,14 @@ def test_given_and_received_are_in_the_ledger(vehicle_bench: Any, tmp_path: Path
     assert np.abs(head["initial_j"] + received - drawn - given - remaining).max() < 1e-6
 
 
+def test_existing_file_is_never_overwritten(vehicle_bench: Any, tmp_path: Path) -> None:
+    path = tmp_path / "1.truth"
+    path.write_text("precious")
+    with pytest.raises(FileExistsError), TruthWriter(path, 1, vehicle_bench().vehicle):
+        pass
+    assert path.read_text() == "precious"
+
+
 def test_truth_is_the_log_of_the_vehicle_and_erased_begins_anew_while_the_file_stays(
     vehicle_bench: Any, tmp_path: Path
 ) -> None:

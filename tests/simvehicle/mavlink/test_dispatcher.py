@@ -126,7 +126,10 @@ def test_take_off_in_a_relative_frame_is_relative_for_px4_too(vehicle_bench: Any
 
 
 def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None:
-    bench = vehicle_bench().in_air()
+    bench = vehicle_bench()
+    bench.arm()
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 0.0, 0.0, NAN, 47.3978, 8.5456, 495.0) == TEMPORARILY_REJECTED
+    bench.in_air()
     lat, lon, _ = bench.vehicle.frame.to_global(6.0, -3.0, 0.0)
     in_degrees = (round(1e7 * lat), round(1e7 * lon))
     for frame, place, down_m in (
@@ -140,12 +143,6 @@ def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None
     place = (0, 0, -3.0)
     assert bench.result(mav.MAV_CMD_DO_REPOSITION, place=place, frame=mav.MAV_FRAME_BODY_NED) == DENIED
     assert bench.result(mav.MAV_CMD_DO_REPOSITION, 0.0, 0.0, 0.0, 0.0, NAN, NAN, 490.0) == DENIED
-
-
-def test_reposition_on_the_ground_is_rejected(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    bench.arm()
-    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 0.0, 0.0, NAN, 47.3978, 8.5456, 495.0) == TEMPORARILY_REJECTED
 
 
 def test_offboard_without_fresh_set_points_is_rejected_with_its_reason(vehicle_bench: Any) -> None:

@@ -195,6 +195,8 @@ def test_followed_target_has_the_vehicle_where_the_parameters_say(
     vehicle_bench: Any, angle: float, offset: tuple[float, float]
 ) -> None:
     bench = vehicle_bench(params={"FLW_TGT_DST": 4.0, "FLW_TGT_FA": angle, "FLW_TGT_HT": 5.0, "FLW_TGT_RS": 0.0})
+    bench.arm()
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0, 8.0) == TEMPORARILY_REJECTED  # on the ground
     bench.in_air()
     assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0, 8.0) == ACCEPTED
     follow(bench, 20.0, north_m_s=1.0)
@@ -206,12 +208,6 @@ def test_followed_target_has_the_vehicle_where_the_parameters_say(
     bench.fly(2.0)
     assert math.dist(stopped, bench.vehicle.p_ned) < 30.0
     assert bench.vehicle.mode == "follow"
-
-
-def test_vehicle_on_the_ground_does_not_follow(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    bench.arm()
-    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0, 8.0) == TEMPORARILY_REJECTED
 
 
 def test_guided_holds_without_set_points_and_flies_them_when_they_come(vehicle_bench: Any) -> None:

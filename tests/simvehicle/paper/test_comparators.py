@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import expm
 
 from simvehicle.paper import comparators
 
@@ -78,3 +79,12 @@ def test_the_linear_law_on_a_sine_ends_on_its_frequency_response():
     response = np.linalg.solve(1j * np.eye(2) - a, b)
     late = t > 4.0
     assert x[late] == pytest.approx((response * np.exp(1j * (t[late] + dt_s))[:, np.newaxis]).imag, abs=1e-3)
+
+
+def test_the_linear_law_from_rest_follows_the_matrix_exponential():
+    dt_s = 1e-5
+    x = np.array([1.0, -2.0])
+    for _ in range(10_000):
+        x = high_gain(x, 0.0, dt_s)
+    a = np.array([[-1.0 / 0.15, 1.0], [-2.0 / 0.15**2, 0.0]])
+    assert x == pytest.approx(expm(0.1 * a) @ [1.0, -2.0], abs=2e-3)

@@ -83,7 +83,7 @@ def lively(airframe: RotorAirframe, steps: int) -> Array:
 
 @pytest.mark.parametrize("name", AIRFRAMES)
 def test_its_path_is_that_of_a_second_model(name: str) -> None:
-    airframe, wind, steps = AIRFRAMES[name], np.array([6.0, -3.0, 0.5]), 100
+    airframe, wind, steps = AIRFRAMES[name], np.array([6.0, -3.0, 0.5]), 50
     start = body(p=(1, 2, 3), v=(2, -1, 1), euler=(0.2, -0.3, 2.0), rates=(0.1, -0.2, 0.3), speeds=(500.0,) * 4)
     wanted = lively(airframe, steps)
     path = flown(airframe, start, wanted, wind)

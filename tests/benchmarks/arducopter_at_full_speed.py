@@ -11,6 +11,7 @@ import subprocess
 import tempfile
 import time
 
+from measure import cpu_s_of
 from pymavlink.dialects.v20 import common as mav
 
 PROGRAM = os.environ.get("SKYTENDER_ARDUCOPTER", "")
@@ -37,11 +38,11 @@ def vehicle_seconds() -> float | None:
             [PROGRAM, *options, "--serial2", "none"], cwd=folder, stdin=quiet, stdout=quiet, stderr=quiet
         ) as copter:
             try:
-                begun_s, spent_s = _boot_s(ground), _cpu_s(copter.pid)
+                begun_s, spent_s = _boot_s(ground), cpu_s_of(copter.pid)
                 until_s = time.monotonic() + MEASURED_S
                 while (now_s := _boot_s(ground)) <= begun_s or time.monotonic() < until_s:
                     pass
-                return (now_s - begun_s) / (_cpu_s(copter.pid) - spent_s)
+                return (now_s - begun_s) / (cpu_s_of(copter.pid) - spent_s)
             finally:
                 copter.kill()
 
@@ -65,9 +66,3 @@ def _boot_s(ground: socket.socket) -> float:
             ask = link.command_long_encode(1, 1, mav.MAV_CMD_SET_MESSAGE_INTERVAL, 0, *wanted)
             ground.sendto(ask.pack(link), vehicle)
     raise RuntimeError(f"{PROGRAM} does not tell its SYSTEM_TIME")
-
-
-def _cpu_s(pid: int) -> float:
-    with open(f"/proc/{pid}/stat", encoding="ascii") as stat:
-        user, system = stat.read().rpartition(")")[2].split()[11:13]
-    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")

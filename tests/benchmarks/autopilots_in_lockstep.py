@@ -15,11 +15,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import yaml
-from measure import Figure, Scale
+from measure import ROOT, Figure, Scale, children_cpu_s
 from prompt_to_prompt import took
-from sessions_timed import children_cpu_s
 
-ROOT = Path(__file__).resolve().parents[2]
 ROUNDS = 3
 DURATION_S = 90.0
 

@@ -8,14 +8,11 @@ of what the two fork servers spend, from which its processes are forked.
 
 from __future__ import annotations
 
-import os
 import statistics
-import sys
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from measure import Figure
+from measure import Figure, cpu_s_of
 
 from gcs.campaign import worker
 from gcs.campaign.file import from_data
@@ -28,14 +25,14 @@ GOAL = 1.3
 PAGE_KIB = 4.0
 
 
-def plan(duration_s: float, sessions: int) -> Plan:
+def plan(duration_s: float) -> Plan:
     settings = {"goal.duration_s": duration_s, "vehicles.pursuers.*.waypoints_m": TO_AND_FRO}
-    content: dict[str, Any] = {"schema": 1, "name": "bench", "scenario": "paper/example1", "sessions": sessions}
+    content: dict[str, Any] = {"schema": 1, "name": "bench", "scenario": "paper/example1", "sessions": SESSIONS}
     return make(from_data({**content, "set": settings, "keep": "none"}), [])
 
 
-def figures(sessions: int = SESSIONS) -> list[Figure]:
-    short, long = plan(SESSION_S, sessions), plan(LONG_S, sessions)
+def figures() -> list[Figure]:
+    short, long = plan(SESSION_S), plan(LONG_S)
     cost_s: list[float] = []
     long_s: list[float] = []
     wall_s: list[float] = []
@@ -43,7 +40,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
     serving_s = _serving_cpu_s()
     memory_kib: list[float] = []
     try:
-        for number in range(sessions):
+        for number in range(SESSIONS):
             row = worker.fly_row(short, short.row(number))
             cost_s.append(row["cpu_s"])
             wall_s.append(row["wall_s"])
@@ -61,7 +58,7 @@ def figures(sessions: int = SESSIONS) -> list[Figure]:
         Figure(12, f"{name}: CPU over its flight alone", session_s / flight_s, "x", GOAL, True, cpu_s=session_s),
         Figure(12, "  wall time", statistics.median(wall_s), "s"),
         Figure(
-            12, f"  memory of the worker after {sessions}, over that after {sessions // 5}", growth, "x", 1.05, True
+            12, f"  memory of the worker after {SESSIONS}, over that after {SESSIONS // 5}", growth, "x", 1.05, True
         ),
     ]
 
@@ -74,20 +71,4 @@ def _resident_kib() -> float:
 
 def _serving_cpu_s() -> float:
     """CPU time of the two fork servers, without that of what they forked."""
-    spent_s = 0.0
-    for pid in (pid for sessions in worker._all for pid in sessions.pids):
-        fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
-        spent_s += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-    return spent_s
-
-
-def main(arguments: Sequence[str]) -> None:
-    for figure in figures(int(arguments[0]) if arguments else SESSIONS):
-        print(
-            f"{figure.name}: {figure.value:.3f} {figure.unit}"
-            + (f" (CPU {figure.cpu_s:.3f} s)" if figure.cpu_s else "")
-        )
-
-
-if __name__ == "__main__":
-    main(sys.argv[1:])
+    return sum(cpu_s_of(pid) for sessions in worker._all for pid in sessions.pids)

@@ -7,16 +7,13 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import sys
 import time
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
-from measure import Figure
+from measure import SUPPORT, Figure, used_cpu_s
 
-SUPPORT = Path(__file__).resolve().parents[1] / "support"
 ROUND_S, EVERY_S, VEHICLES = 10.0, 0.1, 254
 PAGES = {"1": "fleet, map, competition, events", "2": "map", "3": "competition"}
 
@@ -32,7 +29,7 @@ class Timed:
         self._first: list[Mapping[str, Any]] = [feed.session()]
         self._told = [(json.dumps(feed.crowd(VEHICLES, i / 10)) + "\n").encode() for i in range(50)]
         self._reader, self._report = Lines(), report
-        self._begun_s, self._cpu_s, self._ticks = time.monotonic(), _cpu_s(), 0
+        self._begun_s, self._cpu_s, self._ticks = time.monotonic(), used_cpu_s(), 0
         self.connected = True
 
     def receive(self) -> list[Mapping[str, Any]]:
@@ -43,7 +40,7 @@ class Timed:
             messages += self._reader.feed(self._told[self._ticks % len(self._told)])
             self._ticks += 1
         if lasted_s >= ROUND_S:
-            told = {"cpu_s": _cpu_s() - self._cpu_s, "wall_s": lasted_s}
+            told = {"cpu_s": used_cpu_s() - self._cpu_s, "wall_s": lasted_s}
             os.write(self._report, json.dumps(told).encode())
             messages.append({"type": "end"})
         return messages
@@ -53,11 +50,6 @@ class Timed:
 
     def close(self) -> None:
         """Nothing to close."""
-
-
-def _cpu_s() -> float:
-    used = resource.getrusage(resource.RUSAGE_SELF)
-    return used.ru_utime + used.ru_stime
 
 
 def figures() -> list[Figure]:

@@ -63,16 +63,11 @@ PYBULLET = """\
 from gym_pybullet_drones.envs.HoverAviary import HoverAviary
 from gym_pybullet_drones.utils.enums import ObservationType, ActionType
 env = HoverAviary(obs=ObservationType('kin'), act=ActionType('one_d_rpm')); env.reset()"""
+PYFLYT = "import gymnasium, PyFlyt.gym_envs; env = gymnasium.make('PyFlyt/QuadX-Hover-v4'); env.reset()"
 CALLS = {
     "Skytender": [Called("skytender", OURS.format(n), PARALLEL, str(n), "0.1") for n in (1, 25)],
     "PyFlyt": [
-        Called(
-            "pyflyt",
-            "import gymnasium, PyFlyt.gym_envs; env = gymnasium.make('PyFlyt/QuadX-Hover-v4'); env.reset()",
-            GYM,
-            "1",
-            "1.0 / 40",
-        )
+        Called("pyflyt", PYFLYT, GYM, "1", "1.0 / 40"),
     ],
     "RotorPy": [Called("rotorpy", ROTORPY, ROTORPY_STEP, "1", "0.01", "")],
     "gym-pybullet-drones": [Called("gym-pybullet-drones", PYBULLET, GYM, "1", "1.0 / env.CTRL_FREQ")],
@@ -134,12 +129,8 @@ def main() -> None:
     for word in sys.argv[1:]:
         name, _, python = word.partition("=")
         for number in range(len(CALLS[name])):
-            said = subprocess.run(
-                [python or sys.executable, __file__, "--one", name, f"{number}"],
-                capture_output=True,
-                text=True,
-                check=True,
-            )
+            command = [python or sys.executable, __file__, "--one", name, f"{number}"]
+            said = subprocess.run(command, capture_output=True, text=True, check=True)
             m = json.loads(said.stdout.splitlines()[-1])
             print(
                 f"| {name} {m['version']} | {m['vehicles']:,} | {1e3 * m['period_s']:.3g} ms | "

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import sys
 import time
 from pathlib import Path
 
+from measure import cpu_s_of, used_cpu_s
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
@@ -51,27 +51,17 @@ class Watched(SessionProcess):
                 self._supervisor.command_queue.put(sysid, [request])
         self._vehicles.ended()
         pids = list(self._vehicles.pids)
-        own, theirs, wall_s = _own_cpu_s(), sum(map(_cpu_s, pids)), time.monotonic()
+        own, theirs, wall_s = used_cpu_s(), sum(map(cpu_s_of, pids)), time.monotonic()
         super()._fly()
         wall_s = time.monotonic() - wall_s
         self.told = {
             "latest_s": pace.latest_s,
             "frames_s": self._supervisor.received / self._supervisor.time_s,
-            "supervisor_cpu_s": _own_cpu_s() - own,
-            "vehicles_cpu_s": sum(map(_cpu_s, pids)) - theirs,
+            "supervisor_cpu_s": used_cpu_s() - own,
+            "vehicles_cpu_s": sum(map(cpu_s_of, pids)) - theirs,
         }
         self.told["supervisor"] = self.told["supervisor_cpu_s"] / wall_s
         self.told["vehicles"] = self.told["vehicles_cpu_s"] / wall_s
-
-
-def _own_cpu_s() -> float:
-    used = resource.getrusage(resource.RUSAGE_SELF)
-    return used.ru_utime + used.ru_stime
-
-
-def _cpu_s(pid: int) -> float:
-    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 if __name__ == "__main__":

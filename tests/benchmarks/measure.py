@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import math
+import os
+import resource
 import statistics
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 REFERENCE_STEPS_S = 3.9e6
 """Steps of the calibration loop per CPU second, by CPython 3.11, on the machine where these figures were first taken:
 two cores of an AMD EPYC under Firecracker, left to itself."""
+ROOT = Path(__file__).resolve().parents[2]
+SUPPORT = ROOT / "tests" / "support"
 CALIBRATION_STEPS = 400_000
 ROUNDS = 7
 
@@ -53,6 +58,23 @@ class Scale:
 
     cpu: float
     wall: float
+
+
+def used_cpu_s(of: int = resource.RUSAGE_SELF) -> float:
+    """Processor time of this process, or with `RUSAGE_CHILDREN` of all that were waited for."""
+    used = resource.getrusage(of)
+    return used.ru_utime + used.ru_stime
+
+
+def children_cpu_s() -> float:
+    """Processor time of all processes that were waited for."""
+    return used_cpu_s(resource.RUSAGE_CHILDREN)
+
+
+def cpu_s_of(pid: int) -> float:
+    """Processor time of a process that runs, without that of its children."""
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii", errors="replace").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _pendulum(steps: int) -> float:

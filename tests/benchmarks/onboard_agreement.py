@@ -91,14 +91,8 @@ def in_sessions(seeds: range) -> Table:
         content["goal"] = {"duration_s": 20.0, "refuelled_at_least": 0}
         central, on_board = (_first(merged(content, {"competition": {"where": w}})) for w in ("supervisor", "vehicles"))
         later_s.append(on_board[0] - central[0])
-        table.add_row(
-            str(seed),
-            f"{central[0]:.1f} s",
-            str(central[1]),
-            f"{on_board[0]:.1f} s",
-            str(on_board[1]),
-            f"{later_s[-1]:.1f} s",
-        )
+        decided = (f"{central[0]:.1f} s", str(central[1]), f"{on_board[0]:.1f} s", str(on_board[1]))
+        table.add_row(str(seed), *decided, f"{later_s[-1]:.1f} s")
     table.caption = f"median {statistics.median(later_s):.1f} s"
     return table
 

@@ -13,12 +13,10 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 import psutil
-from measure import Figure
+from measure import SUPPORT, Figure
 
-SUPPORT = Path(__file__).resolve().parents[1] / "support"
 WARM_MS, MEASURED_MS = 5000, 8000
 FRAMES_S, FIRST_S, SERVER_SHARE = 30.0, 2.0, 0.15
 FRAMES = f"""new Promise((done) => {{

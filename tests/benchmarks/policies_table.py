@@ -9,32 +9,24 @@ vehicles, sockets, lockstep. Rates have Wilson intervals, paired differences boo
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
-from pathlib import Path
-from typing import Any
 
 import numpy as np
 import yaml
+from campaign_tables import Row, asked, told
 
 import gcs
 from gcs.campaign import file
-from gcs.campaign.engine import Progress
 from gcs.campaign.statistics import Interval, mean, wilson
 
 POLICY = "competition.policy"
 ALLOWED_MORE = 0.05
-Row = dict[str, Any]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--sessions", type=int, default=200, help="random scenarios, each flown by every policy")
-    parser.add_argument("--seed", type=int, default=4)
+    parser = asked(__doc__, sessions=(200, "random scenarios, each flown by every policy"), seed=4, out="its folder")
     parser.add_argument("--policies", default=None, help="some of them; all by default")
-    parser.add_argument("--workers", type=int, default=None)
-    parser.add_argument("--out", type=Path, required=True)
     options = parser.parse_args()
     content = yaml.safe_load(file.find("policies").read_text(encoding="utf-8"))
     if options.policies is not None:
@@ -42,16 +34,11 @@ def main() -> None:
     campaign = gcs.Campaign(
         content, sessions=options.sessions, seed=options.seed, out=options.out, workers=options.workers
     )
-    rows: list[Row] = campaign.fly(_told).to_pylist()
+    rows: list[Row] = campaign.fly(told).to_pylist()
     print(file=sys.stderr)
     print(f"seed {options.seed}, {options.sessions} scenarios\n")
     for text in table(rows):
         print(text)
-
-
-def _told(progress: Progress, row: Row | None) -> None:
-    if row is not None:
-        print(f"\r{progress.done} of {progress.total}, {progress.failed} failed ", end="", file=sys.stderr, flush=True)
 
 
 def table(rows: Sequence[Row]) -> list[str]:

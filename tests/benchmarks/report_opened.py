@@ -9,11 +9,9 @@ import time
 from pathlib import Path
 
 import yaml
-from measure import Figure
-from sessions_timed import children_cpu_s, fleet, fly, run_gcs
+from measure import ROOT, SUPPORT, Figure, children_cpu_s
+from sessions_timed import fleet, fly, run_gcs
 
-CONFIGS = Path(__file__).resolve().parents[2] / "configs"
-SUPPORT = Path(__file__).resolve().parents[1] / "support"
 FLEET_S = 600.0
 OPENED = 5
 STAGES = {"first": "the fleet drawn", "flat": "every figure drawn", "all": "all on the screen"}
@@ -30,7 +28,12 @@ def figures() -> list[Figure]:
         return []
     found = []
     sessions = (
-        ("report of the demo", yaml.safe_load((CONFIGS / "demo.yaml").read_text(encoding="utf-8")), DEMO_BYTES, DEMO_S),
+        (
+            "report of the demo",
+            yaml.safe_load((ROOT / "configs/demo.yaml").read_text(encoding="utf-8")),
+            DEMO_BYTES,
+            DEMO_S,
+        ),
         (f"report of 254 vehicles for {FLEET_S:.0f} s", fleet(FLEET_S), None, FULL_S),
     )
     for what, scenario, most_bytes, within_s in sessions:

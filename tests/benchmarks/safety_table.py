@@ -13,28 +13,22 @@ import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
+from campaign_tables import Row, asked, told
 
 import gcs
-from gcs.campaign.engine import Progress
 from gcs.campaign.families.makers import FAMILIES
 from gcs.campaign.statistics import wilson
 
 HERE = Path(__file__).resolve().parent
 DISTANCES = ("separation", "clearance", "traffic", "ground")
 TO_WAY_POINTS = ("circles", "head_on", "crossings", "walls", "gaps")
-Row = dict[str, Any]
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--sessions", type=int, default=77, help="of each family by Skytender")
+    parser = asked(__doc__, sessions=(77, "of each family by Skytender"), seed=1, out="folder of both campaigns")
     parser.add_argument("--beside", type=int, default=20, help="of each family by the others")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--workers", type=int, default=None)
-    parser.add_argument("--out", type=Path, required=True, help="folder of both campaigns")
     options = parser.parse_args()
     sys.path.insert(0, str(HERE))
     options.out.mkdir(parents=True, exist_ok=True)
@@ -48,19 +42,15 @@ def _flown(campaign: str, sessions: int, options: argparse.Namespace, name: str)
     flown = gcs.Campaign(
         campaign, sessions=sessions, seed=options.seed, out=options.out / name, workers=options.workers, trust=True
     )
-    rows: list[Row] = flown.fly(_told).to_pylist()
+    rows: list[Row] = flown.fly(told).to_pylist()
     return rows
-
-
-def _told(progress: Progress, _row: Row | None) -> None:
-    print(f"\r{progress.done} of {progress.total}, {progress.failed} failed ", end="", file=sys.stderr, flush=True)
 
 
 def table(ours: Sequence[Row], others: Sequence[Row]) -> list[str]:
     """Lines of Markdown: a row for each family and planner, then all of them, then times to goal."""
     by = {"Skytender": ours}
-    for name, told in (("field", "field alone"), ("orca", "A* + ORCA")):
-        by[told] = [row for row in others if row["arguments.planner"] == name]
+    for name, words in (("field", "field alone"), ("orca", "A* + ORCA")):
+        by[words] = [row for row in others if row["arguments.planner"] == name]
     lines = [
         "| family | planner | sessions | too near [95 %] | least separation, m | touched or too near an obstacle "
         "| stuck | lost | met |",
@@ -81,10 +71,6 @@ def table(ours: Sequence[Row], others: Sequence[Row]) -> list[str]:
             )
             lines.append(f"| {family} | {len(keys)} | {mine:.1f} | {theirs:.1f} | {mine / theirs:.2f} |")
     return lines
-
-
-def _pair(arrivals: dict[str, dict[tuple[str, int], float]]) -> list[dict[tuple[str, int], float]]:
-    return [arrivals["Skytender"], arrivals["A* + ORCA"]]
 
 
 def _line(family: str, planner: str, rows: Sequence[Row]) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import select
 import socket
 import statistics
@@ -17,13 +16,12 @@ from typing import Any
 
 import laws
 import yaml
-from measure import Figure, Scale
+from measure import ROOT, Figure, Scale, children_cpu_s
 from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
 from gcs.processes.fork_server import ForkServer, ProcessSpec
 
-ROOT = Path(__file__).resolve().parents[2]
 SESSIONS = 5
 FLEET_S = 60.0
 STARTED = 50
@@ -75,12 +73,6 @@ def run_gcs(*arguments: str) -> None:
     if done.returncode != 0:
         said = "\n".join((done.stderr or done.stdout).splitlines()[-12:])
         raise RuntimeError(f"gcs {arguments[0]} ended with {done.returncode}: {said}")
-
-
-def children_cpu_s() -> float:
-    """CPU seconds of all processes that were waited for."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def lockstep() -> list[Figure]:

@@ -120,15 +120,17 @@ def guided(name: str, options: argparse.Namespace) -> int:
     begun_s, kept = time.monotonic(), (options.kept / name.replace(" ", "-")).absolute()
     kept.mkdir(parents=True, exist_ok=True)
     before = len(list(kept.iterdir()))
-    command = [
-        sys.executable,
-        str(Path(__file__).resolve().with_name("guided.py")),
-        "--target",
-        name,
+    command = [sys.executable, str(Path(__file__).resolve().with_name("guided.py")), "--target", name]
+    command += [
         "--kept",
         str(kept),
+        "--runs",
+        str(options.runs),
+        "--seconds",
+        str(options.seconds),
+        "--seed",
+        str(options.seed),
     ]
-    command += ["--runs", str(options.runs), "--seconds", str(options.seconds), "--seed", str(options.seed)]
     with tempfile.TemporaryDirectory() as place:
         done = subprocess.run(command, cwd=place, capture_output=True, text=True, errors="replace", check=False)
         for crash in Path(place).iterdir():

@@ -108,9 +108,7 @@ class Hostile:
             elif kind == 5:
                 out[at : at + 8] = struct.pack("<d", rng.choice(REAL))
             else:
-                text = rng.choice(
-                    (b"1e999", b"NaN", b"-1", b"null", b"99999999999999999999", b'"', b"{", b"[[[[", b"&a *a ")
-                )
+                text = rng.choice(TEXTS)
                 out[at : at + len(text)] = text
         return bytes(out)
 
@@ -118,17 +116,7 @@ class Hostile:
         rng = self.random
         code, count = form[-1], int(form[:-1] or 1) if len(form) > 1 else 1
         if code == "s":
-            names = (
-                b"XferIn",
-                b"XferOut",
-                b"SIM_BAT_CAP_J",
-                b"MPC_XY_CRUISE",
-                b"\xff" * 50,
-                b"\x1b[2J",
-                b"",
-                b"x" * 50,
-            )
-            return rng.choice(names)[:count].ljust(count, b"\0")
+            return rng.choice(NAMES)[:count].ljust(count, b"\0")
         if code in "fd":
             draw = [rng.choice(REAL) if rng.random() < 0.5 else rng.uniform(-200.0, 200.0) for _ in range(count)]
             return struct.pack(f"<{count}{code}", *draw)

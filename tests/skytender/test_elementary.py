@@ -12,7 +12,7 @@ import pytest
 
 from skytender import elementary, elementwise
 
-N = 3000
+N = 900
 Args = tuple[float, ...]
 
 

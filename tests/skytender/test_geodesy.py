@@ -14,7 +14,7 @@ ORIGINS = [(47.397742, 8.545594, 488.0), (0.0, 0.0, 0.0), (-35.363, 149.165, 584
 @pytest.mark.parametrize("origin", ORIGINS)
 def test_places_agree_with_pymap3d(origin: tuple[float, float, float]) -> None:
     rng = np.random.default_rng(1)
-    for p_ned in rng.uniform((-2e4, -2e4, -5e3), (2e4, 2e4, 500.0), (300, 3)):
+    for p_ned in rng.uniform((-2e4, -2e4, -5e3), (2e4, 2e4, 500.0), (100, 3)):
         ours = geodesy.place_of(tuple(p_ned.tolist()), origin)
         theirs = [float(x) for x in pymap3d.ned2geodetic(*p_ned, *origin)]
         assert ours[:2] == pytest.approx(theirs[:2], abs=1e-12, rel=0)

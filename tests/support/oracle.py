@@ -18,6 +18,25 @@ def peer_frame(name: str, payload: bytes, seq: int = 7, sysid: int = 3, compid: 
     return bytes(mav.MAVLink_message(CLASSES[name].id, name)._pack(sender, CLASSES[name].crc_extra, payload))
 
 
+def values_of(cls: Any) -> dict[str, Any]:
+    """Another value for each field of a message of pymavlink's."""
+    values: dict[str, Any] = {}
+    for index, (field, kind) in enumerate(zip(cls.fieldnames, cls.fieldtypes, strict=True)):
+        length = cls.array_lengths[cls.orders[index]]
+        if kind == "char":
+            values[field] = "Skytender"[: length or 1]
+        elif length:
+            values[field] = [(i + index) % 100 for i in range(length)]
+        else:
+            values[field] = index + 0.5 if kind in ("float", "double") else index + 1
+    return values
+
+
+def made(cls: Any, values: dict[str, Any]) -> Any:
+    """The message with these values."""
+    return cls(**{name: value.encode() if isinstance(value, str) else value for name, value in values.items()})
+
+
 def with_crc(head_and_payload: bytes, seed: int) -> bytes:
     """The frame that these bytes begin, ended as its kind's seed asks."""
     return head_and_payload + struct.pack("<H", mav.x25crc(head_and_payload[1:] + bytes([seed])).crc)

@@ -1,6 +1,5 @@
 """Parameters over the wire, and what a change of them does to the flight."""
 
-import itertools
 import math
 import struct
 from typing import Any
@@ -9,9 +8,12 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.parameters import TABLE, ParameterError, Parameters
+from simvehicle.autopilot.parameters import TABLE
 
 REAL32, INT32 = mav.MAV_PARAM_TYPE_REAL32, mav.MAV_PARAM_TYPE_INT32
+OUT_OF_RANGE, READ_ONLY = mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, mav.MAV_PARAM_ERROR_READ_ONLY
+TYPE_MISMATCH = 7
+"""MAV_PARAM_ERROR_TYPE_MISMATCH of today's common.xml."""
 AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)
 FIXED = ("SIM_BAT_INIT_J", "SIM_GAIN_SET")
 
@@ -51,13 +53,13 @@ def test_list_gives_each_parameter_once_with_its_index(vehicle_bench: Any) -> No
     assert all(len(row.name) <= 16 for row in TABLE)
 
 
-@pytest.mark.parametrize("row", TABLE, ids=lambda row: row.name)
-def test_parameter_is_read_alike_by_name_and_by_index(vehicle_bench: Any, row: Any) -> None:
+def test_parameter_is_read_alike_by_name_and_by_index(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
-    by_name = read_value(bench, row.name)
-    (by_index,) = bench.send(mav.MAVLink_param_request_read_message(1, 1, b"", by_name.param_index))
-    assert by_name.to_dict() == by_index.to_dict()
-    assert by_name.param_type == (INT32 if row.whole else REAL32)
+    for row in TABLE:
+        by_name = read_value(bench, row.name)
+        (by_index,) = bench.send(mav.MAVLink_param_request_read_message(1, 1, b"", by_name.param_index))
+        assert by_name.to_dict() == by_index.to_dict()
+        assert by_name.param_type == (INT32 if row.whole else REAL32)
 
 
 def test_unknown_name_or_index_is_not_answered_with_another_parameter(vehicle_bench: Any) -> None:
@@ -99,31 +101,10 @@ def test_extreme_values_never_stop_the_telemetry(vehicle_bench: Any, row: Any, e
     assert all(math.isfinite(x) for x in bench.vehicle.state[0])
 
 
-@pytest.mark.parametrize(
-    "pair", list(itertools.combinations(["SIM_BAT_HOVER_W", "SIM_BAT_AVION_W", "SIM_BAT_CAP_J"], 2))
-)
-def test_extreme_batteries_never_stop_the_telemetry(vehicle_bench: Any, pair: tuple[str, str]) -> None:
-    rows = {row.name: row for row in TABLE}
-    for ends in itertools.product(("least", "most"), repeat=2):
-        params = {name: getattr(rows[name], end) for name, end in zip(pair, ends, strict=True)}
-        vehicle_bench(start=AIRBORNE, params=params).fly(1.0)
-
-
-@pytest.mark.parametrize("name", FIXED)
-def test_initial_charge_and_gain_set_are_fixed_at_run_time(vehicle_bench: Any, name: str) -> None:
-    bench = vehicle_bench()
-    before = bench.vehicle.parameters[name]
-    whole = name == "SIM_GAIN_SET"
-    set_value(bench, name, as_float(1) if whole else 5000.0, INT32 if whole else REAL32)
-    bench.tick()
-    assert bench.vehicle.parameters[name] == before
-    assert bench.texts == [f"{name} can only be given at start"]
-
-
 def test_a_battery_never_holds_more_than_its_capacity(vehicle_bench: Any) -> None:
     bench = vehicle_bench(start=AIRBORNE)
     holds_j = bench.vehicle.remaining_j
-    assert refusal(bench, "SIM_BAT_CAP_J", 0.9 * holds_j) == mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE
+    assert refusal(bench, "SIM_BAT_CAP_J", 0.9 * holds_j) == OUT_OF_RANGE
     bench.tick()
     assert bench.texts == [f"SIM_BAT_CAP_J = {0.9 * holds_j:g}: the battery holds {holds_j:.0f} J"]
     assert set_value(bench, "SIM_BAT_CAP_J", 2.0 * holds_j).param_value == 2.0 * holds_j
@@ -143,34 +124,28 @@ def test_integers_travel_as_the_identity_does_it(vehicle_bench: Any, autopilot: 
     assert bool(flags & mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST) != bytewise
 
 
-def test_value_of_another_type_is_refused_where_its_bytes_would_be_another_number(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    set_value(bench, "BAT_EMERGEN_THR", as_float(1), INT32)
-    set_value(bench, "SYS_AUTOSTART", 0.0, REAL32)
-    bench.tick()
-    assert bench.vehicle.parameters["BAT_EMERGEN_THR"] == pytest.approx(0.05)
-    assert bench.vehicle.parameters["SYS_AUTOSTART"] == 4001.0
-    assert bench.texts == ["BAT_EMERGEN_THR is a REAL32: value refused", "SYS_AUTOSTART is an INT32: value refused"]
-
-
 @pytest.mark.parametrize(
-    ("name", "value", "kind", "code"),
+    ("name", "value", "kind", "code", "said"),
     [
-        ("MPC_LAND_SPEED", 99.0, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
-        ("MPC_LAND_SPEED", math.nan, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
-        ("MPC_LAND_SPEED", -math.inf, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
-        ("SIM_GAIN_RATE", 600.0, REAL32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
-        ("GF_ACTION", as_float(9), INT32, mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE),
-        ("SIM_BAT_INIT_J", 5000.0, REAL32, mav.MAV_PARAM_ERROR_READ_ONLY),
-        ("MPC_LAND_SPEED", as_float(1), INT32, 7),  # MAV_PARAM_ERROR_TYPE_MISMATCH of today's common.xml
-        ("GF_ACTION", 1.0, REAL32, 7),
-        ("GF_ACTION", 1.0, mav.MAV_PARAM_TYPE_UINT8, 7),
+        ("MPC_LAND_SPEED", 99.0, REAL32, OUT_OF_RANGE, "MPC_LAND_SPEED = 99 is outside"),
+        ("MPC_LAND_SPEED", math.nan, REAL32, OUT_OF_RANGE, "MPC_LAND_SPEED = nan is outside"),
+        ("MPC_LAND_SPEED", -math.inf, REAL32, OUT_OF_RANGE, "MPC_LAND_SPEED = -inf is outside"),
+        ("SIM_GAIN_RATE", 600.0, REAL32, OUT_OF_RANGE, "SIM_GAIN_RATE = 600 is refused: gains.rate"),  # at 250 Hz
+        ("GF_ACTION", as_float(9), INT32, OUT_OF_RANGE, "GF_ACTION = 9 is outside"),
+        ("SIM_BAT_INIT_J", 5000.0, REAL32, READ_ONLY, "SIM_BAT_INIT_J can only be given at start"),
+        ("SIM_GAIN_SET", as_float(1), INT32, READ_ONLY, "SIM_GAIN_SET can only be given at start"),
+        ("MPC_LAND_SPEED", as_float(1), INT32, TYPE_MISMATCH, "MPC_LAND_SPEED is a REAL32: value refused"),
+        ("GF_ACTION", 1.0, REAL32, TYPE_MISMATCH, "GF_ACTION is an INT32: value refused"),
+        ("GF_ACTION", 1.0, mav.MAV_PARAM_TYPE_UINT8, TYPE_MISMATCH, "GF_ACTION is an INT32: value refused"),
     ],
 )
 def test_refused_value_is_answered_by_the_reason_and_kept(
-    vehicle_bench: Any, name: str, value: float, kind: int, code: int
+    vehicle_bench: Any, name: str, value: float, kind: int, code: int, said: str
 ) -> None:
-    assert refusal(vehicle_bench(), name, value, kind) == code
+    bench = vehicle_bench()
+    assert refusal(bench, name, value, kind) == code
+    bench.tick()
+    assert bench.texts[0].startswith(said)
 
 
 def test_value_of_another_type_is_taken_by_value(vehicle_bench: Any) -> None:
@@ -220,14 +195,6 @@ def test_gains_change_the_flight(vehicle_bench: Any) -> None:
     assert len(set(ends.values())) == len(ends)
 
 
-def test_gain_that_the_flight_law_cannot_take_is_refused_with_its_reason(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    set_value(bench, "SIM_GAIN_RATE", 600.0)  # unstable at 250 Hz
-    bench.tick()
-    assert bench.vehicle.parameters["SIM_GAIN_RATE"] == 12.0
-    assert bench.texts[0].startswith("SIM_GAIN_RATE = 600 is refused: gains.rate")
-
-
 def test_heights_and_speeds_of_modes_are_parameters(vehicle_bench: Any) -> None:
     bench = vehicle_bench(params={"MIS_TAKEOFF_ALT": 1.5, "RTL_RETURN_ALT": 3.0, "MPC_LAND_SPEED": 0.3})
     bench.arm()
@@ -248,16 +215,3 @@ def test_battery_parameters_change_the_power(vehicle_bench: Any) -> None:
         drawn = bench.vehicle.drawn_j
         bench.fly(1.0, p_ned=(0.0, 0.0, -5.0))
         assert bench.vehicle.drawn_j - drawn == pytest.approx(power_w, rel=1e-3)
-
-
-def test_parameters_given_at_start_are_checked() -> None:
-    assert Parameters({"SIM_BAT_CAP_J": 1000.0})["SIM_BAT_INIT_J"] == 1000.0
-    for given, said in (
-        ({"SIM_BAT_CAPJ": 1.0}, "unknown parameter SIM_BAT_CAPJ, did you mean SIM_BAT_CAP_J?"),
-        ({"QQQ": 1.0}, "unknown parameter QQQ"),
-        ({"MPC_LAND_SPEED": 99.0}, r"MPC_LAND_SPEED = 99 is outside 0.1 .. 3"),
-        ({"MPC_LAND_SPEED": math.nan}, r"MPC_LAND_SPEED = nan is outside"),
-        ({"SIM_BAT_CAP_J": 10.0, "SIM_BAT_INIT_J": 11.0}, "SIM_BAT_INIT_J is above SIM_BAT_CAP_J"),
-    ):
-        with pytest.raises(ParameterError, match=said):
-            Parameters(given)

@@ -7,7 +7,6 @@ import math
 from statistics import median
 from typing import Any
 
-import pytest
 from fleets import FleetInProcess, agreement, on_board, random_fleet
 
 LOSSY = {"loss": 0.2, "delay_s": 0.2}
@@ -18,13 +17,13 @@ TWO = {201: (-8.0, 5.0, -8.0), 202: (8.0, 5.0, -9.0)}
 def test_ten_vehicles_agree_within_two_seconds_of_the_central_competition() -> None:
     """Both over 20 % loss and 0.2 s of delay, in the same flights; the median, and everyone before long."""
     late_s, same = [], 0
-    for seed in range(8):
+    for seed in range(5):
         one = agreement(random_fleet(seed, pursuers=10, tankers=1, half_m=12.0, percent=(25.0, 49.0), radio=LOSSY))
         late_s.append(one.agreed_s - one.central_s)
         same += one.on_board == one.central
     assert median(late_s) <= 2.0
     assert max(late_s) <= 4.0
-    assert same >= 5  # bids that differ by less than the tie are anybody's
+    assert same >= 4  # bids that differ by less than the tie are anybody's
 
 
 class Watch:
@@ -51,8 +50,8 @@ def flown(content: dict[str, Any], seconds: float) -> tuple[FleetInProcess, Watc
     return fleet, watch
 
 
-@pytest.mark.parametrize("radio", [LOSSY, {"loss": 0.3, "jitter_s": 0.2, "duplicate": 0.2, "reorder": 0.2}])
-def test_everyone_is_served_once_and_apart_and_no_joule_is_lost(radio: dict[str, Any]) -> None:
+def test_everyone_is_served_once_and_apart_and_no_joule_is_lost() -> None:
+    radio = {"loss": 0.3, "jitter_s": 0.2, "duplicate": 0.2, "reorder": 0.2}
     fleet, watch = flown(on_board(SIX, TWO, radio=radio, seed=3), 48.0)
     duties = [duty for sysid in TWO if (duty := fleet.member(sysid).tanker) is not None]
     served = [service.receiver for duty in duties for service in duty.services]

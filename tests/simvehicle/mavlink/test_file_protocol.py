@@ -10,6 +10,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.log_protocol import PIECES_A_TICK
+from tests.simvehicle.mavlink.test_log_protocol import WrittenLog
 
 CONTENT = random.Random(3).randbytes(239 * 100 + 17)
 TERMINATE, RESET, LIST, OPEN, READ, CREATE, WRITE, REMOVE, RENAME, BURST, ACK, NAK = (
@@ -18,48 +19,31 @@ TERMINATE, RESET, LIST, OPEN, READ, CREATE, WRITE, REMOVE, RENAME, BURST, ACK, N
 INVALID_SESSION, END_OF_FILE, UNKNOWN_COMMAND, NOT_FOUND = 4, 6, 7, 10
 
 
-class WrittenLog:
-    """A log of these bytes."""
-
-    def __init__(self, content: bytes = CONTENT) -> None:
-        self.content, self.number, self.unix_s = content, 4, 1_700_000_000
-
-    @property
-    def size_bytes(self) -> int:
-        return len(self.content)
-
-    def read(self, offset: int, count: int) -> bytes:
-        return self.content[offset : offset + count]
-
-    def erase(self) -> None:
-        self.content, self.number = b"", self.number + 1
-
-
 Answer = tuple[int, int, int, bytes]
 """(opcode, number, offset, data)"""
 
 
-def read(messages: list[Any]) -> list[Answer]:
+def read(messages: list[Any], asked: int | None = None) -> list[Answer]:
+    """MAVFTP's answers; those to a request name it and its session."""
     found = []
     for message in messages:
         if message.get_type() == "FILE_TRANSFER_PROTOCOL":
             assert (message.target_system, message.target_component) == (255, 190)
             raw = bytes(message.payload)
-            number, _, opcode, size, _, _, offset = struct.unpack_from("<HBBBBBxI", raw)
+            number, session, opcode, size, of, _, offset = struct.unpack_from("<HBBBBBxI", raw)
+            assert asked is None or (session, of) == (0, asked)
             found.append((opcode, number, offset, raw[12 : 12 + size]))
     return found
 
 
-def ask(
-    bench: Any, opcode: int, data: bytes = b"", *, offset: int = 0, size: int = 0, session: int = 0
-) -> list[Answer]:
-    head = struct.pack("<HBBBBBxI", 70, session, opcode, size or len(data), 0, 0, offset)
+def ask(bench: Any, opcode: int, data: bytes = b"", *, offset: int = 0, size: int = 0) -> list[Answer]:
+    head = struct.pack("<HBBBBBxI", 70, 0, opcode, size or len(data), 0, 0, offset)
     payload = (head + data).ljust(251, b"\0")
-    return read(bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload))))
+    return read(bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload))), opcode)
 
 
 def test_the_log_is_opened_and_read_piece_by_piece(vehicle_bench: Any) -> None:
-    bench = vehicle_bench(log=WrittenLog())
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
     assert ask(bench, RESET) == [(ACK, 71, 0, b"")]
     assert ask(bench, OPEN, b"@LOG/4") == [(ACK, 71, 0, struct.pack("<I", len(CONTENT)))]
     for offset, size in ((0, 239), (239, 239), (100, 7), (len(CONTENT) - 5, 239)):
@@ -71,7 +55,7 @@ def test_the_log_is_opened_and_read_piece_by_piece(vehicle_bench: Any) -> None:
 
 @pytest.mark.parametrize("offset", [0, 239 * 40])
 def test_a_burst_brings_the_rest_some_in_each_tick_and_then_its_end(vehicle_bench: Any, offset: int) -> None:
-    log = WrittenLog()
+    log = WrittenLog(CONTENT)
     bench = vehicle_bench(log=log)
     ask(bench, OPEN, b"@LOG/4")
     log.content += b"what is written later is not of it"
@@ -86,7 +70,7 @@ def test_a_burst_brings_the_rest_some_in_each_tick_and_then_its_end(vehicle_benc
 
 
 def test_whatever_else_is_asked_ends_a_burst(vehicle_bench: Any) -> None:
-    bench = vehicle_bench(log=WrittenLog())
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
     ask(bench, OPEN, b"@LOG/4")
     ask(bench, BURST, size=239)
     assert ask(bench, TERMINATE) == [(ACK, 71, 0, b"")]
@@ -97,14 +81,14 @@ def test_whatever_else_is_asked_ends_a_burst(vehicle_bench: Any) -> None:
     "path", [b"@LOG/5", b"@LOG/4/", b"/etc/passwd", b"../1.truth", b"@LOG/../4", b"", b"@LOG/4\0x", b"\xff" * 239]
 )
 def test_nothing_but_the_log_is_there(vehicle_bench: Any, path: bytes) -> None:
-    bench = vehicle_bench(log=WrittenLog())
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
     assert ask(bench, OPEN, path)[0][::3] == (NAK, bytes([NOT_FOUND]))
     assert ask(bench, READ, size=239)[0][::3] == (NAK, bytes([INVALID_SESSION]))
 
 
 @pytest.mark.parametrize("opcode", [LIST, CREATE, WRITE, REMOVE, RENAME, 9, 10, 11, 12, 14, 0, 99, 255])
 def test_nothing_is_written_or_looked_for(vehicle_bench: Any, opcode: int) -> None:
-    log = WrittenLog()
+    log = WrittenLog(CONTENT)
     for bench in (vehicle_bench(log=log), vehicle_bench()):
         ask(bench, OPEN, b"@LOG/4")
         assert ask(bench, opcode, b"@LOG/4")[0][::3] == (NAK, bytes([UNKNOWN_COMMAND]))

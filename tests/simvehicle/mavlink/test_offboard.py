@@ -88,21 +88,3 @@ def test_yaw_rate_is_no_faster_than_the_guidance_turns(vehicle_bench: Any) -> No
         assert abs(bench.vehicle.true_motion_ned[11]) == pytest.approx(bench.vehicle.fastest_turn_rad_s, rel=0.05)
     bench.fly(3.0, mask=VELOCITY_AND_TURN, yaw_rate=0.0)
     assert bench.vehicle.true_motion_ned[11] == pytest.approx(0.0, abs=0.02)
-
-
-@pytest.mark.parametrize(
-    ("point", "text"),
-    [
-        ({"frame": BODY, "mask": VELOCITY - 7 + 1 + 4 + 8}, "type_mask"),  # north by place, right by velocity
-        ({"frame": mav.MAV_FRAME_LOCAL_ENU}, "frame 4"),
-        ({"frame": BODY, "mask": VELOCITY_AND_TURN, "yaw_rate": math.nan}, "not a number"),
-        ({"frame": BODY_OFFSET, "mask": POSITION, "p_ned": (math.inf, 0.0, 0.0)}, "not a number"),
-    ],
-)
-def test_what_cannot_be_flown_is_said_and_changes_nothing(vehicle_bench: Any, point: Any, text: str) -> None:
-    bench = vehicle_bench().offboard()
-    bench.set_point(**point)
-    bench.tick()
-    assert text in bench.texts[-1]
-    bench.fly(2.0, p_ned=(0.0, 0.0, -2.5))
-    assert bench.vehicle.p_ned == pytest.approx((0.0, 0.0, -2.5), abs=0.1)

@@ -84,17 +84,6 @@ def test_battery_is_told_in_hectojoules_and_percent(vehicle_bench: Any) -> None:
     assert power_w == pytest.approx(210.0, rel=0.01)
 
 
-def test_energy_consumed_never_falls_in_a_flight(vehicle_bench: Any) -> None:
-    bench = vehicle_bench().in_air()
-    bench.fly(5.0)
-    consumed = [m.energy_consumed for m in bench.of("BATTERY_STATUS")]
-    assert consumed == sorted(consumed)
-    assert consumed[-1] == int(bench.vehicle.drawn_j // 100.0)
-    effort = [m.value for m in bench.of("NAMED_VALUE_FLOAT")]
-    assert {m.name for m in bench.of("NAMED_VALUE_FLOAT")} == {"CtlEffort"}
-    assert effort == sorted(effort)
-
-
 def test_landed_state_follows_the_flight(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     bench.fly(1.5)
@@ -108,16 +97,6 @@ def test_landed_state_follows_the_flight(vehicle_bench: Any) -> None:
         mav.MAV_LANDED_STATE_ON_GROUND, mav.MAV_LANDED_STATE_TAKEOFF, mav.MAV_LANDED_STATE_IN_AIR,
         mav.MAV_LANDED_STATE_LANDING, mav.MAV_LANDED_STATE_ON_GROUND,
     ]  # fmt: skip
-
-
-def test_vehicle_on_the_ground_is_healthy_and_ready(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    bench.tick()
-    (status,) = bench.of("SYS_STATUS")
-    for sensor in ("3D_GYRO", "3D_ACCEL", "3D_MAG", "GPS", "PREARM_CHECK", "GEOFENCE"):
-        flag = mav.MAV_SYS_STATUS_PREARM_CHECK if sensor == "PREARM_CHECK" else None
-        flag = flag or getattr(mav, f"MAV_SYS_STATUS_SENSOR_{sensor}", 0) or mav.MAV_SYS_STATUS_GEOFENCE
-        assert status.onboard_control_sensors_present & status.onboard_control_sensors_health & flag
 
 
 def test_position_target_is_what_is_really_flown(vehicle_bench: Any) -> None:

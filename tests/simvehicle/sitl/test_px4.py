@@ -6,93 +6,50 @@ import math
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import psutil
 import pymap3d
 import pytest
-from autopilot_units import fixes_around_an_outage
+from autopilot_units import fixes_around_an_outage, launched, said_in_flight, stand_in
 from pymavlink.dialects.v20 import common
 
-from simvehicle.mavlink.codec import split
-from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl import autopilot_unit, px4_link, px4_process
-from simvehicle.sitl.autopilot_process import AutopilotError, read_wanted
+from simvehicle.sitl.autopilot_process import AutopilotError
 from simvehicle.sitl.px4 import Px4Unit
 from simvehicle.sitl.px4_process import program_of, simulation_port
 
-STAND_IN = Path(__file__).resolve().parents[2] / "peers" / "hil_px4.py"
-PX4 = 7
 HOME, START_NED, YAW_DEG = (47.4, 8.5, 488.0), (1.0, 2.0, 0.0), 70.0
 
 
-@pytest.fixture(params=["1.15", "1.18"])
+@pytest.fixture
 def build(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """The stand-in for a version as a build of PX4's."""
+    """The stand-in as a build of PX4's, of the version that a test asks for by its parameter."""
     program = tmp_path / "build" / "bin" / "px4"
     scripts = tmp_path / "build" / "etc" / "init.d-posix"
     for made in (program.parent, scripts):
         made.mkdir(parents=True)
     (scripts / "rcS").touch()
-    program.write_text(f'#!/bin/sh\nexec {sys.executable} {STAND_IN} --like {request.param} "$@"\n')
-    program.chmod(0o755)
+    stand_in(program, "hil_px4.py", getattr(request, "param", "1.18"))
     return tmp_path / "build"
 
 
-def unit(
-    program: Path, sensors: dict[str, float] | None = None, *, sysid: int = PX4, **parameters: float
-) -> tuple[Px4Unit, Connection]:
-    """The stand-in, or another program, booted. Raises AutopilotError."""
-    content: dict[str, Any] = {
-        "program": str(program),
-        "folder": str(program.parent / "own"),
-        "home": [*HOME],
-        "start_ned": [*START_NED],
-        "yaw_deg": YAW_DEG,
-        "epoch_s": 1_770_000_000,
-        "battery": {"capacity_j": 60000.0, "initial_j": 30000.0, "hover_w": 200.0, "avionics_w": 10.0},
-        "capture_m": 1.5,
-        "relative_speed_m_s": 0.5,
-        "parameters": parameters,
-        "truth": None,
-        "world": {"vehicles": {sysid: {"airframe": "iris", "sensors": sensors}}},
-    }
-    wanted, plant = read_wanted(content, sysid, Px4Unit.step_ms / 1e3)
-    connection = Connection(sysid)
-    return Px4Unit(wanted, plant, connection), connection
-
-
+@pytest.mark.parametrize("build", ["1.15", "1.18"], indirect=True)
 def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> None:
-    booted, connection = unit(build)
+    booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
-        assert connection.frames() == []  # what it said in its boot is its own
-        booted.start_clock(5000, 0)
-        order = common.MAVLink_command_long_message(
-            PX4, 1, common.MAV_CMD_SET_MESSAGE_INTERVAL, 0, common.MAVLINK_MSG_ID_ATTITUDE, 1e5, 0, 0, 0, 0, 0
-        )
-        (frame,) = split(bytes(order.pack(common.MAVLink(None, 255, 190))))
-        booted.receive(frame, connection)
-        booted.advance(8000)
-        said = common.MAVLink(None).parse_buffer(b"".join(connection.frames())) or []
-        kinds = {m.get_type() for m in said}
-        assert {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "COMMAND_ACK", "NAMED_VALUE_INT"} <= kinds
-        assert "SYSTEM_TIME" not in kinds
-        assert {(m.autopilot, m.custom_mode) for m in said if m.get_type() == "HEARTBEAT"} == {(12, 0x03040000)}
-        *_, status = (m for m in said if m.get_type() == "SYS_STATUS")
-        *_, battery = (m for m in said if m.get_type() == "BATTERY_STATUS")
-        assert status.voltage_battery == pytest.approx(sum(battery.voltages[:4]), abs=30)
-        assert status.battery_remaining == battery.battery_remaining == 50
-        attitudes = [m for m in said if m.get_type() == "ATTITUDE"]
-        assert len(attitudes) == pytest.approx(30, abs=1)
-        heading = pytest.approx(YAW_DEG - 3.55, abs=0.5)  # by its compass, which points so far east of north there
-        assert math.degrees(attitudes[-1].yaw) == heading
-        *_, place = (m for m in said if m.get_type() == "LOCAL_POSITION_NED")
-        assert (place.x, place.y, place.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.05)
+        said = said_in_flight(booted, connection, common.MAVLINK_MSG_ID_ATTITUDE)
+    assert {(m.autopilot, m.custom_mode) for m in said["HEARTBEAT"]} == {(12, 0x03040000)}
+    attitudes, place = said["ATTITUDE"], said["LOCAL_POSITION_NED"][-1]
+    assert len(attitudes) == pytest.approx(30, abs=1)
+    heading = pytest.approx(YAW_DEG - 3.55, abs=0.5)  # by its compass, which points so far east of north there
+    assert math.degrees(attitudes[-1].yaw) == heading
+    assert (place.x, place.y, place.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.05)
 
 
 @pytest.mark.parametrize(("sigma_m", "least_m", "most_m"), [(0.0, 0.0, 0.1), (20.0, 2.0, 80.0)])
 def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least_m: float, most_m: float) -> None:
-    booted, connection = unit(build, {"position_m": sigma_m, "velocity_m_s": 0.0, "accel_m_s2": 0.0})
+    sensors = {"position_m": sigma_m, "velocity_m_s": 0.0, "accel_m_s2": 0.0}
+    booted, connection = launched(Px4Unit, build, build.parent, sensors=sensors)
     with booted:
         booted.start_clock(0, 0)
         booted.advance(1000)
@@ -103,10 +60,10 @@ def test_its_sensors_err_as_the_scenario_says(build: Path, sigma_m: float, least
 
 
 def test_its_receiver_has_no_fix_while_gnss_fails(build: Path) -> None:
-    booted, connection = unit(build)
+    booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
         booted.start_clock(0, 0)
-        assert fixes_around_an_outage(booted, connection, PX4) == [1, 6]
+        assert fixes_around_an_outage(booted, connection) == [1, 6]
 
 
 @pytest.mark.parametrize(
@@ -125,18 +82,19 @@ def test_one_that_cannot_be_had_is_one_sentence(
 ) -> None:
     monkeypatch.setattr(autopilot_unit, "BOOTS_WITHIN_S", 3.0)
     with pytest.raises(AutopilotError) as refused:
-        unit(build, **parameters)
+        launched(Px4Unit, build, build.parent, **parameters)
     assert said in str(refused.value)
     assert "\n" not in str(refused.value)
 
 
+@pytest.mark.parametrize("build", ["1.15", "1.18"], indirect=True)
 def test_one_that_did_not_take_its_parameters_is_one_sentence_that_names_its_id(build: Path) -> None:
     program = build / "bin" / "px4"
     as_ever = program.read_text()
     forgets = "sed -i /MAV_SYS_ID/d px4-rc.params; unset PX4_PARAM_MAV_SYS_ID; exec"
     program.write_text(as_ever.replace("exec", forgets))
     with pytest.raises(AutopilotError, match=r"it says that its system id is [1-9][0-9]*, not 200$"):
-        unit(build, sysid=200)
+        launched(Px4Unit, build, build.parent, sysid=200)
 
 
 def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
@@ -146,7 +104,7 @@ def test_one_that_asks_for_no_simulation_is_one_sentence_and_is_ended(
         monkeypatch.setattr(px4_link, name, 0.2)
     (build / "bin" / "px4").write_text("#!/bin/sh\necho INFO starting\nexec sleep 99\n")
     with pytest.raises(AutopilotError, match=r"asked for no simulation within 0 s; its last lines: INFO starting$"):
-        unit(build)
+        launched(Px4Unit, build, build.parent)
     assert not [child for child in psutil.Process().children() if "sleep" in child.name()]
 
 

@@ -238,16 +238,6 @@ def test_on_rotors_too(fly: Callable[..., Flown], sysids: tuple[int, ...], air: 
     fly(vehicles(*sysids, plant=IN_WEATHER[air]), datagrams)
 
 
-@pytest.mark.parametrize("sysids", [(2,), (1, 2)])
-def test_gusts_and_sensors_never_run_out_of_chance(fly: Callable[..., Flown], sysids: tuple[int, ...]) -> None:
-    supervisor = Supervisor(sysids)
-    datagrams = []
-    for t in range(0, 20_001, 100):
-        bundles = [supervisor.bundle(sysid, t, [heartbeat(), circle(sysid, t)]) for sysid in sysids]
-        datagrams.append(b"".join(bundles))
-    fly(vehicles(*sysids, plant=IN_WEATHER["gusts, with sensors"]), datagrams)
-
-
 def test_on_rotors_from_the_ground_and_to_it(fly: Callable[..., Flown]) -> None:
     """Standing, it knows that it stands: the errors of its velocity do not count then."""
     supervisor = Supervisor((1,))

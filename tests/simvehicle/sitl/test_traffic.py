@@ -60,7 +60,7 @@ def test_path_without_length_stands_still(path: Any, closed: bool) -> None:
 points = st.tuples(*[st.floats(-100.0, 100.0).map(lambda x: round(x, 6))] * 3)
 
 
-@settings(max_examples=200)
+@settings(max_examples=50)
 @given(st.lists(points, min_size=2, max_size=6), st.floats(0.1, 30.0), st.booleans(), st.floats(0.0, 500.0))
 def test_mover_moves_at_its_speed_and_never_jumps(path: Any, speed: float, closed: bool, time_s: float) -> None:
     mover = Aircraft("A", tuple(path), speed, closed, 0.0)

@@ -7,16 +7,13 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from rotor_vehicles import on_rotors
 from scipy.interpolate import RegularGridInterpolator
 from scipy.signal import welch
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.autopilot.identity import IDENTITIES
-from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law import rows
-from simvehicle.law.plants import RotorPlant
 from simvehicle.world import wind
 from simvehicle.world.airframes import AIRFRAMES
 from simvehicle.world.description import Air, World, WorldError, WorldVehicle, read_world
@@ -85,9 +82,7 @@ def hovering(
     seed: int, sysid: int = 1, *, stretch_ms: int = 100, until_ms: int = 2000, errors: bool = True, w20: float = 7.7
 ) -> Vehicle:
     own = WorldVehicle(AIRFRAMES["iris"], EstimateErrors() if errors else None)
-    plant = RotorPlant(own, Air(mean_nwu=(5.0, 2.0, 0.0), turbulence_m_s=w20), seed=seed, sysid=sysid)
-    start = Start((0.0, 0.0, -20.0), airborne=True)
-    one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+    one = on_rotors(own, Air(mean_nwu=(5.0, 2.0, 0.0), turbulence_m_s=w20), seed=seed, sysid=sysid)
     for t_ms in range(stretch_ms, until_ms + 1, stretch_ms):
         one.advance(t_ms)
     return one
@@ -115,9 +110,7 @@ def test_estimates_err_as_they_are_said_to_and_truth_stays_what_is_true() -> Non
     assert one.true_motion_ned[:3] == pytest.approx(tuple(known[:3] * [1, -1, -1]))
     assert one.p_ned != one.true_motion_ned[:3]
     errors = EstimateErrors(position_s=0.5, velocity_s=0.5, attitude_s=0.5, rate_s=0.02)
-    plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], errors), seed=4, sysid=1)
-    start = Start((0.0, 0.0, -20.0), airborne=True)
-    other = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+    other = on_rotors(WorldVehicle(AIRFRAMES["iris"], errors), seed=4)
     seen = []
     for t_ms in range(100, 120_001, 100):
         other.set_clock(t_ms - 100, 0)
@@ -146,9 +139,7 @@ def test_wind_between_places_is_theirs_in_proportion_and_beyond_them_the_edges()
 
 def test_a_table_of_one_wind_is_that_wind_and_one_that_changes_blows_by_place() -> None:
     def flown(air: Air, north_m: float) -> np.ndarray:
-        plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"]), air, seed=1, sysid=1)
-        start = Start((north_m, 0.0, -20.0), airborne=True)
-        one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
+        one = on_rotors("iris", air, Start((north_m, 0.0, -20.0), airborne=True))
         for t_ms in range(100, 2001, 100):
             one.advance(t_ms)
         return one.state

@@ -64,15 +64,8 @@ def mavsdk_client() -> list[bytes]:
                 each.bind(("127.0.0.1", 0))
             port = free_port()
             connect = f"udpout:127.0.0.1:{near.getsockname()[1]}"
-            vehicle = [
-                sys.executable,
-                "-c",
-                "from simvehicle.cli import main; main()",
-                "--sysid",
-                "1",
-                "--connect",
-                connect,
-            ]
+            program = "from simvehicle.cli import main; main()"
+            vehicle = [sys.executable, "-c", program, "--sysid", "1", "--connect", connect]
             script = [PEERS, str(TESTS / "peers" / "with_mavsdk.py"), str(port), scene]
             flown = stack.enter_context(subprocess.Popen(vehicle, stdout=subprocess.DEVNULL))
             client = stack.enter_context(subprocess.Popen(script, stdout=subprocess.DEVNULL))

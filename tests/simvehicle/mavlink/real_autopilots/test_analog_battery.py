@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from pymavlink.dialects.v20 import common
 
-from simvehicle.mavlink.codec import encode, split
+from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.real_autopilots.analog_battery import DEFAULTS, MARK_V, AnalogBattery
 
 COPTER = 7
@@ -34,12 +34,3 @@ def test_one_that_reads_the_battery_in_the_answers_is_left_alone() -> None:
     battery = AnalogBattery(COPTER, 16.7)
     assert not battery.by_parameters
     assert measured(battery, 0.0, 15.0, 20.0) == {}
-
-
-def test_its_answers_to_a_setting_are_known_and_no_others() -> None:
-    battery = AnalogBattery(COPTER, MARK_V)
-    battery.settings(0.0, 15.0, 20.0)
-    for name, ours in (("SIM_BATT_VOLTAGE", True), ("BATT_AMP_OFFSET", True), ("WPNAV_SPEED", False)):
-        value = common.MAVLink_param_value_message(name.encode(), 1.0, 9, 900, 65535)
-        (frame,) = split(bytes(value.pack(common.MAVLink(None, COPTER, 1))))
-        assert battery.answers(frame) is ours

@@ -68,16 +68,6 @@ def test_its_last_reasons_are_kept_each_once() -> None:
     assert boot.reasons == "C | D | B"
 
 
-@pytest.mark.parametrize(("kind", "autopilot", "fits"), [(2, 3, True), (1, 3, False), (2, 12, False), (13, 3, False)])
-def test_another_vehicle_or_autopilot_is_none(kind: int, autopilot: int, fits: bool) -> None:
-    boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
-    assert boot.mismatch == ""
-    boot.receive(heartbeat(0, kind, autopilot))
-    said = f"is no ArduCopter with four rotors: its HEARTBEAT has type {kind} and autopilot {autopilot}, not 2 and 3"
-    assert boot.mismatch == ("" if fits else said)
-    assert boot.kind == (kind, autopilot)
-
-
 def test_a_px4_is_asked_into_hold_and_says_why_it_cannot_be_armed() -> None:
     boot, hold = AutopilotBoot(COPTER, PX4_BOOT), 4 << 16 | 3 << 24
     link = common.MAVLink(None)

@@ -57,7 +57,3 @@ def test_one_that_it_does_not_know_is_named_whether_it_says_so_or_not() -> None:
         assert [one.param_id for one in asked] == ([] if number == TRIES else ["B"])
     assert given.done
     assert given.not_taken == dict.fromkeys("AB", "it does not know it")
-
-
-def test_nothing_given_is_nothing_asked() -> None:
-    assert GivenParameters(7, {}, bytewise=True).done

@@ -40,26 +40,26 @@ def test_field_and_pressure_are_told_in_gauss_and_hectopascals() -> None:
     assert m.fields_updated == 0b1_1111_1111_1111 & ~common.HIL_SENSOR_UPDATED_DIFF_PRESSURE
 
 
-def test_a_fix_of_gnss_is_in_its_units() -> None:
+def gnss(
+    time_us: int = 0, v_ned: tuple[float, float, float] = (0.0, 0.0, 0.0), *, satellites: int = 12, **how: Any
+) -> Any:
     where = {"lat_deg": 47.3977421, "lon_deg": -8.5455941, "alt_m": 488.125}
-    m = read(hil.gnss(1_770_000_000_000_000, **where, v_ned=(3.0, -4.0, 400.0), eph_m=0.3, epv_m=0.4, satellites=12))
+    return read(hil.gnss(time_us, **where, v_ned=v_ned, eph_m=0.3, epv_m=0.4, satellites=satellites, **how))
+
+
+def test_a_fix_of_gnss_is_in_its_units() -> None:
+    m = gnss(1_770_000_000_000_000, (3.0, -4.0, 400.0))
     assert (m.time_usec, m.lat, m.lon, m.alt) == (1_770_000_000_000_000, 473977421, -85455941, 488125)
     assert (m.vn, m.ve, m.vd, m.vel) == (300, -400, 32767, round(100 * math.hypot(3, 4, 400)))
     assert m.cog == round(100 * (360.0 - math.degrees(math.atan2(4.0, 3.0))))
     assert (m.fix_type, m.eph, m.epv, m.satellites_visible, m.id) == (3, 30, 40, 12, 0)
-
-
-def test_a_receiver_without_a_fix_says_so() -> None:
-    where = {"lat_deg": 47.4, "lon_deg": 8.5, "alt_m": 488.0}
-    m = read(hil.gnss(0, **where, v_ned=(0.0, 0.0, 0.0), eph_m=99.99, epv_m=99.99, satellites=0, fix=False))
-    assert (m.fix_type, m.satellites_visible) == (common.GPS_FIX_TYPE_NO_FIX, 0)
+    lost = gnss(satellites=0, fix=False)
+    assert (lost.fix_type, lost.satellites_visible) == (common.GPS_FIX_TYPE_NO_FIX, 0)
 
 
 @pytest.mark.parametrize("east", [0.0, -1e-9])
 def test_a_course_to_the_north_is_none_of_36000(east: float) -> None:
-    where = {"lat_deg": 0.0, "lon_deg": 0.0, "alt_m": 0.0}
-    m = read(hil.gnss(0, **where, v_ned=(1.0, east, 0.0), eph_m=0.3, epv_m=0.4, satellites=12))
-    assert m.cog == 0
+    assert gnss(v_ned=(1.0, east, 0.0)).cog == 0
 
 
 def test_what_is_true_is_told_for_the_log() -> None:

@@ -50,5 +50,5 @@ def test_an_answer_is_one_line_with_an_end_of_line_on_both_sides() -> None:
         "battery": {"voltage": 16.0, "current": 2.5},
         "no_time_sync": 1,
     }
-    times_s = [k * (0.004 + json_backend.EXTRA_S) for k in range(1_000_000)]
+    times_s = [k * (0.004 + json_backend.EXTRA_S) for k in range(100_000)]
     assert {int((b - a) * 1e6) for a, b in pairwise(times_s)} == {4000}

@@ -43,7 +43,6 @@ class Vehicle:
         self.bundles: list[bytes] = []
         self.heard: list[Frame] = []
         self.last = b""
-        self.split_at = 0
         self._random, self._drop = random.Random(sysid), drop
 
     def frame(self, name: str, seq: int, **values: Any) -> bytes:
@@ -81,10 +80,8 @@ class Vehicle:
             numbered.append(codec.frame(Message(message.msgid, tuple(codec.fields(message))), self.seq, self.sysid, 1))
             self.seq = (self.seq + 1) % 256
         self.last = b"".join(numbered)
-        self.split_at = len(b"".join(numbered[:-1])) if self.split_at else 0
         self.send()
 
     def send(self) -> None:
-        for part in (self.last[: self.split_at], self.last[self.split_at :]):
-            if part and self._random.random() >= self._drop:
-                self.socket.send(part)
+        if self._random.random() >= self._drop:
+            self.socket.send(self.last)

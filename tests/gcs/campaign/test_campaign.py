@@ -55,7 +55,6 @@ def told(**changes: Any) -> str:
     [
         ({"draw": {"planner.crise_m_s": {"uniform": [1, 2]}}}, "did you mean 'cruise_m_s'?"),
         ({"draw": {"radio.loss": {"uniform": [5, 1]}}}, "the first below the second, not [5, 1]"),
-        ({"draw": {"radio.loss": {"uniform": [1, 1]}}}, "must be [least, most], the first below the second"),
         ({"draw": {"radio.loss": {}}}, "a draw needs exactly one of uniform"),
         ({"draw": {"radio.loss": {"choice": []}}}, "should have at least 1 item"),
         ({"draw": {"radio.loss": {"log_uniform": [0, 1]}}}, "must be above 0"),
@@ -66,7 +65,6 @@ def told(**changes: Any) -> str:
         ({"scenario": None}, "exactly one of scenario, generate"),
         ({"vary": {"radio.loss": [0.1]}}, "radio.loss is set twice"),
         ({"vary": {"seed": [1, 2]}}, "each session has a seed of its own"),
-        ({"set": {"goal.duration_s": -1}}, "goal.duration_s must be greater than 0"),
         ({"keep": "some"}, "keep must be 'all', 'failed' or 'none'"),
         ({"sesions": 3}, "unknown key 'sesions' at the top level; did you mean 'sessions'?"),
         ({"generate": "nowhere:family", "scenario": None}, "there is no module 'nowhere'"),

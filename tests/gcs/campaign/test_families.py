@@ -18,7 +18,7 @@ from gcs.scenario.file import load
 from gcs.scenario.warnings import warnings
 from skytender import geometry as shapes
 
-SEEDS = range(12)
+SEEDS = range(4)
 DENSE = ("cube", "forest", "streets", "big_circle")
 
 
@@ -63,7 +63,7 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
 
 
 def test_fleets_that_do_not_know_their_places_exactly_have_room_for_that(tmp_path: Path) -> None:
-    for seed in range(60):
+    for seed in range(15):
         path = tmp_path / f"{seed}.yaml"
         path.write_text(yaml.safe_dump(family("accuracy", seed), sort_keys=False))
         assert [warning.text for warning in warnings(load(path)) if warning.about == "accuracy"] == []
@@ -74,19 +74,6 @@ def test_a_scenario_is_plain_data_and_the_same_again(name: str) -> None:
     one, again, other = family(name, 3), family(name, 3), family(name, 4)
     assert json.loads(json.dumps(one)) == again
     assert one != {**other, "name": one["name"], "seed": 3}
-
-
-def test_families_that_share_a_maker_draw_differently() -> None:
-    assert family("loss", 5)["vehicles"] != family("delay", 5)["vehicles"]
-
-
-def test_faults_are_found() -> None:
-    document = family("circles", 1)
-    document["vehicles"]["pursuers"][0]["start_m"] = document["vehicles"]["pursuers"][1]["start_m"]
-    assert "apart" in faults(document)[0]
-    document = family("circles", 1)
-    document["obstacles"] = [{"point_m": document["vehicles"]["pursuers"][0]["start_m"]}]
-    assert "obstacle" in faults(document)[0]
 
 
 def test_unknown_families_and_seeds_are_refused() -> None:

@@ -109,17 +109,14 @@ def test_bases_are_drawn_and_external_vehicles_where_they_are_sent_first() -> No
         assert said in done.output
     image = gcs("validate", "strangers.yaml", "--image", "plan.svg")
     assert image.exit_code == 0, image.output
+    assert Path("plan.svg").read_bytes().startswith(b"<?xml")
     assert all(f"<!-- {text} -->" in Path("plan.svg").read_text() for text in ("pad", "base pad", "201"))
 
 
-@pytest.mark.parametrize("name", ["plan.png", "plan.svg"])
-def test_the_plan_can_be_an_image(name: str) -> None:
-    done = gcs("validate", "demo", "--image", name)
+def test_the_plan_can_be_an_image_and_one_of_an_unknown_kind_is_one_sentence() -> None:
+    done = gcs("validate", "demo", "--image", "plan.png")
     assert done.exit_code == 0, done.output
-    assert Path(name).read_bytes()[:5] in (b"\x89PNG\r", b"<?xml")
-
-
-def test_an_image_of_an_unknown_kind_is_one_sentence() -> None:
+    assert Path("plan.png").read_bytes()[:5] == b"\x89PNG\r"
     done = gcs("validate", "demo", "--image", "plan.xyz")
     assert done.exit_code == 1
     (line,) = done.output.splitlines()
@@ -141,7 +138,6 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
     ("old", "new", "sentence"),
     [
         ("potential_field", "nowhere:Planner", "planner.method: there is no module 'nowhere'"),
-        ("potential_field", "broken:Planner", "broken cannot be imported: ZeroDivisionError at broken.py:1"),
         ("potential_field", "no_python:Planner", "no_python cannot be imported: SyntaxError at no_python.py:2: "),
         ("potential_field", "hollow:Planer", "has no 'Planer'; did you mean 'Planner'?"),
         ("winner_take_all", "hollow:Planner", "competition.policy: hollow:Planner has no method 'choose'"),
@@ -150,7 +146,6 @@ def test_a_mistake_is_told_with_its_place_and_status_2() -> None:
 )  # fmt: skip
 def test_an_implementation_that_cannot_be_used_is_told_before_anything_flies(old: str, new: str, sentence: str) -> None:
     gcs("init")
-    Path("broken.py").write_text("1 / 0\n")
     Path("no_python.py").write_text("\ndef f(:\n")
     Path("hollow.py").write_text("class Planner: pass\n")
     Path("lacking.py").write_text("import no_such_package\n")
@@ -177,17 +172,6 @@ def test_an_older_scenario_is_told_what_changed(monkeypatch: pytest.MonkeyPatch)
     done = gcs("validate", str(path))
     assert done.exit_code == 2
     assert done.output.startswith("my-scenario.yaml:11:9: schema 0 is an older format; change the file")
-
-
-def test_a_sysid_given_twice_is_told_together_with_other_mistakes() -> None:
-    gcs("init", "mine")
-    text = Path("mine.yaml").read_text().replace("sysid: 2,", "sysid: 1,").replace("cruise_m_s: 1.5", "cruise: 1.5")
-    Path("mine.yaml").write_text(text)
-    done = gcs("validate", "mine.yaml")
-    assert "unknown key 'cruise' in planner" in done.output
-    first = next(i for i, line in enumerate(text.splitlines(), 1) if "sysid: 1," in line)
-    assert f"the sysid 1 is given twice (see line {first})" in done.output
-    assert done.output.count("is given twice") == 1
 
 
 def test_errors_begin_with_the_programs_name_or_with_the_place_in_the_file() -> None:

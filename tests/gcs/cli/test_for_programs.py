@@ -33,8 +33,9 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "sessions" / "first"
 
 
-def test_validate_lists_problems_and_warnings(tmp_path: Path) -> None:
-    content = small()
+@pytest.mark.parametrize("axes", ["ned", "paper"])
+def test_validate_lists_problems_and_warnings(axes: str, tmp_path: Path) -> None:
+    content = small(axes=axes)
     lat_deg, lon_deg = 47.397742, 8.545594
     content["origin"] = {"lat_deg": lat_deg, "lon_deg": lon_deg, "alt_m": 488.0}
     content["vehicles"]["pursuers"][0]["start_m"] = [lat_deg, lon_deg, 0.0]
@@ -52,15 +53,6 @@ def test_validate_lists_problems_and_warnings(tmp_path: Path) -> None:
     broken = said("validate", path, "--json", status=2)
     assert not broken["valid"]
     assert any(text.startswith(f"{path}:2:1: unknown key 'nme'") for text in broken["problems"])
-
-
-def test_degrees_for_metres_are_warned_of_in_the_axes_of_the_paper(tmp_path: Path) -> None:
-    content = small(axes="paper")
-    content["origin"] = {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0}
-    content["vehicles"]["pursuers"][0]["start_m"] = [47.397742, 8.545594, 0.0]
-    path = tmp_path / "scenario.yaml"
-    path.write_text(yaml.safe_dump(content), encoding="utf-8")
-    assert any("places are in metres" in text for text in said("validate", path, "--json")["warnings"])
 
 
 def test_export_and_report_name_what_they_wrote(flown: Path, tmp_path: Path) -> None:

@@ -97,7 +97,7 @@ def stack() -> Iterator[ExitStack]:
     ("words", "trouble"),
     [
         *itertools.product(COMMANDS, [wrong_rate, no_device, no_permission, used_port, used_tcp_port]),
-        (("check",), old_mavlink),  # the others speak it: tests/gcs/link/test_asked_fleet.py
+        (("check",), old_mavlink),  # the others speak it: tests/gcs/link/test_fleet_client.py
     ],
 )
 def test_a_link_that_carries_nothing_is_one_sentence_with_what_to_do(

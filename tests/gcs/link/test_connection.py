@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import serial
 from patience import PATIENCE_S
 from ports import free_port
 from pymavlink.dialects.v20 import common as mav
@@ -95,22 +94,7 @@ def test_tcpin_answers_each_who_connects_and_knows_who_has_gone(host: str) -> No
     one.close()
 
 
-def test_of_too_many_who_connect_and_say_nothing_the_next_takes_a_place() -> None:
-    one = opened("tcpin:127.0.0.1:0")
-    idle = []
-    for _ in range(tcp.MOST_CONNECTIONS + 4):
-        idle.append(socket.create_connection(("127.0.0.1", one.port)))
-        assert not list(one.receive())
-    until(one, lambda: idle[-1].getsockname() in one.senders)
-    assert len(one.senders) == tcp.MOST_CONNECTIONS
-    idle[-1].sendall(FRAME)
-    assert read(one, 1) == [FRAME]
-    for other in idle:
-        other.close()
-    one.close()
-
-
-@pytest.mark.parametrize("first", [b"no MAVLink at all", FRAME])
+@pytest.mark.parametrize("first", [b"", b"no MAVLink at all", FRAME])
 def test_who_has_sent_something_once_and_then_nothing_holds_no_place(
     first: bytes, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -200,43 +184,15 @@ def test_a_cable_is_read_at_its_rate_and_opened_again_when_it_is_back(tmp_path: 
         vehicle.close()
 
 
-def test_another_rate_than_the_radios_is_noise_and_advice(tmp_path: Path) -> None:
-    cable = Cable(tmp_path / "ttyRadio", 57600)
-    cable.start()
-    one = opened(f"serial:{tmp_path}/ttyRadio:115200")
-    diagnosis = Diagnosis(one.at)
-    assert diagnosis.text(one.problem) == "nothing comes: is the other end on, and are both radios of one network?"
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as vehicle:
-        deadline_s = time.monotonic() + PATIENCE_S
-        while "rate" not in diagnosis.text(one.problem):
-            assert time.monotonic() < deadline_s
-            vehicle.sendto(FRAME, ("127.0.0.1", cable.port))
-            select.select([one], [], [], 0.1)
-            for data, sender in one.receive():
-                diagnosis.count(data, one.split(data, sender))
-    assert diagnosis.text("") == "what comes is no MAVLink: has the other end another rate than 115200 baud?"
-    one.close()
-    cable.close()
-
-
-def test_what_no_waiting_mends_is_refused_with_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_no_device_is_refused_and_one_that_is_missing_may_be_plugged_in_yet(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("no device")
     with pytest.raises(AddressRefused, match="it is no serial device"):
         opened(f"serial:{tmp_path}/file:57600")
-    missing = opened(f"serial:{tmp_path}/ttyUSB0:57600")  # it may be plugged in yet
+    missing = opened(f"serial:{tmp_path}/ttyUSB0:57600")
     assert missing.problem.startswith(f"there is no device {tmp_path}/ttyUSB0; ")
     missing.close()
-    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(AddressRefused, match="another program list"):
-        opened(f"tcpin:127.0.0.1:{taken.getsockname()[1]}")
     with pytest.raises(AddressRefused, match=r"the host .* cannot be found"):
         opened("tcp:no.such.host.invalid:5760")
-
-    def forbid(*_: object, **__: object) -> None:
-        raise serial.SerialException(13, "could not open port: [Errno 13] Permission denied")
-
-    monkeypatch.setattr(serial, "Serial", forbid)
-    with pytest.raises(AddressRefused, match="join its group, mostly by `sudo usermod -aG dialout"):
-        opened("serial:/dev/ttyUSB0:57600")
 
 
 def test_who_speaks_mavlink_1_only_is_told_what_to_set() -> None:

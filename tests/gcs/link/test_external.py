@@ -16,11 +16,11 @@ from gcs.link import external
 from gcs.link.external import ExternalLink
 from gcs.link.fleet import FleetLink
 from gcs.link.lockstep import LockstepLink
-from gcs.link.socket import AddressRefused
 from gcs.mavlink import codec
 from gcs.scenario.external import External
 
 KEYS = {1: (1, 1), 2: (2, 1)}
+PING_ALL = codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)
 
 
 class Vehicle:
@@ -97,11 +97,10 @@ def test_vehicles_on_one_port_are_known_by_their_first_heartbeat_and_answered_wh
     assert link.missing == {KEYS[2]}
     two.say(port, two.heartbeat())
     until(link, lambda: not link.missing)
-    message = codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)
-    sent = link.grant(KEYS[1], [message, message], [])
+    sent = link.grant(KEYS[1], [PING_ALL, PING_ALL], [])
     assert [frame[4] for frame in sent] == [0, 1]
     assert [(m.get_type(), m.get_srcSystem(), m.get_seq()) for m in one.hear(2)] == [("PING", 255, 0), ("PING", 255, 1)]
-    (first,) = link.grant(KEYS[2], [message], [])
+    (first,) = link.grant(KEYS[2], [PING_ALL], [])
     assert first[4] == 0  # numbers are counted for each address
     assert [m.get_type() for m in two.hear(1)] == ["PING"]
 
@@ -112,52 +111,18 @@ def test_the_station_has_the_id_that_it_is_given(stand: Any) -> None:
     one = stand(Vehicle(1))
     one.say(port, one.heartbeat())
     until(link, lambda: not link.missing)
-    link.grant(KEYS[1], [codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)], [])
+    link.grant(KEYS[1], [PING_ALL], [])
     (ping,) = one.hear(1)
     assert (ping.get_srcSystem(), ping.get_srcComponent()) == (245, 191)
 
 
-def test_what_comes_between_two_ticks_is_delivered_at_the_second(stand: Any) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one = stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
-    link.begin()
-    one.say(port, one.position(100), one.position(200))
-    frames: list[codec.Frame] = []
-    deadline_s = time.monotonic() + PATIENCE_S
-    while len(frames) < 2 and time.monotonic() < deadline_s:
-        link.rest(0.01)
-        frames += link.collect()[KEYS[1]]
-    assert [codec.fields(frame).time_boot_ms for frame in frames] == [100, 200]
-    assert link.collect() == {KEYS[1]: []}
-
-
-def test_the_vehicles_clock_is_compared_with_the_sessions(stand: Any) -> None:
+def test_the_vehicles_clock_is_compared_and_a_boot_is_noticed_before_it_has_a_place_again(stand: Any) -> None:
     now_s = 50.0
-    link, port = udpin(1, now_s=lambda: now_s)
-    stand(link)
-    one = stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
+    link, port, one = joined(stand, lambda: now_s)
     link.begin()
-    one.say(port, one.position(20_000))
+    one.say(port, one.packed(mav.MAVLink_attitude_message(20_000, 0, 0, 0, 0, 0, 0)), one.position(20_000))
     until(link, lambda: bool(link.offsets_s()))
     assert link.offsets_s() == {1: pytest.approx(30.0)}
-    one.say(port, one.position(100))
-    until(link, lambda: link.pop_rebooted() == {1})
-
-
-def test_a_boot_is_noticed_before_the_vehicle_has_found_its_place_again(stand: Any) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one = stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
-    link.begin()
-    one.say(port, one.position(20_000), one.packed(mav.MAVLink_attitude_message(20_050, 0, 0, 0, 0, 0, 0)))
-    until(link, lambda: bool(link.offsets_s()))
     assert link.pop_rebooted() == set()
     one.say(port, one.packed(mav.MAVLink_attitude_message(900, 0, 0, 0, 0, 0, 0)))
     until(link, lambda: link.pop_rebooted() == {1})
@@ -174,21 +139,8 @@ def test_a_gimbal_a_companion_and_a_ground_station_are_no_vehicle(stand: Any, co
     other.say(port, other.heartbeat(autopilot))
     one.say(port, one.heartbeat())
     until(link, lambda: not link.missing)
-    link.grant(KEYS[1], [codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)], [])
+    link.grant(KEYS[1], [PING_ALL], [])
     assert one.hear(1)[0].get_type() == "PING"
-
-
-def test_a_second_vehicle_with_the_same_id_is_reported_and_refused(stand: Any) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
-    link.begin()
-    twin.say(port, twin.heartbeat(), twin.position(1))
-    until(link, lambda: bool(link.refused))
-    assert link.refused == {KEYS[1]: ("127.0.0.1", twin.port)}
-    assert link.collect() == {KEYS[1]: []}
 
 
 def version(uid: int, uid2: bytes = b"") -> Any:
@@ -197,16 +149,25 @@ def version(uid: int, uid2: bytes = b"") -> Any:
     )
 
 
-def refused_twin(stand: Any) -> tuple[Any, int, Vehicle, Vehicle]:
-    """A link that has begun, its port, its vehicle, and another with the same id, from elsewhere, that it refuses."""
-    link, port = udpin(1)
+def joined(stand: Any, now_s: Callable[[], float] = time.monotonic) -> tuple[Any, int, Vehicle]:
+    """A link, its port, and the one vehicle that it expects, which it has heard."""
+    link, port = udpin(1, now_s=now_s)
     stand(link)
-    one, other = stand(Vehicle(1)), stand(Vehicle(1))
+    one = stand(Vehicle(1))
     one.say(port, one.heartbeat())
     until(link, lambda: not link.missing)
+    return link, port, one
+
+
+def refused_twin(stand: Any) -> tuple[Any, int, Vehicle, Vehicle]:
+    """A link that has begun, its port, its vehicle, and another with the same id, from elsewhere, that it refuses."""
+    link, port, one = joined(stand)
+    other = stand(Vehicle(1))
     link.begin()
-    other.say(port, other.heartbeat())
+    other.say(port, other.heartbeat(), other.position(1))
     until(link, lambda: bool(link.refused))
+    assert link.refused == {KEYS[1]: ("127.0.0.1", other.port)}
+    assert link.collect() == {KEYS[1]: []}
     return link, port, one, other
 
 
@@ -294,11 +255,7 @@ def test_who_speaks_mavlink_1_hears_mavlink_2_and_may_go_over_to_it(stand: Any) 
 
 
 def test_while_the_session_stands_still_the_last_set_point_goes_out_again(stand: Any) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one = stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
+    link, _, one = joined(stand)
     point = codec.message(
         "SET_POSITION_TARGET_LOCAL_NED", time_boot_ms=1, target_system=1, target_component=1, coordinate_frame=1,
         type_mask=3520, x=1.0, y=2.0, z=-3.0, vx=0.0, vy=0.0, vz=0.0, afx=0.0, afy=0.0, afz=0.0, yaw=0.0, yaw_rate=0.0,
@@ -316,14 +273,6 @@ def test_while_the_session_stands_still_the_last_set_point_goes_out_again(stand:
     ]  # fmt: skip
 
 
-def test_an_address_that_cannot_be_had_is_named_with_the_reason(stand: Any) -> None:
-    taken = stand(Vehicle(9))
-    with pytest.raises(AddressRefused, match=f"^udpin:127.0.0.1:{taken.port} cannot be listened at: Address"):
-        ExternalLink({1: block(f"udpin:127.0.0.1:{taken.port}")}, time.monotonic)
-    with pytest.raises(AddressRefused, match=r"^udpout:no\.such\.host\.invalid:14550: the host .* cannot be found"):
-        ExternalLink({1: block("udpout:no.such.host.invalid:14550")}, time.monotonic)
-
-
 @contextmanager
 def mixed() -> Iterator[tuple[FleetLink, Vehicle]]:
     external, port = udpin(1)
@@ -339,8 +288,7 @@ def mixed() -> Iterator[tuple[FleetLink, Vehicle]]:
 
 def test_a_mixed_fleet_needs_no_grant_for_strangers_and_no_wait() -> None:
     with mixed() as (link, one):
-        ping = codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)
-        sent = link.grant(KEYS[1], 100, 0, [ping], [])
+        sent = link.grant(KEYS[1], 100, 0, [PING_ALL], [])
         assert [codec.split(raw).frames[0].msgid for raw in sent] == [codec.msgid("PING")]  # and no SYSTEM_TIME
         assert list(link.answers(lambda: pytest.fail("a stranger was waited for"))) == [([KEYS[1]], [[]])]
         assert one.hear(1)[0].get_type() == "PING"
@@ -350,11 +298,8 @@ def test_a_mixed_fleet_needs_no_grant_for_strangers_and_no_wait() -> None:
 
 
 def test_two_who_say_the_same_before_the_session_are_rivals_and_one_alone_settles(stand: Any) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one, twin = stand(Vehicle(1)), stand(Vehicle(1))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
+    link, port, one = joined(stand)
+    twin = stand(Vehicle(1))
     assert not link.settled  # the other has had no time to speak
     twin.say(port, twin.heartbeat())
     until(link, lambda: bool(link.rivals))
@@ -369,18 +314,15 @@ def test_a_vehicle_that_was_silent_may_go_on_from_another_address(stand: Any, mo
     again.say(port, again.heartbeat(), again.position(5))
     until(link, lambda: bool(link._moved))
     assert link.pop_moved() == {KEYS[1]: ("127.0.0.1", again.port)}
-    link.grant(KEYS[1], [codec.message("PING", time_usec=1, seq=1, target_system=0, target_component=0)], [])
+    link.grant(KEYS[1], [PING_ALL], [])
     assert [one.get_type() for one in again.hear(2)] == ["COMMAND_LONG", "PING"]  # at first it was asked for its uid
 
 
 def test_of_a_flood_of_strangers_little_is_read_and_the_vehicle_is_heard(
     stand: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    link, port = udpin(1)
-    stand(link)
-    one, flood = stand(Vehicle(1)), stand(Vehicle(9))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
+    link, port, one = joined(stand)
+    flood = stand(Vehicle(9))
     link.begin()
     read: list[int] = []
     split = codec.split
@@ -404,11 +346,8 @@ def test_of_a_flood_of_strangers_little_is_read_and_the_vehicle_is_heard(
 )
 def test_a_telemetry_radio_that_is_full_or_weak_is_told_and_no_vehicle(stand: Any, status: Any, words: Any) -> None:
     """RADIO_STATUS comes among a vehicle's frames, from the radio's own system id."""
-    link, port = udpin(1)
-    stand(link)
-    one, radio = stand(Vehicle(1)), stand(Vehicle(51, 68))
-    one.say(port, one.heartbeat())
-    until(link, lambda: not link.missing)
+    link, port, one = joined(stand)
+    radio = stand(Vehicle(51, 68))
     link.begin()
     report = mav.MAVLink_radio_status_message(*status)
     radio.say(port, radio.packed(report))  # a stranger's

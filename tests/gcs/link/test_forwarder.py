@@ -3,14 +3,12 @@
 import contextlib
 import select
 import socket
-import time
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link import forwarder
 from gcs.link.forwarder import MOST_STATIONS, Forwarder
-from gcs.link.socket import AddressRefused
 
 SENDER = mav.MAVLink(None, srcSystem=245, srcComponent=190)
 HEARTBEAT = bytes(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(SENDER))
@@ -47,18 +45,6 @@ def test_everyone_who_listens_or_has_asked_gets_each_frame_as_it_is() -> None:
             assert peer.recv(11, socket.MSG_WAITALL) == b"onetwothree"
         problems = dict(out.pop_problems())
         assert list(problems) == ["tcp:127.0.0.1:9"]
-        out.close()
-
-
-def test_a_station_that_does_not_read_costs_no_time() -> None:
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        out = Forwarder([f"tcp:127.0.0.1:{server.getsockname()[1]}"])
-        deaf, _ = server.accept()
-        with deaf:
-            began_s = time.monotonic()
-            for _ in range(3000):
-                out.send([HEARTBEAT * 10] * 10)  # 63 MB in all
-            assert time.monotonic() - began_s < 5.0
         out.close()
 
 
@@ -107,8 +93,3 @@ def test_strangers_that_fall_silent_shut_no_station_out(monkeypatch: pytest.Monk
         assert (0, strangers[0].getsockname()) not in out._stations
         assert len(out._stations) == MOST_STATIONS
     out.close()
-
-
-def test_an_address_in_use_is_refused() -> None:
-    with station() as taken, pytest.raises(AddressRefused, match="cannot be listened at"):
-        Forwarder([f"udpin:127.0.0.1:{taken.getsockname()[1]}"])

@@ -94,14 +94,6 @@ def test_what_came_stays_and_the_whole_log_takes_its_place(pieces: list[int], sa
         assert (client.failed, kept.parts) == ({}, [])
 
 
-def test_a_part_with_the_logs_last_byte_is_not_the_log(tmp_path: Path) -> None:
-    stopped(tmp_path, [0, PIECES - 1])
-    assert (tmp_path / PART).stat().st_size == len(LOG)
-    client, kept = begun(tmp_path)
-    assert not client.done
-    assert kept.kept == []
-
-
 def test_a_shorter_part_does_not_replace_a_longer_one(tmp_path: Path) -> None:
     stopped(tmp_path, range(9))
     said, parts = stopped(tmp_path, range(2))

@@ -81,11 +81,6 @@ def test_each_pair_loses_its_own_frames_and_all_as_many() -> None:
     assert received(PeerRadio(VEHICLES, Impairment(loss=0.2, seed=5)), 2) != to_2
 
 
-def test_the_delay_is_that_of_the_scenario() -> None:
-    late = received(PeerRadio(VEHICLES, Impairment(delay_s=0.2)), 2, ticks=50)
-    assert late == [(tick + 2, tick) for tick in range(48)]
-
-
 @pytest.mark.parametrize("dark", [1, 2])
 def test_a_blackout_of_either_side_cuts_it(dark: int) -> None:
     radio = PeerRadio(VEHICLES, Impairment(), blackouts=[Burst(dark, 1.0, 2.0, loss=1.0)])
@@ -99,14 +94,3 @@ def test_a_split_cuts_the_two_sides_and_neither_within() -> None:
         *range(10),
         *range(20, 30),
     ]
-
-
-def test_a_dead_ground_station_hears_and_reaches_nobody_and_the_vehicles_fates_stay() -> None:
-    """Frames outside the window fare as without it."""
-    dead, whole = (Impairment(loss=0.3, seed=2, bursts=bursts) for bursts in ([Burst(None, 1.0, 2.0, loss=1.0)], []))
-    for direction in ("in", "out"):
-        fates = [
-            [n for tick in range(40) for n in radio.apply(3, direction, 0.1 * tick, [tick])]  # type: ignore[arg-type]
-            for radio in (dead, whole)
-        ]
-        assert fates[0] == [n for n in fates[1] if not 10 <= n < 20]

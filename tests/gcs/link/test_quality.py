@@ -29,15 +29,6 @@ class Radio:
         self.sent += 10
 
 
-def test_what_is_lost_is_counted_by_vehicle() -> None:
-    radio = Radio()
-    radio.second()
-    for _ in range(5):
-        radio.second(lost=3)
-    assert (radio.quality.lost(1), radio.quality.lost(2)) == (0, 15)
-    assert radio.gaps.lost == 15
-
-
 def test_the_share_is_that_of_the_last_ten_seconds() -> None:
     radio = Radio()
     assert radio.quality.lost_share(2) is None

@@ -137,16 +137,6 @@ def test_bundles_for_an_address_leave_before_the_last_is_made_once_there_is_enou
         many.close()
 
 
-def test_who_leaves_a_shared_address_does_not_take_the_others_with_it(link: LockstepLink, shared: Sharing) -> None:
-    link.leave((1, 1))
-    link.grant((2, 1), 0, 7, [], [])
-    link.flush()
-    shared.pump()
-    assert sorted(collect(link, pytest.fail)) == [(2, 1)]
-    link.leave((2, 1))
-    assert not link.joined
-
-
 def test_who_does_not_share_its_address_lets_nobody_in_behind_it(link: LockstepLink) -> None:
     made = Sharing(link, 1, 2)
     try:

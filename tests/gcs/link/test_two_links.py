@@ -15,10 +15,10 @@ from gcs.link.external_peer import ExternalPeer, PeerLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
-from gcs.mavlink.recent_frames import RecentFrames
 from gcs.scenario.external import External
 
 KEY = (1, 1)
+PING_ALL = codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)
 
 
 class Port:
@@ -128,17 +128,6 @@ def test_a_routers_frames_are_taken_once_and_what_one_link_loses_comes_over_the_
     assert field.collected(0) == []
 
 
-def test_an_autopilots_second_port_only_shows_that_it_lives(stand: Callable[..., Stand]) -> None:
-    field = stand(one_stream=False)
-    field.begin()
-    for boot_ms in range(100, 1100, 100):
-        field.first.say(field.first.position(boot_ms))
-        field.second.say(field.second.position(boot_ms + 7))
-    assert field.collected(10) == list(range(100, 1100, 100))
-    assert [one.received for one in field.link.links()[1]] == [11, 11]
-    assert field.used() == field.connects[:1]
-
-
 def test_what_is_sent_goes_over_the_link_in_use_and_heartbeats_and_stream_requests_over_both(
     stand: Callable[..., Stand],
 ) -> None:
@@ -150,8 +139,7 @@ def test_what_is_sent_goes_over_the_link_in_use_and_heartbeats_and_stream_reques
     rest = {f"param{i}": 0.0 for i in range(1, 8)}
     interval = codec.message("COMMAND_LONG", command=mav.MAV_CMD_SET_MESSAGE_INTERVAL, **request, **rest)
     arm = codec.message("COMMAND_LONG", command=mav.MAV_CMD_COMPONENT_ARM_DISARM, **request, **rest)
-    ping = codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)
-    sent = field.link.grant(KEY, [ping, arm, interval], [])
+    sent = field.link.grant(KEY, [PING_ALL, arm, interval], [])
     assert len(sent) == 4
     assert field.first.heard() == ["PING", "COMMAND_LONG", "COMMAND_LONG"]
     assert field.second.heard() == ["COMMAND_LONG"]
@@ -175,8 +163,7 @@ def test_a_link_that_falls_silent_is_left_within_half_a_second_and_said(stand: C
     assert field.link.pop_changes() == [(1, f"Flown over {field.connects[1]} now: {field.connects[0]} is silent")]
     assert field.link.pop_relinked() == {1}
     field.second.heard()
-    ping = codec.message("PING", time_usec=7, seq=1, target_system=0, target_component=0)
-    field.link.grant(KEY, [ping], [])
+    field.link.grant(KEY, [PING_ALL], [])
     assert field.second.heard() == ["PING"]
     field.second.say(field.second.position(9000))
     assert field.collected(1) == [9000]
@@ -224,18 +211,6 @@ def test_a_silent_link_is_not_left_for_one_that_is_silent_too() -> None:
 
 def frame(seq: int, content: int) -> Frame:
     return Frame(1, 1, seq, 0, bytes([seq, content]))
-
-
-def test_of_two_links_frames_copies_are_told_from_others_with_the_same_number() -> None:
-    frames = RecentFrames()
-    first, *relation = frames.add(frame(1, 7), 0)
-    assert relation == ["new", 0]
-    assert frames.add(frame(1, 7), 0) == (first, "new", 0)
-    assert frames.add(frame(1, 7), 1) == (first, "copy", 0)
-    assert frames.add(frame(1, 8), 1)[1:] == ("other", 0)
-    for seq in range(2, 130):
-        frames.add(frame(seq, 0), 0)
-    assert frames.add(frame(1, 8), 0)[1] == "new"  # half a turn ago: forgotten
 
 
 def test_streams_that_begin_alike_and_part_are_taken_from_one_link() -> None:

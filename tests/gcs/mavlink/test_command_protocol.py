@@ -8,7 +8,7 @@ from pymavlink.dialects.v20 import common
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
-from gcs.mavlink.command_protocol import PROGRESS_S, RETRIES, CommandLong, CommandQueue, CommandResult, CommandTarget
+from gcs.mavlink.command_protocol import PROGRESS_S, CommandLong, CommandQueue, CommandResult, CommandTarget
 
 ARM, TAKEOFF = common.MAV_CMD_COMPONENT_ARM_DISARM, common.MAV_CMD_NAV_TAKEOFF
 ACCEPTED, DENIED, IN_PROGRESS = (
@@ -81,12 +81,6 @@ def test_silence_brings_three_repetitions_half_a_second_apart_then_a_time_out(qu
     assert not queue._waiting
 
 
-def test_acknowledgement_of_a_repetition_counts_its_attempts(queue: CommandQueue) -> None:
-    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
-    queue.poll(0.5)
-    assert queue.on_ack(3, 1, ack(ARM), 0.6).results[0].attempts == 2
-
-
 def test_progress_extends_and_a_lost_final_acknowledgement_is_asked_for_again(queue: CommandQueue) -> None:
     queue.send(CommandLong(VEHICLE, TAKEOFF), 0.0)
     assert queue.on_ack(3, 1, ack(TAKEOFF, IN_PROGRESS), 0.4) == ([], [])
@@ -108,17 +102,6 @@ def test_same_id_waits_its_turn_and_others_do_not(queue: CommandQueue) -> None:
     assert [result.token for result in step.results] == [1]
     assert [decoded(message).param1 for message in step.messages] == [32]
     assert queue.on_ack(3, 1, ack(first.command), 0.2).results[0].token == 2
-
-
-def test_waiting_command_starts_when_the_one_before_it_times_out(queue: CommandQueue) -> None:
-    queue.send(CommandLong(VEHICLE, ARM, (1,)), 0.0)
-    queue.send(CommandLong(VEHICLE, ARM, (0,)), 0.0)
-    assert not any(queue.poll(0.5 * attempt).results for attempt in range(1, RETRIES + 1))
-    step = queue.poll(2.0)
-    assert step.results[0].outcome == "timeout"
-    assert [decoded(message).param1 for message in step.messages] == [0]
-    assert queue.poll(2.4) == ([], [])
-    assert len(queue.poll(2.5).messages) == 1
 
 
 def test_acknowledgements_for_others_from_others_or_of_nothing_are_ignored(queue: CommandQueue) -> None:

@@ -31,8 +31,8 @@ def truth(local: Vec3, own: Vec3, common: tuple[float, float, float]) -> Vec3:
     return float(north), float(east), common[2] - float(alt)
 
 
-@pytest.mark.parametrize("common", [COMMON, (-33.9, 151.2, 20.0), (65.0, -20.0, 0.0)])
-@pytest.mark.parametrize("bearing_rad", [0.0, 0.8, 1.6, 3.9, 5.2])
+@pytest.mark.parametrize("common", [COMMON, (-33.9, 151.2, 20.0)])
+@pytest.mark.parametrize("bearing_rad", [0.8, 3.9])
 @pytest.mark.parametrize(("distance_m", "reach_m"), [(0.0, 300.0), (5e3, 300.0), (30e3, 100.0), (99e3, 100.0)])
 def test_a_place_is_off_by_the_stated_foreshortening_and_the_curve_of_the_ground_alone(
     distance_m: float, reach_m: float, bearing_rad: float, common: tuple[float, float, float]

@@ -37,19 +37,6 @@ def test_however_a_stream_is_cut_its_frames_are_those_that_were_sent() -> None:
         assert malformed == 0
 
 
-def test_frames_after_noise_come_whole_and_the_noise_is_counted() -> None:
-    frames = spoken(40)
-    noise = bytes(random.Random(1).choice([0xFD, 0x00, 0x31]) for _ in range(500))
-    stream, found, malformed = FrameStream(), [], 0
-    for piece in (b"boot\n", *frames[:10], noise, *frames[10:]):
-        split = stream.feed(piece)
-        found += [frame.raw for frame in split.frames]
-        malformed += split.malformed
-    assert found[:10] == frames[:10]
-    assert found[-25:] == frames[-25:]  # a beginning of noise may hide what comes in the next 280 bytes
-    assert malformed >= 2
-
-
 def test_what_waits_is_never_more_than_a_frame() -> None:
     stream = FrameStream()
     for byte in (b"\xfd\xff\x00", b"\xfd", b"\x00", b"\xfd\x09\x01"):

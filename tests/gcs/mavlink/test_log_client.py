@@ -2,13 +2,13 @@
 
 import itertools
 import random
-import struct
 import tracemalloc
 from typing import Any
 
 import pytest
-from arducopter_files import ACK, BURST, FAIL, NAK, OPEN, READ, RESET, TERMINATE, Files
-from hypothesis import given, settings
+from arducopter_files import BURST, FAIL, NAK, OPEN, READ, RESET, TERMINATE, Files
+from dialogue import converse
+from hypothesis import given
 from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
@@ -18,7 +18,6 @@ from gcs.mavlink.ftp.received_ranges import MOST_RANGES, ReceivedRanges
 from gcs.mavlink.log_client import TRIES, LogClient, LogEntry
 
 PIECES_A_TICK = 20
-TICK_S = 0.05
 
 
 class Vehicle:
@@ -33,12 +32,10 @@ class Vehicle:
         self.announced: dict[int, int] = {}
         """sizes by number that are not those of the logs"""
         self.pieces = 0
-        self.out = mav.MAVLink(None, srcSystem=3, srcComponent=1)
         self._sending: tuple[int, int, int] | None = None
 
-    def hear(self, message: codec.Message) -> list[Any]:
-        """What it answers at once; read by pymavlink, as from the wire."""
-        (heard,) = self.out.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+    def hear(self, heard: Any) -> list[Any]:
+        """What it answers at once."""
         if heard.get_type() == "FILE_TRANSFER_PROTOCOL":
             return self.files.hear(heard)
         self.asked.append(heard.get_type())
@@ -53,7 +50,7 @@ class Vehicle:
                 self._sending = None
         return []
 
-    def tick(self) -> list[Any]:
+    def tick(self, _: float) -> list[Any]:
         out: list[Any] = []
         while self._sending is not None and len(out) < PIECES_A_TICK:
             number, at, stop = self._sending
@@ -62,25 +59,6 @@ class Vehicle:
             self._sending = (number, at + 90, stop) if at + 90 < stop and len(data) == 90 else None
         self.pieces += len(out)
         return out
-
-
-def converse(client: LogClient, vehicle: Vehicle, within_s: float = 300.0) -> float:
-    now_s = 0.0
-    while not client.done:
-        assert now_s < within_s
-        converse_once(client, vehicle, now_s)
-        now_s += TICK_S
-    return now_s
-
-
-def converse_once(client: LogClient, vehicle: Vehicle, now_s: float) -> None:
-    out = vehicle.tick()
-    for message in client.poll(now_s):
-        out += [] if vehicle.random.random() < vehicle.lose else vehicle.hear(message)
-    for answer in out:
-        if vehicle.random.random() >= vehicle.lose:
-            (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-            client.receive(answer.get_type(), codec.fields(frame), now_s)
 
 
 def came(client: LogClient) -> dict[int, bytes]:
@@ -197,30 +175,6 @@ def test_files_that_are_not_there_to_be_had_are_not_asked_for() -> None:
     assert vehicle.files.asked == []
 
 
-def test_a_single_lost_piece_costs_one_short_request() -> None:
-    client, vehicle = LogClient(3, 1), Vehicle({1: log(90 * 1000)})
-    client.download([LogEntry(1, 90_000, 0)])
-    now_s, dropped = 0.0, False
-    while not vehicle.asked:  # first it is asked for files
-        converse_once(client, vehicle, now_s)
-        now_s += 0.05
-    began_s = now_s
-    while not client.done:
-        out = vehicle.tick()
-        for message in client.poll(now_s):
-            vehicle.hear(message)
-        for answer in out:
-            if answer.ofs == 90 * 333 and not dropped:
-                dropped = True
-                continue
-            (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-            client.receive("LOG_DATA", codec.fields(frame), now_s)
-        now_s += TICK_S
-    assert came(client) == vehicle.logs
-    assert vehicle.pieces == 1001
-    assert now_s - began_s < 1000 / PIECES_A_TICK * TICK_S + 0.5
-
-
 def test_what_does_not_come_is_a_sentence() -> None:
     silent = LogClient(3, 1)
     silent.list_logs()
@@ -237,90 +191,6 @@ def test_what_does_not_come_is_a_sentence() -> None:
     assert client.failed[1] == f"900 of 1800 bytes came, then nothing, though it was asked {TRIES} times; {missing}"
     assert client.failed[2].startswith("it is said to have 1073741824 bytes")
     assert not client.whole
-
-
-class Dying(Vehicle):
-    """It is never heard again after so many messages with bytes of a log; `arrived` has the bytes of those."""
-
-    def __init__(self, logs: dict[int, bytes], messages: int, lose: float, files: Files | None) -> None:
-        super().__init__(logs, lose, files)
-        self._left = messages
-        self.arrived = set[int]()
-
-    def _heard_of(self, answers: list[Any]) -> list[Any]:
-        heard = []
-        for answer in answers:
-            piece = piece_of(answer)
-            self._left -= bool(piece)
-            if self._left >= 0 and self.random.random() >= self.lose:
-                heard.append(answer)
-                self.arrived |= set(piece)
-        return heard
-
-    def hear(self, message: codec.Message) -> list[Any]:
-        return self._heard_of(super().hear(message))
-
-    def tick(self) -> list[Any]:
-        return self._heard_of(super().tick())
-
-
-def piece_of(answer: Any) -> range:
-    """The bytes of a log that a message carries."""
-    if answer.get_type() == "LOG_DATA":
-        return range(answer.ofs, answer.ofs + answer.count)
-    if (
-        answer.get_type() == "FILE_TRANSFER_PROTOCOL"
-        and answer.payload[3] == ACK
-        and answer.payload[5] in (READ, BURST)
-    ):
-        (offset,) = struct.unpack_from("<I", bytes(answer.payload[8:12]))
-        return range(offset, offset + answer.payload[4])
-    return range(0)
-
-
-def of_what_came(client: LogClient, number: int, size: int) -> tuple[set[int], bytes]:
-    """Bytes that came of a log that failed, and what they are, zeros between them."""
-    written = bytearray(size)
-    for _, offset, data in client.pieces:
-        written[offset : offset + len(data)] = data
-    there = {at for start, stop in client.parts[number] for at in range(start, stop)}
-    return there, bytes(value if at in there else 0 for at, value in enumerate(written))
-
-
-@settings(max_examples=40)
-@given(st.integers(0, 90), st.sampled_from((0.0, 0.1, 0.5)), st.booleans(), st.booleans())
-def test_of_a_vehicle_that_dies_what_came_is_known_to_the_byte(
-    messages: int, lose: float, by_file: bool, other_file: bool
-) -> None:
-    """By MAVFTP, by ranges, or by ranges behind a file that turned out to be shorter, and so another."""
-    content = log(90 * 80 + 7)
-    files = {"@LOG/1": content[: 239 * 20] if other_file else content} if by_file else {}
-    vehicle = Dying({1: content}, messages, lose, Files(files))
-    client = LogClient(3, 1)
-    client.download([LogEntry(1, len(content), 0)])
-    now_s = 0.0
-    while not client.done:
-        assert now_s < 300.0
-        out = vehicle.tick()
-        for message in client.poll(now_s):
-            out += vehicle.hear(message)
-        for answer in out:
-            (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-            client.receive(answer.get_type(), codec.fields(frame), now_s)
-        now_s += TICK_S
-    if client.whole:
-        assert came(client) == {1: content}
-        return
-    there, part = of_what_came(client, 1, len(content))
-    assert there <= vehicle.arrived
-    assert other_file or there == vehicle.arrived
-    assert all(part[at] == content[at] for at in there)
-    missing = sorted(set(range(len(content))) - there)
-    stop = next((at for at in missing if at + 1 not in missing), 0)
-    gap = f"; bytes {missing[0]} to {stop} are the first that are missing" if there else ""
-    why = f"{len(there)} of {len(content)} bytes came, then nothing, though it was asked {TRIES} times{gap}"
-    assert client.failed == {1: why}
-    assert client.bytes_so_far == len(there)
 
 
 def test_what_came_by_mavftp_is_not_asked_for_again() -> None:

@@ -68,17 +68,10 @@ def test_endless_chunks_are_one_text_of_bounded_length() -> None:
     assert texts.add(chunk("Next", 7), 99.0) == [(2, "Next")]
 
 
-def test_chunks_of_other_ids_after_an_endless_text_are_heard() -> None:
-    texts = Texts()
-    for seq in range(20):
-        texts.add(chunk("x" * CHUNK_BYTES, 7, seq), 0.0)
-    assert texts.add(chunk("Other", 8), 0.1) == [(2, "Other")]
-
-
 WORDS = st.text(st.characters(exclude_categories=("Cs", "Cc", "Z"), exclude_characters="\0"), min_size=1)
 
 
-@settings(max_examples=300)
+@settings(max_examples=100)
 @given(WORDS.filter(lambda text: len(text.encode()) < MOST_BYTES - 50), st.randoms(), st.integers(1, 65535))
 def test_any_text_comes_whole_in_whatever_order_its_chunks_come(text: str, rng: Any, text_id: int) -> None:
     sent = chunks(text.encode(), text_id)
@@ -92,6 +85,7 @@ def test_any_text_comes_whole_in_whatever_order_its_chunks_come(text: str, rng: 
     assert told == [(2, text)]
 
 
+@settings(max_examples=50)
 @given(st.integers(2, 8), st.data())
 def test_the_place_of_each_lost_run_of_chunks_is_marked(count: int, data: st.DataObject) -> None:
     sent = chunks(b"".join(bytes([65 + k]) * 50 for k in range(count)) + b"end", 9)
@@ -125,7 +119,7 @@ def test_bytes_that_are_no_utf_8_are_marked_and_cost_no_more() -> None:
     assert Texts().add(chunk("Höhe 12 m".encode("latin1")), 0.0) == [(2, "H\ufffdhe 12 m")]
 
 
-@settings(max_examples=200)
+@settings(max_examples=50)
 @given(WORDS)
 def test_what_a_simulated_vehicle_says_comes_whole(text: str) -> None:
     text = text.encode()[: MOST_BYTES - 50].decode("utf-8", "ignore")

@@ -86,7 +86,6 @@ ENDS = [
     ("return sum(range(10**13))", rf"did not answer within {PATIENCE_S:g} s at \w+.py:9 in plan and was ended"),
     ("ctypes.string_at(0)", r"was killed by signal 11 at \w+.py:9 in plan"),
     ("os._exit(3)", "ended with status 3"),
-    ("os.kill(os.getpid(), signal.SIGKILL)", "was killed by signal 9"),
     ("os.kill(os.getpid(), signal.SIGSTOP)", rf"did not answer within {PATIENCE_S:g} s and was ended"),
 ]
 
@@ -109,16 +108,6 @@ def test_a_process_that_does_not_come_back_is_over_and_said_once(planned: str, s
         assert (process.ended, process.answers(PLANNER), process.pop_faults()) == (True, [], [])
 
 
-def test_a_process_that_dies_between_two_ticks_is_noticed_by_the_next(tmp_path: Path) -> None:
-    scenario = scenario_of(tmp_path)
-    with started(scenario, tmp_path) as process:
-        process.made(PLANNER)
-        os.kill(process.pid, signal.SIGKILL)
-        process.ask(PLANNER, asked_of(scenario))
-        assert process.answers(PLANNER) == []
-        assert [fault.problem for fault in process.pop_faults()] == ["was killed by signal 9"]
-
-
 def test_a_planner_slower_than_the_deadline_that_answers_vehicle_by_vehicle_is_waited_for(tmp_path: Path) -> None:
     """Five pursuers of 0.8 s each: longer than PATIENCE_S in all."""
     scenario = scenario_of(tmp_path, "time.sleep(0.8); return vehicle.p_ned, vehicle.v_ned")
@@ -135,7 +124,6 @@ def test_a_planner_slower_than_the_deadline_that_answers_vehicle_by_vehicle_is_w
     [
         ("scenario.nothing", r"planner.method: \w+:Mine cannot be made: AttributeError at main.py:\d+: .*nothing.*"),
         ("ctypes.string_at(0)", r"planner.method: planner \w+:Mine was killed by signal 11 at \w+.py:6 in __init__"),
-        ("os._exit(4)", r"planner.method: planner \w+:Mine ended with status 4"),
     ],
 )
 def test_a_planner_that_cannot_be_made_is_one_sentence(made: str, said: str, tmp_path: Path) -> None:
@@ -152,7 +140,6 @@ IMPORTS = [
     ("import time", r"there_is_\w+ \(.*there_is_\w+.py\) has no 'Mine'"),
     ("1 / 0", r"\w+ cannot be imported: ZeroDivisionError at \w+.py:1: division by zero"),
     ("sum(range(10**13))", r"planner \w+:Mine did not answer within 6 s at \w+.py:1 in <module> and was ended"),
-    ("import ctypes; ctypes.string_at(0)", r"planner \w+:Mine was killed by signal 11 at \w+.py:1 in <module>"),
     ("import os; os._exit(3)", r"planner \w+:Mine ended with status 3"),
 ]
 

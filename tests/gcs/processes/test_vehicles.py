@@ -10,7 +10,7 @@ from extremes import extremes, number_keys
 from gcs.mavlink.parameters import renames
 from gcs.planner.failsafes import failsafes_of
 from gcs.processes.fork_server import Ended, ProcessSpec
-from gcs.processes.vehicles import traffic_order, vehicle_order, vehicle_orders, vehicle_parameters
+from gcs.processes.vehicles import vehicle_order, vehicle_orders, vehicle_parameters
 from gcs.scenario.file import load, shipped_folder
 from gcs.scenario.model import Scenario, ScenarioError, VehicleBase
 from simvehicle.autopilot.parameters import Parameters
@@ -99,25 +99,6 @@ def test_failsafes_are_cautious_only_where_the_filter_flies() -> None:
     assert parameters_of(lossy.vehicles.pursuers[1], lossy)["COM_OF_LOSS_T"] == pytest.approx(0.3)
     bare = scenario(planner={"safety": False})
     assert {"RTL_RETURN_ALT", "COM_OF_LOSS_T"}.isdisjoint(parameters_of(bare.vehicles.pursuers[1], bare))
-
-
-def test_traffic_is_one_process_with_a_file_of_plain_yaml(folder: Path) -> None:
-    order = traffic_order(scenario(), folder, LINK)
-    path = folder / "vehicles" / "traffic.yaml"
-    assert (order.sysid, order.argv) == (255, ("traffic", str(path), *LINK))
-    assert yaml.safe_load(path.read_text()) == {
-        "origin": {"lat_deg": 47.25, "lon_deg": -8.5, "alt_m": 400.5},
-        "movers": [{"callsign": "NORTH1", "path_ned_m": [[1.0, -2.0, -3.0], [4.0, 5.0, -6.0]], "speed_m_s": 0.5,
-                    "closed": True, "start_s": 10.0}],
-    }  # fmt: skip
-
-
-def test_small_numbers_survive_the_command_line(folder: Path) -> None:
-    world = scenario()
-    tiny = world.vehicles.pursuers[1].model_copy(update={"start_m": (1e-17, -0.1 + 0.3, 12345.678901234567)})
-    words = options(vehicle_order([tiny], world, folder, LINK, failsafes_of(world)))["--position"]
-    assert words is not None
-    assert tuple(map(float, words.split(","))) == tiny.start_m
 
 
 @pytest.mark.parametrize(

@@ -40,55 +40,47 @@ def check_flown(path: Path, within_m: float, every: int = 1) -> None:
         np.testing.assert_allclose(speeds["vy"][::every], [100.0 * at.v_ned[1] for at in flown][::every], atol=0.6)
 
 
-@pytest.mark.parametrize("active", [DCM, EKF2, EXTERNAL])
-def test_rows_of_an_estimate_that_is_not_flown_by_are_no_places(tmp_path: Path, active: int) -> None:
-    """Places are POS's and speeds the satellites', as AP_AHRS_DCM tells them; EKF2 is named and has no rows here."""
+PASSIVE = (Estimate("XKF1", 0), Estimate("XKF1", 1))
+INDOORS = (Estimate("NKF1"), Estimate("XKF1", 0, right=True), Estimate("XKF1", 1))
+BOTH = (*PASSIVE, Estimate("NKF1"), Estimate("NKF6", right=True))
+FLIGHTS: dict[str, tuple[tuple[Estimate, ...], dict[str, int], dict[str, Any], float, int]] = {
+    # Places are POS's and speeds the satellites', as AP_AHRS_DCM tells them; EKF2 is named and has no rows here.
+    "DCM beside EKF3": (PASSIVE, {}, {"active": DCM}, DEGREE_M, 2),
+    "EKF2 without rows": (PASSIVE, {}, {"active": EKF2}, DEGREE_M, 2),
+    "external beside EKF3": (PASSIVE, {}, {"active": EXTERNAL}, DEGREE_M, 2),
+    # As in logs/00000001.BIN of Gehtschon/autonomous-soaring; SIM2 tells its place from home, not from the origin.
+    "a simulator's own": ((*WRONG, Estimate("SIM2", right=True)), {}, {"active": SIM}, DEGREE_M, 1),
+    # Before 4.1 no row says which estimate is flown by, and DCM takes over from an EKF in silence.
+    "DCM before 4.1": (WRONG, {}, {"active": None, "parameters": {"AHRS_EKF_TYPE": DCM}}, DEGREE_M, 2),
+    "DCM long before": (WRONG, {}, {"active": None, "parameters": {"AHRS_EKF_USE": DCM}}, DEGREE_M, 2),
+    "EKF2 before 4.1": (
+        (Estimate("NKF1", right=True), Estimate("XKF1", 0)),
+        {},
+        {"active": None, "parameters": {"AHRS_EKF_TYPE": EKF2}},
+        DEGREE_M,
+        1,
+    ),
+    "EKF3 before 4.1": (
+        (Estimate("XKF1", 0, right=True), Estimate("NKF1")),
+        {},
+        {"active": None, "parameters": {"AHRS_EKF_TYPE": EKF3}},
+        DEGREE_M,
+        1,
+    ),
+    "indoors": (INDOORS, {}, {"active": EKF3, "globe": False}, 1e-5, 1),
+    "indoors before 4.1": (INDOORS, {}, {"active": None, "globe": False}, 1e-5, 1),
+    # EKF2 is flown by on its second core, of which NKF6 tells; EKF3 flies along on its first.
+    "two generations": (BOTH, {"XKF4": 0, "NKF4": 1}, {"active": EKF2}, 1e-5, 1),
+}
+
+
+@pytest.mark.parametrize("flight", FLIGHTS)
+def test_places_and_speeds_are_those_of_the_estimate_that_is_flown_by(tmp_path: Path, flight: str) -> None:
+    rows, cores, how, within_m, every = FLIGHTS[flight]
     path = tmp_path / "flight.BIN"
-    logs.dataflash(path, active=active, estimates=lambda _: ((Estimate("XKF1", 0), Estimate("XKF1", 1)), {}))
-    check_flown(path, DEGREE_M, every=2)
-
-
-def test_a_simulators_own_place_comes_with_its_own_speed(tmp_path: Path) -> None:
-    """As in logs/00000001.BIN of Gehtschon/autonomous-soaring; SIM2 tells its place from home, not from the origin."""
-    path = tmp_path / "flight.BIN"
-    rows = (*WRONG, Estimate("SIM2", right=True))
-    logs.dataflash(path, active=SIM, estimates=lambda _: (rows, {}))
-    check_flown(path, DEGREE_M)
-
-
-@pytest.mark.parametrize("type_name", ["AHRS_EKF_TYPE", "AHRS_EKF_USE"])
-def test_places_of_an_older_log_are_those_of_pos(tmp_path: Path, type_name: str) -> None:
-    """Before 4.1 no row says which estimate is flown by, and DCM takes over from an EKF in silence."""
-    path = tmp_path / "flight.BIN"
-    logs.dataflash(path, active=None, estimates=lambda _: (WRONG, {}), parameters={type_name: DCM})
-    check_flown(path, DEGREE_M, every=2)
-
-
-@pytest.mark.parametrize("flown", ["NKF1", "XKF1"])
-def test_speeds_of_an_older_log_are_those_of_the_estimate_that_is_set(tmp_path: Path, flown: str) -> None:
-    path = tmp_path / "flight.BIN"
-    right = Estimate(flown, 0 if flown == "XKF1" else None, right=True)
-    other = Estimate("NKF1") if flown == "XKF1" else Estimate("XKF1", 0)
-    parameters = {"AHRS_EKF_TYPE": EKF3 if flown == "XKF1" else EKF2}
-    logs.dataflash(path, active=None, estimates=lambda _: ((right, other), {}), parameters=parameters)
-    check_flown(path, DEGREE_M)
-
-
-@pytest.mark.parametrize("active", [None, EKF3])
-def test_without_places_on_the_globe_they_are_the_ekfs(tmp_path: Path, active: int | None) -> None:
-    path = tmp_path / "indoors.BIN"
-    rows = (Estimate("NKF1"), Estimate("XKF1", 0, right=True), Estimate("XKF1", 1))
-    logs.dataflash(path, active=active, globe=False, estimates=lambda _: (rows, {}))
-    check_flown(path, 1e-5)
-    assert not len(told(path, "GLOBAL_POSITION_INT"))
-
-
-def test_two_generations_in_one_log_are_told_apart(tmp_path: Path) -> None:
-    """EKF2 is flown by on its second core, of which NKF6 tells; EKF3 flies along on its first."""
-    path = tmp_path / "flight.BIN"
-    rows = (Estimate("XKF1", 0), Estimate("XKF1", 1), Estimate("NKF1"), Estimate("NKF6", right=True))
-    logs.dataflash(path, active=EKF2, estimates=lambda _: (rows, {"XKF4": 0, "NKF4": 1}))
-    check_flown(path, 1e-5)
+    logs.dataflash(path, estimates=lambda _: (rows, cores), **how)
+    check_flown(path, within_m, every)
+    assert bool(len(told(path, "GLOBAL_POSITION_INT"))) == how.get("globe", True)
 
 
 def test_a_switch_of_cores_is_followed(tmp_path: Path) -> None:

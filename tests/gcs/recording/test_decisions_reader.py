@@ -65,12 +65,6 @@ def test_what_is_no_decision_is_passed_over_and_the_others_are_read_all_the_same
     assert (read.broken, read.cut) == (len(strange), False)
 
 
-def test_a_line_whose_head_alone_can_be_read_has_nothing_else() -> None:
-    read = decision_lines(b'{"energy_j":1e999,"kind":"served","receiver":2,"t_s":1.0}\n')
-    ((_, others),) = read.blocks()
-    assert [(one.kind, one.record()) for one in others] in ([("served", {})], [])
-
-
 @pytest.mark.parametrize("at", [b"served", b"full", b"receiver"])
 def test_bytes_that_are_no_text_cost_no_more_than_their_line(at: bytes) -> None:
     good = line([1.0, 2.0, 3.0])

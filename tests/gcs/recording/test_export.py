@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import duckdb
 import numpy as np
 import pandas as pd
 import pytest
@@ -144,26 +143,6 @@ def test_truth_is_a_table_whose_last_row_is_the_summarys_ledger(session: Path, c
     np.testing.assert_allclose(gaps, 0.004, atol=1e-8)
 
 
-def test_both_formats_hold_the_same(csv: Path, parquet: Path) -> None:
-    assert {path.stem for path in csv.iterdir()} == {path.stem for path in parquet.iterdir()}
-    for path in csv.iterdir():
-        ours = pd.read_csv(path, dtype={"text": str}, keep_default_na=False, na_values=[""])
-        theirs = pd.read_parquet(parquet / f"{path.stem}.parquet")
-        assert list(ours) == list(theirs), path.stem
-        assert len(ours) == len(theirs)
-        for column in ours:
-            if ours[column].dtype.kind in "if":
-                np.testing.assert_array_equal(ours[column].astype(float), theirs[column].astype(float), err_msg=column)
-
-
-def test_duckdb_reads_both(csv: Path, parquet: Path) -> None:
-    for path in (csv / "LOCAL_POSITION_NED.csv", parquet / "LOCAL_POSITION_NED.parquet"):
-        rows = duckdb.sql(f"select sysid, max(-z_ned_m) from '{path}' where direction = 'from' group by sysid")
-        heights = dict(rows.fetchall())
-        assert heights.keys() == {1, 101, 201}
-        assert all(2.0 < height < 8.0 for height in heights.values())
-
-
 def test_every_unit_of_every_message_has_a_conversion() -> None:
     used = {unit for cls in mav.mavlink_map.values() for unit in cls.fieldunits_by_name.values()}
     assert used <= field_units.UNITS.keys()
@@ -205,16 +184,6 @@ def test_a_strangers_log_is_exported_with_mavlink_1_and_ardupilots_messages(tmp_
     battery = pd.read_csv(tmp_path / "out" / "BATTERY_STATUS.csv").iloc[0]
     assert battery.voltages_0_v == 11.8
     assert battery[["voltages_1_v", "temperature_degc", "current_battery_a", "energy_consumed_j"]].isna().all()
-
-
-def test_a_cut_log_with_foreign_bytes_gives_what_is_whole_and_says_so(tmp_path: Path) -> None:
-    path = tmp_path / "cut.tlog"
-    whole = foreign_log()
-    path.write_bytes(whole[:30] + b"console text" + whole[30:-5])
-    problems = exported(path, tmp_path / "out")
-    assert any("belong to no MAVLink frame" in line for line in problems)
-    assert any("ends inside a frame" in line for line in problems)
-    assert len(pd.read_csv(tmp_path / "out" / "HEARTBEAT.csv")) == 2
 
 
 def test_a_folder_without_its_log_gives_its_decisions_and_says_so(session: Path, tmp_path: Path) -> None:

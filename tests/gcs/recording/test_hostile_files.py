@@ -31,7 +31,7 @@ from gcs.session.timeline import Timeline
 CORPUS = Path(__file__).resolve().parents[2] / "fuzz" / "corpus" / "session"
 
 EPOCH_US = 1_767_225_600_000_000
-FLIPS = (40, 50, 55, 62, 63)
+FLIPS = (40, 55, 63)
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def times_of(path: Path) -> list[int]:
     return [t_us for t_us, _ in tlog_reader.read(path)]
 
 
-@pytest.mark.parametrize("at", [0, 1, 17, 39])
+@pytest.mark.parametrize("at", [0, 17, 39])
 @pytest.mark.parametrize("bit", FLIPS)
 def test_a_time_with_a_flipped_bit_is_the_one_before(tmp_path: Path, at: int, bit: int) -> None:
     path = tmp_path / "flipped.tlog"
@@ -105,7 +105,7 @@ def test_flipped_times_do_not_make_a_replay_endless_or_a_report_large(copied: Pa
 @pytest.mark.parametrize(
     "line",
     ['{"kind":"competition","t_s":1,"x":' + "[" * 20_000 + "]" * 20_000 + "}",
-     '{"kind":"set_point","x":' + '{"a":' * 9000 + "1" + "}" * 9000 + "}", "[" * 100_000],
+     "[" * 100_000],
 )  # fmt: skip
 def test_a_deeply_nested_line_is_passed_over_by_every_reader(copied: Path, line: str) -> None:
     decisions = copied / "decisions.jsonl"
@@ -122,16 +122,6 @@ def test_a_deeply_nested_line_is_passed_over_by_every_reader(copied: Path, line:
     assert Lines().feed(line.encode() + b'\n{"type": "end"}\n') == [{"type": "end"}]
 
 
-def test_a_session_without_frames_is_exported_and_told(copied: Path) -> None:
-    (copied / "session.tlog").write_bytes(b"")
-    (copied / "decisions.jsonl").write_bytes(b"")
-    for path in (copied / "vehicles").glob("*.truth"):
-        path.unlink()
-    told = gcs("export", str(copied), "--format", "csv")
-    assert told.returncode == 0, told.stderr
-    assert "session.tlog is empty" in told.stderr
-
-
 @pytest.fixture
 def broken_truth(copied: Path) -> Iterator[Path]:
     path = copied / "vehicles" / "1.truth"
@@ -141,7 +131,7 @@ def broken_truth(copied: Path) -> Iterator[Path]:
     assert (told.returncode, "1.truth" in told.stderr) == (0, True)
 
 
-@pytest.mark.parametrize("steps", [math.nan, math.inf, -1.0, -1e300, 1e300, 1e18])
+@pytest.mark.parametrize("steps", [math.nan, -1.0, 1e18])
 def test_a_truth_whose_records_say_impossible_lengths_is_read_up_to_there(broken_truth: Path, steps: float) -> None:
     data = bytearray(broken_truth.read_bytes())
     begin = data.index(b"\n") + 1
@@ -224,7 +214,7 @@ _LINES = st.lists(
 
 
 @pytest.mark.parametrize("form", ["csv", "parquet"])
-@settings(max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
 @given(lines=_LINES)
 def test_decisions_that_hold_anything_are_tables_or_passed_over(
     form: tables.Format, lines: list[Any], tmp_path: Path

@@ -6,9 +6,6 @@ import math
 import resource
 import signal
 import struct
-import subprocess
-import sys
-import textwrap
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -93,15 +90,6 @@ def set_point(t_s: Any, sysid: Any, p_ned: Any, v_ned: Any) -> dict[str, Any]:
     return {"t_s": t_s, "kind": "set_point", "sysid": sysid, "p_ned": p_ned, "v_ned": v_ned}
 
 
-@pytest.mark.parametrize("t_s", [0.1, 0, 1e300, 1e-7, True])
-@pytest.mark.parametrize("number", [0.1, -0.0, 1e-7, 1e22, 3, np.float64(2.5), 5e-324, 1.7e308])
-def test_a_set_point_is_the_line_that_json_makes_of_it(number: float, t_s: float) -> None:
-    point = SetPoint(7, (number, 1.5, -2.0), (0.0, number, 1.0))
-    expected = json_line(set_point(t_s, *point))
-    assert decision_lines([TickSetPoints(t_s, [point])]) == [expected]
-    assert decision_lines([set_point(t_s, *point) | {"more": 1}]) == [json_line(set_point(t_s, *point) | {"more": 1})]
-
-
 def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
     """Set points among others, numbers of every size, and things that are no numbers."""
     random = np.random.default_rng(5)
@@ -110,7 +98,10 @@ def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
     points: list[Any] = [SetPoint(k % 254 + 1, tuple(row[:3]), tuple(row[3:])) for k, row in enumerate(values)]
     plain = points[:4000]
     odd = (True, (0.0,) * 3), (None, (0.0,) * 3), (7, ("-", ",", "ä")), (7, ([1.5], {}, 1)), (7, (1.0, 2.0))
+    odd += (7, (3, -0.0, 5e-324)), (7, (np.float64(2.5), 1.7e308, 1e-7))
     points += [SetPoint(sysid, p_ned, (0.0, 0.0, 0.0)) for sysid, p_ned in odd]
+    for t_s in (True, 0, 1e300):
+        assert decision_lines([TickSetPoints(t_s, plain[:2])]) == [json_line(set_point(t_s, *one)) for one in plain[:2]]
     expected = [json_line(set_point(0.3, *point)) for point in points]
     assert decision_lines([TickSetPoints(0.3, points)]) == expected
     for k in range(0, 4000, 50):  # as many as a tick has: those with an odd one among them go another way
@@ -130,25 +121,11 @@ def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
         decision_lines([TickSetPoints(bad, [SetPoint(7, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))])])
 
 
-def test_flush_shows_what_was_recorded_so_far(tmp_path: Path) -> None:
-    with Recorder(tmp_path) as recorder:
-        recorder.frames(EPOCH_US, [attitude(1)])
-        recorder.decisions([{"a": 1}])
-        recorder.flush()
-        assert (tmp_path / TLOG).stat().st_size == 8 + len(attitude(1))
-        assert (tmp_path / DECISIONS).read_text() == '{"a":1}\n'
-
-
 def test_existing_recording_is_never_overwritten(tmp_path: Path) -> None:
     (tmp_path / DECISIONS).write_text("precious")
     with pytest.raises(RecorderError, match=r"decisions\.jsonl cannot be created: file exists"):
         Recorder(tmp_path)
     assert (tmp_path / DECISIONS).read_text() == "precious"
-
-
-def test_missing_folder_is_named(tmp_path: Path) -> None:
-    with pytest.raises(RecorderError, match=r"nowhere/session\.tlog cannot be created: no such file or directory"):
-        Recorder(tmp_path / "nowhere")
 
 
 def test_recording_after_close_is_refused(tmp_path: Path) -> None:
@@ -207,25 +184,6 @@ def test_refused_last_write_is_told_by_close(tmp_path: Path) -> None:
     assert (tmp_path / DECISIONS).read_text() == ""
 
 
-def test_full_device_is_told_as_such() -> None:
-    # In a process of its own, where both files can be the device that is always full.
-    code = textwrap.dedent("""
-        import os
-        from pathlib import Path
-        from gcs.recording import recorder
-        real = os.open
-        os.open = lambda path, flags, mode=0o777: real("/dev/full", os.O_WRONLY)
-        r = recorder.Recorder(Path("/session"))
-        r.frames(1, [b"frame"])
-        try:
-            r.close()
-        except recorder.RecorderError as error:
-            print(error)
-    """)
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert run.stdout == "/session/session.tlog cannot be written: no space left on device; recording has ended.\n"
-
-
 def digest_of(
     *ticks: tuple[int, Sequence[bytes], Sequence[bytes]], decisions: tuple[dict[str, float], ...] = ()
 ) -> str:
@@ -258,32 +216,6 @@ def test_digest_is_the_hash_of_what_the_protocol_says() -> None:
 def test_digest_of_nothing_is_sha256s() -> None:
     # FIPS 180-4: the hash of the empty message.
     assert Digest().hexdigest() == "sha256:e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
-
-
-def test_digest_sees_time_direction_sender_message_payload_order_and_decisions() -> None:
-    base = (100, [attitude(1)], [])
-    hidden = codec.encode("NAMED_VALUE_FLOAT", 1, 1, 1, time_boot_ms=1, name="x", value=0.5)
-    digests = [
-        digest_of(base),
-        digest_of((200, [attitude(1)], [])),
-        digest_of((100, [], [attitude(1)])),
-        digest_of((100, [attitude(1, sysid=2)], [])),
-        digest_of((100, [attitude(1, compid=2)], [])),
-        digest_of((100, [attitude(1, roll=0.75)], [])),
-        digest_of((100, [hidden], [])),
-        digest_of((100, [attitude(1), attitude(1)], [])),
-        digest_of((100, [attitude(1), hidden], [])),
-        digest_of((100, [hidden, attitude(1)], [])),
-        digest_of(base, decisions=({"a": 1.0},)),
-        digest_of(base, decisions=({"a": 2.0},)),
-    ]
-    assert len(set(digests)) == len(digests)
-
-
-def test_digest_sees_the_message_id_alone() -> None:
-    first = attitude(1)
-    other_id = first[:7] + struct.pack("<HB", 31, 0) + first[10:]
-    assert digest_of((100, [first], [])) != digest_of((100, [other_id], []))
 
 
 def test_digest_does_not_see_sequence_numbers_batches_or_key_order() -> None:

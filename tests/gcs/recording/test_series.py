@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import json
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -11,14 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pandas as pd
 import pymap3d
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from gcs.mavlink import codec
-from gcs.mavlink.gaps import GapCounter
 from gcs.recording import pursuit_held, series, tlog_reader
 from gcs.recording.recorder import Recorder
 from gcs.recording.session_folder import NoSession, Recorded, read
@@ -124,13 +121,6 @@ def test_a_place_is_carried_forward_for_as_long_as_it_is_fresh(tracks: dict[int,
     assert np.isnan(late).all()
 
 
-def test_the_set_points_read_in_bulk_are_those_that_json_reads(recorded: Recorded) -> None:
-    lines = (recorded.folder / "decisions.jsonl").read_text(encoding="utf-8").splitlines()
-    told = [json.loads(line) for line in lines]
-    rows = [[*d["p_ned"], d["sysid"], d["t_s"]] for d in told]
-    assert np.array_equal(recorded.set_points, rows)
-
-
 def test_distances_are_those_of_the_circle(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
     near = distances.measure(recorded, tracks, {})
     known = ~np.isnan(near.separation.values)
@@ -160,48 +150,6 @@ def test_the_battery_is_the_ledger(recorded: Recorded) -> None:
     assert battery.capacity_j == 20_000.0
     # The counter may be one message old where its own was lost.
     assert battery.remaining.values == pytest.approx(20_000.0 - 100.0 * np.round(t_s) + received, abs=26.0)
-
-
-def test_gaps_are_counted_as_the_link_counts_them(recorded: Recorded) -> None:
-
-    counter = GapCounter()
-    received = 0
-    for _, frame in tlog_reader.read(recorded.folder / "session.tlog"):
-        counter.feed(frame.sysid, frame.compid, frame.seq)
-        received += 1
-    assert counter.lost > 5
-    assert sum(lost.sum() for lost in recorded.traffic_lost.values()) == counter.lost
-    assert sum(count.sum() for count in recorded.traffic_count.values()) == received
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_late_and_repeated_frames_are_counted_as_the_link_counts_them(tmp_path: Path, seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    numbers = [k % 256 for k in range(2000) if rng.random() > 0.1]
-    for _ in range(300):
-        at = int(rng.integers(0, len(numbers) - 6))
-        numbers.insert(at + int(rng.integers(1, 5)), numbers[at] if rng.random() < 0.5 else numbers.pop(at))
-    counter = GapCounter()
-    with Recorder(tmp_path) as recorder:
-        for k, number in enumerate(numbers):
-            counter.feed(7, 1, number)
-            recorder.frames(EPOCH_US + 20_000 * k, [codec.encode("HEARTBEAT", number, 7, 1, type=2, autopilot=12,
-                           base_mode=0, custom_mode=0, system_status=4)])  # fmt: skip
-    recorded = read(tmp_path)
-    assert sum(lost.sum() for lost in recorded.traffic_lost.values()) == counter.lost > 0
-
-
-def test_rates_are_those_that_pandas_counts(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
-
-    frames = [
-        (t_us, frame.sysid) for t_us, frame in tlog_reader.read(recorded.folder / "session.tlog") if frame.sysid == 1
-    ]
-    seconds = pd.Series([(t_us - EPOCH_US) // 1_000_000 for t_us, _ in frames])
-    link = series.links(recorded, tracks)[1]
-    counted = seconds.value_counts().sort_index()
-    assert link.rate_hz.values.tolist() == counted.loc[: len(link.rate_hz.values) - 1].tolist()
-    gaps_s = pd.Series(tracks[1].t_s).diff().max()
-    assert link.longest_silence_s == pytest.approx(gaps_s)
 
 
 @given(st.lists(st.lists(st.booleans(), min_size=2, max_size=2), max_size=60), st.integers(1, 60))
@@ -304,20 +252,6 @@ def test_a_missing_file_costs_what_it_alone_could_tell(tmp_path: Path, gone: str
     assert bool(found.tracks) == (gone != "session.tlog")
     assert bool(found.errors) == (gone == "scenario.yaml")
     assert found.outcome == "No outcome is known"
-
-
-def test_broken_lines_of_decisions_are_counted_and_passed_over(tmp_path: Path) -> None:
-    folder = tmp_path / "session"
-    record(folder)
-    whole = read(folder)
-    path = folder / "decisions.jsonl"
-    lines = path.read_text(encoding="utf-8").splitlines()
-    spaced = json.dumps(json.loads(lines[1]))
-    foreign = ['{"kind":"served","t_s":3}', "no json", '{"t_s":1}', lines[5][:40]]
-    path.write_text("\n".join([lines[0], spaced, *lines[2:], *foreign]), encoding="utf-8")
-    broken = read(folder)
-    assert sorted(broken.set_points.tolist()) == sorted(whole.set_points.tolist())
-    assert "decisions.jsonl has 4 lines that are no decision, cut short or foreign; passed over." in broken.problems
 
 
 def test_what_is_no_session_is_called_so(tmp_path: Path) -> None:

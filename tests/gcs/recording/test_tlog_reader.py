@@ -7,10 +7,8 @@ import struct
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 from pymavlink import mavutil
-from pymavlink.dialects.v10 import common as mavlink1
 from pymavlink.dialects.v20 import ardupilotmega, common
 
 from gcs.mavlink import codec
@@ -70,22 +68,6 @@ def test_what_pymavlink_reads_is_what_is_read(mixed: list[bytes], tmp_path: Path
     assert log.problems == []
 
 
-def test_a_table_holds_every_field_of_every_frame(mixed: list[bytes], tmp_path: Path) -> None:
-    path = tmp_path / "session.tlog"
-    path.write_bytes(b"".join(mixed))
-    (chunk,) = tlog_reader.read(path).chunks()
-    by_name = {name: chunk.table(name) for name in ("ATTITUDE", "STATUSTEXT", "BATTERY_STATUS", "HEARTBEAT")}
-    assert [len(rows) for rows in by_name.values()] == [250] * 4
-    told = {name: iter(rows) for name, rows in by_name.items()}
-    for t_us, frame in tlog_reader.read(path):
-        row, content = next(told[codec.name(frame.msgid)]), codec.fields(frame)
-        assert (row["t_us"], row["sysid"], row["compid"], row["seq"]) == (t_us, frame.sysid, frame.compid, frame.seq)
-        for field, value in content._asdict().items():
-            shown = row[field].decode() if isinstance(value, str) else row[field]
-            assert np.array_equal(shown, value), field
-    assert len(chunk.table("PING")) == 0
-
-
 @pytest.mark.parametrize("chunk_bytes", [576, 601, 1000, 1 << 20])
 def test_the_stretches_in_which_it_is_read_make_no_difference(
     mixed: list[bytes], tmp_path: Path, chunk_bytes: int
@@ -125,18 +107,6 @@ def test_a_damaged_frame_costs_that_frame_only(mixed: list[bytes], tmp_path: Pat
     ]
 
 
-def test_mavlink_1_reads_like_mavlink_2(tmp_path: Path) -> None:
-    path = tmp_path / "old.tlog"
-    path.write_bytes(b"".join(timed(packed(mavlink1, 3, attitudes(20, mavlink1)))))
-    log = tlog_reader.read(path)
-    for k, (t_us, frame) in enumerate(log):
-        content = codec.fields(frame)
-        assert (t_us, frame.sysid, frame.seq, content.time_boot_ms) == (T0_US + STEP_US * k, 3, k, 100 * k)
-        assert codec.split(frame.raw).frames == [frame]
-    assert [len(chunk.table("ATTITUDE")) for chunk in log.chunks()] == [20]
-    assert not log.problems
-
-
 def test_signed_frames_and_foreign_dialects_are_handed_out_whole(tmp_path: Path) -> None:
     signer = common.MAVLink(io.BytesIO(), 9, 1)
     signer.signing.secret_key, signer.signing.sign_outgoing = b"k" * 32, True
@@ -173,11 +143,6 @@ def test_a_file_that_is_no_recording_is_called_so(content: bytes, said: str, tmp
     log = tlog_reader.read(path)
     assert list(log) == []
     assert log.problems == [said]
-
-
-def test_a_missing_file_is_the_systems_error(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError):
-        tlog_reader.read(tmp_path / "none.tlog")
 
 
 def test_an_unknown_message_has_no_table(mixed: list[bytes], tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ def read(path: Path) -> tuple[Times, list[str]]:
     kinds=st.lists(st.sampled_from(list(KINDS)), min_size=1, max_size=3),
     begin_s=st.floats(1.0, 4e6),
 )
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=20, deadline=None)
 def test_stamps_at_an_even_wrong_rate_are_not_believed(
     tmp_path_factory: pytest.TempPathFactory, rate: float, kinds: list[str], begin_s: float
 ) -> None:
@@ -95,19 +95,6 @@ def test_stamps_at_an_even_wrong_rate_are_not_believed(
     how = "fast" if rate > 1.0 else "slowly"
     assert f"times as {how} as the vehicles' own clocks; it has the times of these" in problem
     assert float(problem.split("its stamps pass ")[1].split()[0]) == pytest.approx(times, rel=0.02)
-
-
-@given(rate=st.floats(0.85, 1.18), kinds=st.lists(st.sampled_from(list(KINDS)), min_size=1, max_size=3))
-@settings(max_examples=30, deadline=None)
-def test_a_rate_within_drift_is_believed(
-    tmp_path_factory: pytest.TempPathFactory, rate: float, kinds: list[str]
-) -> None:
-    path = tmp_path_factory.mktemp("log") / "flight.tlog"
-    flights = [flight(number + 1, kind) for number, kind in enumerate(kinds)]
-    came_us = recorded(path, *flights, stamps=lambda came_us: rate * came_us)
-    times_us, problems = read(path)
-    assert np.abs(times_us - rate * came_us).max() <= 1
-    assert not problems
 
 
 BELIEVED: dict[str, tuple[Any, Any]] = {

@@ -104,40 +104,6 @@ def test_the_session_is_told_anew_when_somebody_joins(observer: Observer) -> Non
         "colour": 6}  # fmt: skip
 
 
-def test_vehicles_with_origins_of_their_own_stand_in_the_first_ones_frame(observer: Observer) -> None:
-    for sysid, (n, e, d) in ((1, (0.0, 0.0, 0.0)), (2, (30.0, -20.0, -5.0))):
-        observer.receive(beat(sysid), 0.0)
-        observer.receive(placed("GPS_GLOBAL_ORIGIN", n, e, d, sysid), 0.0)
-        observer.receive(local(1.0, 2.0, -3.0, sysid), 0.1)
-    found = rows(observer, 0.1)
-    assert found[1]["p_ned"] == pytest.approx((1.0, 2.0, -3.0), abs=0.02)
-    assert found[2]["p_ned"] == pytest.approx((31.0, -18.0, -8.0), abs=0.02)
-
-
-def test_px4s_home_stands_for_an_origin_that_is_not_told(observer: Observer) -> None:
-    """Home lies at (4, 5, 0) of the local frame and at (10, 10, 0) of the test's: the origin at (6, 5, 0)."""
-    observer.receive(beat(1), 0.0)
-    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
-    observer.receive(beat(2), 0.0)
-    observer.receive(placed("HOME_POSITION", 10.0, 10.0, 0.0, 2, x=4.0, y=5.0, z=0.0), 0.0)
-    observer.receive(local(1.0, 1.0, -2.0, 2), 0.1)
-    assert rows(observer, 0.1)[2]["p_ned"] == pytest.approx((7.0, 6.0, -2.0), abs=0.02)
-
-
-def test_a_global_position_beside_a_local_one_gives_the_origin_of_an_autopilot_that_tells_none(
-    observer: Observer,
-) -> None:
-    observer.receive(beat(1), 0.0)
-    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0, 1), 0.0)
-    observer.receive(beat(2, autopilot=ARDUPILOT, mode=4), 0.0)
-    observer.receive(placed("HOME_POSITION", 50.0, 50.0, 0.0, 2), 0.0)  # ArduPilot's x, y, z say nothing
-    observer.receive(local(1.0, 2.0, -3.0, 2), 0.1)
-    assert rows(observer, 0.1)[2]["p_ned"] is None
-    observer.receive(placed("GLOBAL_POSITION_INT", 11.05, 22.0, -33.0, 2, vx=50), 0.2)
-    observer.receive(local(1.1, 2.0, -3.0, 2), 0.3)
-    assert rows(observer, 0.3)[2]["p_ned"] == pytest.approx((11.1, 22.0, -33.0), abs=0.02)
-
-
 def test_a_vehicle_that_tells_only_global_positions_has_a_place_and_a_speed(observer: Observer) -> None:
     observer.receive(beat(5, autopilot=ARDUPILOT, mode=3, armed=True, status=4), 0.0)
     observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -10.0, 5, relative_alt=10_000), 0.5)
@@ -273,27 +239,6 @@ def test_an_attitude_of_another_boot_makes_the_place_uncertain_until_the_frame_i
     assert (row["trouble"], row["p_ned"]) == ([], pytest.approx((31.0, 0.0, 0.0), abs=0.02))
 
 
-def test_a_position_is_as_old_as_its_coming_whatever_the_vehicles_own_clock_says(observer: Observer) -> None:
-    """It booted an hour ago, then again: its clock jumps back, and it is still heard."""
-    observer.receive(beat(1), 0.0)
-    observer.receive(placed("GPS_GLOBAL_ORIGIN", 0.0, 0.0, 0.0), 0.0)
-    observer.receive(local(1.0, 0.0, 0.0, t_ms=3_600_000), 10.0)
-    assert rows(observer, 10.5)[1]["age_s"] == pytest.approx(0.5)
-    observer.receive(local(2.0, 0.0, 0.0, t_ms=1_000), 20.0)
-    row = rows(observer, 20.25)[1]
-    assert (row["p_ned"][0], row["age_s"]) == (pytest.approx(2.0, abs=0.02), pytest.approx(0.25))
-
-
-@pytest.mark.parametrize(
-    ("autopilot", "mode", "name"),
-    [(PX4, 4 << 16 | 4 << 24, "mission"), (PX4, 3 << 16, "position"), (PX4, 6 << 16, "offboard"),
-     (ARDUPILOT, 3, "mission"), (ARDUPILOT, 16, "position hold"), (ARDUPILOT, 6, "return"), (ARDUPILOT, 99, "mode 99")],
-)  # fmt: skip
-def test_modes_have_names_that_a_person_reads(observer: Observer, autopilot: int, mode: int, name: str) -> None:
-    observer.receive(beat(1, autopilot=autopilot, mode=mode), 0.0)
-    assert rows(observer, 0.0)[1]["mode"] == name
-
-
 def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands(observer: Observer) -> None:
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=3, armed=True), 0.0)
     rows(observer, 0.0)
@@ -331,15 +276,6 @@ def test_without_a_word_about_landing_the_system_status_tells(observer: Observer
         assert rows(observer, 0.0)[1]["landed"] is landed
     observer.receive(frame("EXTENDED_SYS_STATE", landed_state=mav.MAV_LANDED_STATE_ON_GROUND), 0.1)
     assert rows(observer, 0.1)[1]["landed"] is True
-
-
-def test_lost_frames_are_counted_by_their_numbers(observer: Observer) -> None:
-    _SEQ[1, 1] = 250
-    observer.receive(beat(1), 0.0)
-    _SEQ[1, 1] = (_SEQ[1, 1] + 3) % 256
-    observer.receive(beat(1), 1.0)
-    row = rows(observer, 1.0)[1]
-    assert (row["lost"], row["lost_share"]) == (3, pytest.approx(3 / 5))
 
 
 def test_where_a_vehicle_flies_to_is_its_target_or_what_it_was_sent(observer: Observer) -> None:

@@ -25,18 +25,6 @@ class Written:
         """Nothing runs."""
 
 
-def test_all_of_the_sessions_own_are_to_answer_on_its_link_and_have_its_secret(tmp_path: Path) -> None:
-    (tmp_path / "vehicles").mkdir()
-    server = Written()
-    own = OwnVehicles(load(find("demo")), tmp_path, server=cast(ForkServer, server))
-    assert {sysid for order in own.orders for sysid in order.sysids} == {sysid for sysid, _ in own.keys}
-    assert len(server.orders) == len(own.orders) == 8
-    assert {order["secret"] for order in server.orders} == {own.link.secret}
-    given = {argument for order in server.orders for argument in order["argv"] if argument.startswith("udpout:")}
-    assert given == {f"udpout:127.0.0.1:{own.link.port}"}
-    own.link.close()
-
-
 def test_a_file_of_all_vehicles_is_there_whole_or_not_at_all(tmp_path: Path) -> None:
     """A directory stands where the file is written at first, as a full disk would refuse it."""
     scenario = load(find("demo"), set={"vehicles.pursuers.*.plant": "rotors"})

@@ -103,25 +103,6 @@ def test_a_service_under_way_is_shown_with_its_reason(session: Outcome, replay: 
     assert any(event["kind"] == "decision" for event in snapshot["events"])
 
 
-def test_the_competition_is_the_recorded_one(session: Outcome, replay: Replay) -> None:
-    recorded = [record for record in session.decisions if record["kind"] == "competition"][-1]
-    replay.advance(recorded["t_s"], math.inf)
-    competition = replay.snapshot(speed=1.0)["competition"]
-    assert (competition["v"], competition["leader"]) == (recorded["v"], recorded["leader"])
-
-
-def test_the_scenario_gives_obstacles_roles_and_paths(replay: Replay) -> None:
-    line = replay.session()
-    assert (line["source"], line["clock"], line["control"]) == ("replay", "replay", False)
-    assert [obstacle["name"] for obstacle in line["obstacles"]] == ["buoy"]
-    assert {v["sysid"]: v["role"] for v in line["vehicles"]} == {
-        1: "pursuer",
-        2: "pursuer",
-        101: "target",
-        201: "tanker",
-    }
-
-
 @pytest.mark.parametrize("t_s", [0.0, 7.3, 24.0, 45.0])
 def test_seeking_shows_what_playing_there_shows(session: Outcome, t_s: float) -> None:
     """Blocks much smaller than the log, so that what was known comes from the index and not from playing it all."""

@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import json
 import lzma
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from metadata_vehicle import GENERAL, OUT, MetadataVehicle, crc32
+from dialogue import converse
+from metadata_vehicle import GENERAL, MetadataVehicle, crc32
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.cli import parameter_meanings
-from gcs.mavlink import codec
 from gcs.mavlink.metadata.client import EVENTS, PARAMETER, MetadataClient, MetadataRefused
 
 ROWS = [
@@ -23,15 +24,8 @@ PARAMETERS = json.dumps({"version": 3, "parameters": ROWS}).encode()
 
 
 def read(vehicle: MetadataVehicle | None, *wanted: int) -> MetadataClient:
-    client, now_s = MetadataClient(3, 1, wanted or None), 0.0
-    while not client.done:
-        assert now_s < 60.0
-        for message in client.poll(now_s):
-            (heard,) = OUT.parse_buffer(codec.frame(message, 0, 255, 190)) or []
-            for answer in vehicle.hear(heard) if vehicle else ():
-                (frame,) = codec.split(bytes(answer.pack(OUT))).frames
-                client.receive(codec.name(frame.msgid), codec.fields(frame), now_s)
-        now_s += 0.05
+    client = MetadataClient(3, 1, wanted or None)
+    converse(client, vehicle or SimpleNamespace(hear=lambda _: []))
     return client
 
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import newer
 import pytest
-from metadata_vehicle import OUT, MetadataVehicle, crc32
+from dialogue import heard, received
+from metadata_vehicle import MetadataVehicle, crc32
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink import codec
 from gcs.mavlink.metadata.event_stream import EventStream
 from gcs.mavlink.metadata.event_words import EventDefinitions
 from gcs.mavlink.metadata.reported_events import ReportedEvents
@@ -64,11 +64,6 @@ def event(sequence: int, number: int, arguments: bytes = b"", *, level: int = 6,
     return newer.dialect.MAVLink_event_message(0, 0, 1 << 24 | number, time_ms, sequence, level, packed)
 
 
-def received(message: Any) -> tuple[str, Any]:
-    (frame,) = codec.split(bytes(message.pack(OUT))).frames
-    return codec.name(frame.msgid), codec.fields(frame)
-
-
 def number(sequence: int, flags: int = 0) -> tuple[str, Any]:
     return received(newer.dialect.MAVLink_current_event_sequence_message(sequence, flags))
 
@@ -108,7 +103,7 @@ def test_every_event_comes_once_and_in_order_whatever_the_link_loses(first: int,
         if step >= len(order) and step % 20 == 0:
             came += [one.sequence for one in stream.receive(*number(order[-1]))]
         for message in stream.poll(now_s):
-            (asked,) = OUT.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+            asked = heard(message)
             assert (asked.target_system, asked.first_sequence) == (3, asked.last_sequence)
             if chance.random() >= lose and asked.first_sequence in order[: step + 1]:
                 came += [one.sequence for one in stream.receive(*received(sent[asked.first_sequence]))]
@@ -156,7 +151,7 @@ def test_texts_are_said_once_the_vehicles_own_metadata_has_come() -> None:
             said += reported.receive(*received(answer), now_s)
         waiting = []
         for message in reported.poll(now_s):
-            (asked,) = OUT.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+            asked = heard(message)
             waiting += vehicle.hear(asked)
     denied = "Arming denied: resolve system health failures first; Battery 2 unhealthy"
     assert said == [(2, denied), (6, "Armed by RC stick")]

@@ -108,7 +108,7 @@ def test_each_vehicle_gets_its_lines_those_of_all_and_those_of_the_only_one() ->
 FORMS = dict(zip(range(1, 11), "BbHhIiQqfd", strict=True))
 
 
-@settings(derandomize=True, deadline=None, max_examples=300, database=None)
+@settings(derandomize=True, deadline=None, max_examples=60, database=None)
 @given(st.sampled_from(sorted(FORMS)), st.binary(min_size=8, max_size=8), st.integers(1, 255), st.integers(1, 255))
 def test_every_value_of_every_type_is_read_as_it_was_saved(kind: int, raw: bytes, sysid: int, compid: int) -> None:
     form = "<" + FORMS[kind]

@@ -12,20 +12,11 @@ from gcs.mavlink.parameters.renames import unknown_name
 @pytest.mark.parametrize(
     ("old", "now", "scale"),
     [
-        ("WPNAV_SPEED", "WP_SPD", 0.01),
         ("WPNAV_ACCEL_C", "WP_ACC_CNR", 0.01),
-        ("RTL_ALT", "RTL_ALT_M", 0.01),
-        ("LOIT_BRK_JERK", "LOIT_BRK_JRK_M", 0.01),
-        ("ATC_SLEW_YAW", "ATC_RATE_WPY_MAX", 0.01),
-        ("ANGLE_MAX", "ATC_ANGLE_MAX", 0.01),
         ("PSC_ACCZ_P", "PSC_D_ACC_P", 0.1),
         ("PSC_ACCZ_IMAX", "PSC_D_ACC_IMAX", 0.001),
-        ("PSC_VELXY_IMAX", "PSC_NE_VEL_IMAX", 0.01),
-        ("PSC_VELXY_P", "PSC_NE_VEL_P", 1.0),
-        ("SYSID_MYGCS", "MAV_GCS_SYSID", 1.0),
         ("SYSID_THISMAV", "MAV_SYSID", 1.0),
         ("SR0_EXT_STAT", "MAV1_EXT_STAT", 1.0),
-        ("GPS_TYPE", "GPS1_TYPE", 1.0),
     ],
 )
 def test_arducopters_updates(old: str, now: str, scale: float) -> None:

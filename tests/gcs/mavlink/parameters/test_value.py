@@ -32,7 +32,7 @@ INTEGERS = [kind for kind in FORMS if kind < 9]
 NARROW = [kind for kind in FORMS if struct.calcsize(FORMS[kind]) <= 4]
 WHOLE = [0, 1, -1, *(sign * (2**24 + d) for sign in (1, -1) for d in (-1, 0, 1))]
 REALS = [0.0, -0.0, 1e-45, -1e-45, 1.17549435e-38, 3.4028234663852886e38, math.inf, -math.inf, math.nan, 0.1, -12.5]
-MANY = settings(derandomize=True, deadline=None, max_examples=500, database=None)
+MANY = settings(derandomize=True, deadline=None, max_examples=200, database=None)
 
 
 def limits(kind: int) -> list[int | float]:
@@ -47,9 +47,6 @@ def limits(kind: int) -> list[int | float]:
 
 def bits(number: int | float, kind: int) -> bytes:
     return struct.pack("<" + FORMS[kind], number)
-
-
-CASES = [(kind, number) for kind in FORMS for number in limits(kind)]
 
 
 def over_the_wire(name: str, wire: float, kind: int) -> float:
@@ -71,34 +68,22 @@ def test_the_types_are_all_of_the_dialects() -> None:
     assert names.keys() == FORMS.keys()
 
 
-@pytest.mark.parametrize(("kind", "number"), [case for case in CASES if case[0] in NARROW])
+@pytest.mark.parametrize("kind", NARROW)
 @pytest.mark.parametrize("name", ["PARAM_SET", "PARAM_VALUE"])
-def test_bytewise_every_value_is_its_own_bytes(name: str, kind: int, number: int | float) -> None:
-    wire = to_wire(typed(number, kind), bytewise=True)
-    assert wire.raw == bits(number, kind).ljust(4, b"\0")
-    back = from_wire(over_the_wire(name, wire, kind), kind, bytewise=True)
-    assert bits(back.number, kind) == bits(number, kind)
-    assert type(back.number) is (int if kind in INTEGERS else float)
+def test_bytewise_every_value_is_its_own_bytes(name: str, kind: int) -> None:
+    for number in limits(kind):
+        wire = to_wire(typed(number, kind), bytewise=True)
+        assert wire.raw == bits(number, kind).ljust(4, b"\0")
+        back = from_wire(over_the_wire(name, wire, kind), kind, bytewise=True)
+        assert bits(back.number, kind) == bits(number, kind)
+        assert type(back.number) is (int if kind in INTEGERS else float)
 
 
-@MANY
-@given(st.sampled_from(NARROW), st.binary(min_size=4, max_size=4))
-def test_bytewise_no_pattern_of_bits_is_lost_between_frames(kind: int, raw: bytes) -> None:
-    value = from_wire(over_the_wire("PARAM_VALUE", WireFloat(raw), kind), kind, bytewise=True)
-    size = struct.calcsize(FORMS[kind])
-    assert value.number == struct.unpack("<" + FORMS[kind], raw[:size])[0] or math.isnan(value.number)
-    if kind in INTEGERS:
-        assert over_the_wire("PARAM_SET", to_wire(value, bytewise=True), kind) is not None
-        assert to_wire(value, bytewise=True).raw == raw[:size].ljust(4, b"\0")
-
-
-@pytest.mark.parametrize("raw", [bytes.fromhex(text) for text in ("010080ff", "ffffbfff", "0100807f", "ffffff7f")])
-def test_bytewise_an_integer_that_looks_like_a_nan_keeps_its_bits(raw: bytes) -> None:
-    frame = codec.encode("PARAM_VALUE", 0, 1, 1, param_id="P", param_value=WireFloat(raw), param_type=6,
-                         param_count=1, param_index=0)  # fmt: skip
-    assert frame[10:14] == raw
-    content = codec.fields(codec.split(frame).frames[0])
-    assert from_wire(content.param_value, 6, bytewise=True).number == struct.unpack("<i", raw)[0]
+@pytest.mark.parametrize("text", ["010080ff", "ffffbfff", "0100807f", "ffffff7f"])
+def test_bytewise_an_integer_that_looks_like_a_nan_keeps_its_bits(text: str) -> None:
+    raw = bytes.fromhex(text)
+    wire = over_the_wire("PARAM_VALUE", WireFloat(raw), 6)
+    assert from_wire(wire, 6, bytewise=True).number == struct.unpack("<i", raw)[0]
 
 
 @pytest.mark.parametrize("kind", [7, 8, 10])
@@ -108,24 +93,19 @@ def test_bytewise_no_type_of_64_bits_is_read_or_sent(kind: int) -> None:
             call()
 
 
-@pytest.mark.parametrize(("kind", "number"), CASES)
-def test_cast_a_whole_number_arrives_as_it_is_or_is_refused(kind: int, number: int | float) -> None:
-    with np.errstate(over="ignore"):
-        cast = float(np.float32(number))
-    if kind in INTEGERS and cast != number:
-        with pytest.raises(ValueError, match=f"{number} cannot be sent: .* floats, and {cast:.0f} is next"):
-            carried(number, kind, bytewise=False)
-        return
-    value = carried(number, kind, bytewise=False)
-    assert struct.pack("<d", value.number) == struct.pack("<d", cast)
-    assert type(value.number) is (int if kind in INTEGERS else float)
-    assert to_wire(value, bytewise=False).raw == struct.pack("<f", cast)
-
-
-@pytest.mark.parametrize("kind", INTEGERS)
-def test_cast_a_types_greatest_number_reads_as_itself(kind: int) -> None:
-    for number in (limits(kind)[0], limits(kind)[-1]):
-        assert from_wire(float(np.float32(number)), kind, bytewise=False) == (number, kind)
+@pytest.mark.parametrize("kind", FORMS)
+def test_cast_a_whole_number_arrives_as_it_is_or_is_refused(kind: int) -> None:
+    for number in limits(kind):
+        with np.errstate(over="ignore"):
+            cast = float(np.float32(number))
+        if kind in INTEGERS and cast != number:
+            with pytest.raises(ValueError, match=f"{number} cannot be sent: .* floats, and {cast:.0f} is next"):
+                carried(number, kind, bytewise=False)
+            continue
+        value = carried(number, kind, bytewise=False)
+        assert struct.pack("<d", value.number) == struct.pack("<d", cast)
+        assert type(value.number) is (int if kind in INTEGERS else float)
+        assert to_wire(value, bytewise=False).raw == struct.pack("<f", cast)
 
 
 def test_cast_what_is_no_integer_is_shown_as_the_vehicle_says_it() -> None:
@@ -140,13 +120,15 @@ def test_a_type_that_is_none_is_named(kind: int, bytewise: bool) -> None:
         from_wire(1.0, kind, bytewise=bytewise)
 
 
-@pytest.mark.parametrize(("kind", "number"), CASES)
-def test_text_and_json_read_as_the_same_bits(kind: int, number: int | float) -> None:
-    value = typed(number, kind)
-    assert bits(typed(parsed(value.text), kind).number, kind) == bits(value.number, kind)
-    told = json.loads(json.dumps(value.json, allow_nan=False))
-    assert bits(typed(parsed(told) if isinstance(told, str) else told, kind).number, kind) == bits(value.number, kind)
-    assert type(told) is (int if kind in INTEGERS else float if math.isfinite(number) else str)
+@pytest.mark.parametrize("kind", FORMS)
+def test_text_and_json_read_as_the_same_bits(kind: int) -> None:
+    for number in limits(kind):
+        value = typed(number, kind)
+        assert bits(typed(parsed(value.text), kind).number, kind) == bits(value.number, kind)
+        told = json.loads(json.dumps(value.json, allow_nan=False))
+        back = typed(parsed(told) if isinstance(told, str) else told, kind)
+        assert bits(back.number, kind) == bits(value.number, kind)
+        assert type(told) is (int if kind in INTEGERS else float if math.isfinite(number) else str)
 
 
 @MANY
@@ -168,18 +150,9 @@ def test_what_a_type_cannot_hold_is_refused_in_words(kind: int) -> None:
     for number in (least - 1, most + 1, 1e300):
         with pytest.raises(ValueError, match=f"does not fit its type, {TYPE_NAMES[kind]}"):
             typed(number, kind)
-    for number in (0.5, -1e-9):
+    for number in (0.5, -1e-9, math.nan, math.inf):
         with pytest.raises(ValueError, match=f"is no whole number, and its type is {TYPE_NAMES[kind]}"):
             typed(number, kind)
-    for number in (math.nan, math.inf):
-        with pytest.raises(ValueError, match="is no whole number"):
-            typed(number, kind)
-
-
-def test_a_single_is_not_beyond_the_greatest() -> None:
-    for number in (3.5e38, 10**39, -(10**400)):
-        with pytest.raises(ValueError, match="does not fit its type, REAL32"):
-            typed(number, 9)
 
 
 def test_numbers_are_compared_exactly_whatever_their_types() -> None:

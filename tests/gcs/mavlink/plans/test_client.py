@@ -4,9 +4,9 @@ import random
 from typing import Any
 
 import pytest
+from dialogue import converse, deliver, exchange
 from pymavlink.dialects.v20 import common as mav
 
-from gcs.mavlink import codec
 from gcs.mavlink.plans.client import WRITES, PlanClient
 from gcs.mavlink.plans.habits import PlanHabits
 from gcs.mavlink.plans.items import PlanItem
@@ -38,13 +38,11 @@ class Vehicle:
         """what every radius becomes"""
         self.asked: list[str] = []
         self.random = random.Random(11)
-        self.out = mav.MAVLink(None, srcSystem=3, srcComponent=1)
         self._expected = 0
         self._coming: list[PlanItem] | None = None
-        self._again_s = 0.0
+        self._again_s = self._now_s = 0.0
 
-    def hear(self, message: codec.Message, now_s: float) -> list[Any]:
-        (m,) = self.out.parse_buffer(codec.frame(message, 0, 255, 190)) or []
+    def hear(self, m: Any) -> list[Any]:
         assert m.mission_type == self.kind
         assert (m.target_system, m.target_component) == (3, 1)
         self.asked.append(m.get_type())
@@ -74,50 +72,49 @@ class Vehicle:
                 return [mav.MAVLink_mission_ack_message(255, 190, mav.MAV_MISSION_ACCEPTED, self.kind)]
             case "MISSION_COUNT":
                 self._expected, self._coming = m.count, []
-                return self._ask(now_s)
+                return self._ask()
             case "MISSION_ITEM_INT" if self._coming is not None and m.seq == len(self._coming):
                 self._coming.append(PlanItem(**{field: getattr(m, field) for field in PlanItem._fields}))
                 if len(self._coming) < self._expected:
-                    return self._ask(now_s)
+                    return self._ask()
                 self.plan, self._coming = self._coming, None
                 return [mav.MAVLink_mission_ack_message(255, 190, mav.MAV_MISSION_ACCEPTED, self.kind)]
         return []
 
     def tick(self, now_s: float) -> list[Any]:
-        return self._ask(now_s) if self._coming is not None and now_s >= self._again_s else []
+        self._now_s = now_s
+        return self._ask() if self._coming is not None and now_s >= self._again_s else []
 
-    def _ask(self, now_s: float) -> list[Any]:
+    def _ask(self) -> list[Any]:
         assert self._coming is not None
-        self._again_s = now_s + 1.0
+        self._again_s = self._now_s + 1.0
         return [mav.MAVLink_mission_request_message(255, 190, len(self._coming), self.kind)]
 
 
-def converse(client: PlanClient, vehicle: Vehicle, within_s: float = 200.0) -> float:
-    now_s = 0.0
-    while not client.done:
-        assert now_s < within_s
-        answers = vehicle.tick(now_s)
-        for message in client.poll(now_s):
-            if vehicle.random.random() >= vehicle.lose:
-                answers += vehicle.hear(message, now_s)
-        for answer in answers:
-            if vehicle.random.random() >= vehicle.lose:
-                (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-                client.receive(answer.get_type(), codec.fields(frame), now_s)
-        now_s += 0.1
-    return now_s
-
-
-@pytest.mark.parametrize("lose", [0.0, 0.1, 0.25])
-@pytest.mark.parametrize("before", [[], PLAN[:3], [*PLAN[:6], PLAN[0]], [*PLAN, *PLAN]])
-def test_a_plan_is_written_and_read_back_whatever_the_link_loses(lose: float, before: list[PlanItem]) -> None:
-    client, vehicle = PlanClient(3, 1, FENCE, PLAN), Vehicle(lose, before)
+@pytest.mark.parametrize("lose", [0.0, 0.25])
+@pytest.mark.parametrize(
+    ("kind", "plan", "before"),
+    [
+        (FENCE, PLAN, []),
+        (FENCE, PLAN, [*PLAN[:6], PLAN[0]]),
+        (FENCE, PLAN, [*PLAN, *PLAN]),
+        (MISSION, ROUTE, ROUTE[:3]),
+        (MISSION, ROUTE, PLAN),
+    ],
+)
+def test_a_plan_is_written_and_read_back_whatever_the_link_loses(
+    lose: float, kind: int, plan: list[PlanItem], before: list[PlanItem]
+) -> None:
+    client, vehicle = PlanClient(3, 1, kind, plan), Vehicle(lose, before, kind)
     took_s = converse(client, vehicle)
-    assert (client.outcome, vehicle.plan) == ("uploaded", PLAN)
+    assert (client.outcome, client.lost, vehicle.plan) == ("uploaded", [], plan)
     if not lose:
         assert took_s < 5.0
         assert vehicle.asked.count("MISSION_COUNT") == 1
         assert vehicle.asked[-1] == "MISSION_ACK"
+    again = PlanClient(3, 1, kind, None)
+    converse(again, vehicle)
+    assert (again.outcome, again.compare(plan)) == ("read", [])
 
 
 def test_a_plan_that_is_there_is_not_written_and_rounding_is_no_difference() -> None:
@@ -165,17 +162,6 @@ def test_silence_is_no_answer() -> None:
     assert (client.outcome, client.why) == ("silent", "no answer, though it was asked 6 times")
 
 
-@pytest.mark.parametrize("lose", [0.0, 0.25])
-@pytest.mark.parametrize("before", [[], ROUTE[:3], PLAN])
-def test_a_whole_mission_is_written_and_read_back(lose: float, before: list[PlanItem]) -> None:
-    client, vehicle = PlanClient(3, 1, MISSION, ROUTE), Vehicle(lose, before, MISSION)
-    converse(client, vehicle)
-    assert (client.outcome, client.lost, vehicle.plan) == ("uploaded", [], ROUTE)
-    again = PlanClient(3, 1, MISSION, None)
-    converse(again, vehicle)
-    assert (again.outcome, again.found, again.compare(ROUTE)) == ("read", tuple(ROUTE), [])
-
-
 @pytest.mark.parametrize("field", PlanItem._fields[2:-1])
 def test_each_number_of_an_item_that_reads_otherwise_is_named(field: str) -> None:
     other = [item._replace(**{field: 1 - getattr(item, field)}) if i == 4 else item for i, item in enumerate(ROUTE)]
@@ -188,15 +174,13 @@ def test_each_number_of_an_item_that_reads_otherwise_is_named(field: str) -> Non
     assert names.get(field, "") in difference.text
 
 
-@pytest.mark.parametrize("lose", [0.0, 0.25])
-def test_a_plan_without_items_is_cleared(lose: float) -> None:
-    client, vehicle = PlanClient(3, 1, MISSION, []), Vehicle(lose, ROUTE, MISSION)
-    converse(client, vehicle)
-    assert (client.outcome, vehicle.plan) == ("uploaded", [])
+def test_a_plan_without_items_is_cleared() -> None:
+    vehicle = Vehicle(0.25, ROUTE, MISSION)
+    for outcome in ("uploaded", "kept"):
+        client = PlanClient(3, 1, MISSION, [])
+        converse(client, vehicle)
+        assert (client.outcome, vehicle.plan) == (outcome, [])
     assert "MISSION_COUNT" not in vehicle.asked
-    again = PlanClient(3, 1, MISSION, [])
-    converse(again, vehicle)
-    assert again.outcome == "kept"
 
 
 def test_home_before_a_mission_is_the_vehicles_own() -> None:
@@ -241,17 +225,12 @@ def test_a_plan_that_another_station_puts_in_meanwhile_is_read_from_its_beginnin
     vehicle, client = Vehicle(plan=ROUTE, kind=MISSION), PlanClient(3, 1, MISSION, None)
     newer = [item._replace(z=50.0) for item in ROUTE[:7]]
 
-    def told(answer: Any, now_s: float) -> None:
-        (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-        client.receive(answer.get_type(), codec.fields(frame), now_s)
-
     for step in range(60):
-        for message in client.poll(step / 10.0):
-            for answer in vehicle.hear(message, step / 10.0):
-                told(answer, step / 10.0)
+        exchange(client, vehicle, step / 10.0)
         if step == 5:
             vehicle.plan = newer
-            told(mav.MAVLink_mission_ack_message(*OTHER_STATION, mav.MAV_MISSION_ACCEPTED, MISSION), step / 10.0)
+            ack = mav.MAVLink_mission_ack_message(*OTHER_STATION, mav.MAV_MISSION_ACCEPTED, MISSION)
+            deliver(client, ack, now_s=step / 10.0)
     assert client.found == tuple(newer)
 
 
@@ -259,11 +238,8 @@ def test_a_refused_item_is_named() -> None:
     client, vehicle = PlanClient(3, 1, MISSION, ROUTE, first=1), Vehicle(kind=MISSION)
     now_s = 0.0
     while not client.done:
-        for message in client.poll(now_s):
-            if codec.name(message.msgid) == "MISSION_ITEM_INT" and vehicle.asked.count("MISSION_ITEM_INT") == 3:
-                vehicle.answer_with = mav.MAV_MISSION_INVALID_PARAM4
-            for answer in vehicle.hear(message, now_s):
-                (frame,) = codec.split(bytes(answer.pack(vehicle.out))).frames
-                client.receive(answer.get_type(), codec.fields(frame), now_s)
+        if vehicle.asked.count("MISSION_ITEM_INT") == 3:
+            vehicle.answer_with = mav.MAV_MISSION_INVALID_PARAM4
+        exchange(client, vehicle, now_s)
         now_s += 0.1
     assert (client.outcome, client.why) == ("refused", "it answered MAV_MISSION_INVALID_PARAM4 to item 4, NAV_WAYPOINT")

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from gcs.mavlink.autopilots import ARDUCOPTER, ARDUPLANE, PX4
+from gcs.mavlink.autopilots import ARDUCOPTER, PX4
 from gcs.mavlink.plans import habits
 from gcs.mavlink.plans.habits import PlanHabits
 from gcs.mavlink.plans.items import FENCE, MISSION, RALLY, PlanItem, as_sent, differences, wire_items
@@ -126,14 +126,6 @@ def test_only_a_parameter_without_use_that_reads_as_none_is_lost() -> None:
     landing = PlanItem(mav.MAV_CMD_NAV_LAND, 3, 0.0, 1, 2, 0.0)
     assert differences(MISSION, landing, landing._replace(param4=1.0), habits.ARDUPILOT) == []
     assert len(differences(MISSION, landing, landing._replace(param4=1.0), PlanHabits())) == 1
-
-
-def test_each_autopilot_has_its_habits() -> None:
-    assert (ARDUCOPTER.plans, ARDUPLANE.plans, PX4.plans) == (
-        habits.ARDUPILOT,
-        habits.ARDUPLANE,
-        habits.PX4,
-    )
 
 
 def test_a_px4_is_not_given_what_it_may_refuse() -> None:

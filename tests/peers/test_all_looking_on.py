@@ -1,4 +1,4 @@
-"""A mission over each kind of link while MAVSDK, MAVProxy and pymavlink look on together, and one of them lands one."""
+"""A mission over TCP or radios while MAVSDK, MAVProxy and pymavlink look on together, and one of them lands one."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lanes import lanes, start
 from onlookers import PymavlinkStation, mavproxy, mavsdk, pymavlink_station
 from ports import free_port
 from pymavlink.dialects.v20 import common as mav
-from radios import Cable, Router, Tcp
+from radios import Cable, Tcp
 from sessions import Outcome, Running
 
 FLEET = (1, 2, 3)
@@ -50,21 +50,7 @@ def serial(stack: contextlib.ExitStack, folder: Path) -> Fleet:
     return Fleet({1: at[0], 2: at[0], 3: at[1]}, {1: spoken_to(shared), 2: spoken_to(shared), 3: spoken_to(own)})
 
 
-def router(stack: contextlib.ExitStack, _: Path) -> Fleet:
-    """All come from one port, to one port."""
-    port = free_port()
-    one = stack.enter_context(Router(("127.0.0.1", port)))
-    return Fleet(dict.fromkeys(FLEET, f"udpin:127.0.0.1:{port}"), dict.fromkeys(FLEET, spoken_to(one)))
-
-
-def ipv6(*_: object) -> Fleet:
-    """Two speak to the session, one waits to be spoken to; nothing stands between."""
-    port, listens = free_port("::1"), free_port("::1")
-    connects = {1: f"udpin:[::1]:{port}", 2: f"udpin:[::1]:{port}", 3: f"udpout:[::1]:{listens}"}
-    return Fleet(connects, {1: f"udpout:[::1]:{port}", 2: f"udpout:[::1]:{port}", 3: f"udpin:[::1]:{listens}"})
-
-
-def spoken_to(way: Cable | Router | Tcp) -> str:
+def spoken_to(way: Cable | Tcp) -> str:
     return f"udpout:127.0.0.1:{way.port}"
 
 
@@ -100,10 +86,6 @@ def by_mavproxy(onlookers: Onlookers, sysid: int) -> None:
     talk.hear("DISARMED")
 
 
-def by_pymavlink(onlookers: Onlookers, sysid: int) -> None:
-    onlookers.station.lands = sysid
-
-
 class Lander(NamedTuple):
     """One of who looks on: how it lands a vehicle, and its ids."""
 
@@ -113,7 +95,6 @@ class Lander(NamedTuple):
 
 MAVSDK = Lander(by_mavsdk, "245/190")
 MAVPROXY = Lander(by_mavproxy, "255/230")
-PYMAVLINK = Lander(by_pymavlink, "255/190")
 
 
 def mission(fleet: Fleet, landed: int) -> dict[str, Any]:
@@ -124,11 +105,7 @@ def mission(fleet: Fleet, landed: int) -> dict[str, Any]:
     return said
 
 
-@pytest.mark.parametrize(
-    ("link", "lander", "landed"),
-    [(tcp, MAVSDK, 1), (serial, MAVPROXY, 2), (router, PYMAVLINK, 3), (ipv6, MAVSDK, 3)],
-    ids=["tcp", "serial", "router", "ipv6"],
-)
+@pytest.mark.parametrize(("link", "lander", "landed"), [(tcp, MAVSDK, 1), (serial, MAVPROXY, 2)], ids=["tcp", "serial"])
 def test_all_look_on_and_one_lands_one_while_the_others_fly_their_mission(
     peers: Path, fly: Any, tmp_path: Path, link: Callable[..., Fleet], lander: Lander, landed: int
 ) -> None:
@@ -136,8 +113,8 @@ def test_all_look_on_and_one_lands_one_while_the_others_fly_their_mission(
     with contextlib.ExitStack() as stack:
         fleet = link(stack, tmp_path)
         station = stack.enter_context(pymavlink_station())
-        at = {MAVSDK: f"udpout:127.0.0.1:{sdk}", MAVPROXY: f"udpin:127.0.0.1:{proxy}", PYMAVLINK: station.address}
-        options = [word for address in at.values() for word in ("--forward", address)]
+        at = {MAVSDK: f"udpout:127.0.0.1:{sdk}", MAVPROXY: f"udpin:127.0.0.1:{proxy}"}
+        options = [word for address in (*at.values(), station.address) for word in ("--forward", address)]
         running = Running(mission(fleet, landed), tmp_path, "--json", "--forward-control", *options)
         stack.callback(running.stop)
         onlookers = Onlookers(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import copy
+import functools
 import json
 import os
 import select
@@ -34,6 +35,11 @@ DIGESTS = {
     "demo": "b4369f70",
 }
 """First digits of the digests of shipped scenarios; the changelog names each change."""
+SIMPLER = {
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F",
+    "NPY_DISABLE_CPU_FEATURES": " ".join(np.show_config(mode="dicts")["SIMD Extensions"].get("found", ())),
+}
+"""Environment in which the C library and NumPy take what every processor of this architecture can do."""
 STATE = 12
 
 
@@ -121,11 +127,15 @@ class Outcome:
     def messages(self, *types: str) -> Iterator[tuple[float, Any]]:
         """(session time, message) of the recorded frames, read by pymavlink; of frames of other types only the length
         is read."""
-        scenario = yaml.safe_load((self.folder / "scenario.yaml").read_text(encoding="utf-8"))
-        epoch_s = datetime.fromisoformat(str(scenario["clock"]["epoch"])).timestamp()
         tlog = self.folder / "session.tlog"
         for time_s, message in frames_of(tlog, types) if types else all_frames(tlog):
-            yield time_s - epoch_s, message
+            yield time_s - self.epoch_s, message
+
+    @functools.cached_property
+    def epoch_s(self) -> float:
+        """The session's time 0, Unix s."""
+        scenario = yaml.safe_load((self.folder / "scenario.yaml").read_text(encoding="utf-8"))
+        return datetime.fromisoformat(str(scenario["clock"]["epoch"])).timestamp()
 
     def truth(self, sysid: int) -> Truth:
         return read_truth(self.folder / "vehicles" / f"{sysid}.truth")
@@ -142,14 +152,21 @@ def all_frames(tlog: Path) -> Iterator[tuple[float, Any]]:
 
 
 def frames_of(tlog: Path, types: Sequence[str]) -> Iterator[tuple[float, Any]]:
-    """(Unix time, message) of the frames of these types; a frame that a killed process left unfinished is passed over.
+    """(Unix time, message) of the frames of these types."""
+    wanted = {number for number, kind in ardupilotmega.mavlink_map.items() if kind.msgname in types}
+    assert len(wanted) == len(set(types)), types
+    parser = ardupilotmega.MAVLink(None)
+    for time_s, msgid, frame in raw_frames(tlog):
+        if msgid in wanted:
+            yield time_s, parser.decode(bytearray(frame))
+
+
+def raw_frames(tlog: Path) -> Iterator[tuple[float, int, bytes]]:
+    """(Unix time, message id, frame) of a recording; a frame that a killed process left unfinished is passed over.
 
     A record is a time, big-endian in us, and a frame: https://mavlink.io/en/guide/serialization.html.
     """
     raw = tlog.read_bytes()
-    wanted = {number for number, kind in ardupilotmega.mavlink_map.items() if kind.msgname in types}
-    assert len(wanted) == len(set(types)), types
-    parser = ardupilotmega.MAVLink(None)
     at = 0
     while at + 8 + 10 <= len(raw):
         head = raw[at + 8 : at + 18]
@@ -160,9 +177,7 @@ def frames_of(tlog: Path, types: Sequence[str]) -> Iterator[tuple[float, Any]]:
             length, msgid = 8 + head[1], head[5]
         if at + 8 + length > len(raw):
             return
-        if msgid in wanted:
-            message = parser.decode(bytearray(raw[at + 8 : at + 8 + length]))
-            yield int.from_bytes(raw[at : at + 8], "big") * 1e-6, message
+        yield int.from_bytes(raw[at : at + 8], "big") * 1e-6, msgid, raw[at + 8 : at + 8 + length]
         at += 8 + length
 
 

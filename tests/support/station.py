@@ -42,6 +42,10 @@ class Station:
     def __exit__(self, *_: object) -> None:
         self.socket.close()
 
+    def speaks_to(self, host: str, port: int) -> None:
+        """From now on to a vehicle that waits to be spoken to."""
+        self._peer = (host, port)
+
     def send(self, message: Any) -> None:
         """One message in a datagram of its own."""
         assert self._peer is not None, "nothing was heard of it yet"

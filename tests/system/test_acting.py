@@ -89,31 +89,24 @@ def act(path: Path, folder: Path) -> gcs.Session:
 
 
 @pytest.fixture(scope="module")
-def acted(tmp_path_factory: pytest.TempPathFactory) -> tuple[gcs.Session, gcs.Session]:
+def acted(tmp_path_factory: pytest.TempPathFactory) -> gcs.Session:
+    """That it repeats: the page's program, in tests/system/test_docs_pages.py."""
     folder = tmp_path_factory.mktemp("acted")
-    path = write(folder, five())
-    return act(path, folder / "first"), act(path, folder / "second")
+    return act(write(folder, five()), folder / "out")
 
 
-def test_the_same_acts_make_the_same_session(acted: tuple[gcs.Session, gcs.Session]) -> None:
-    first, second = acted
-    assert first.summary.digest == second.summary.digest
-    for name in ("decisions.jsonl", "session.tlog", "vehicles/3.truth"):
-        assert (first.folder / name).read_bytes() == (second.folder / name).read_bytes()
-
-
-def test_set_points_of_a_program_pass_the_safety_filter(acted: tuple[gcs.Session, gcs.Session]) -> None:
-    one, other = (read_truth(acted[0].folder / "vehicles" / f"{sysid}.truth").p_ned for sysid in (1, 2))
+def test_set_points_of_a_program_pass_the_safety_filter(acted: gcs.Session) -> None:
+    one, other = (read_truth(acted.folder / "vehicles" / f"{sysid}.truth").p_ned for sysid in (1, 2))
     apart_m = np.linalg.norm(one - other, axis=1)
-    assert acted[0].scenario.planner.separation_m <= apart_m.min() < 1.5
-    asked = decisions(acted[0].folder, "steered")
+    assert acted.scenario.planner.separation_m <= apart_m.min() < 1.5
+    asked = decisions(acted.folder, "steered")
     assert {tuple(line["n"].values()) for line in asked} == {(0.0, 0.0)}
-    sent = [line["p_ned"] for line in decisions(acted[0].folder, "set_point") if line["t_s"] == asked[-1]["t_s"]]
+    sent = [line["p_ned"] for line in decisions(acted.folder, "set_point") if line["t_s"] == asked[-1]["t_s"]]
     assert [0.0, 0.0, -6.0] not in sent
 
 
-def test_acts_stand_in_the_decisions_and_are_decided_again(acted: tuple[gcs.Session, gcs.Session]) -> None:
-    folder = acted[0].folder
+def test_acts_stand_in_the_decisions_and_are_decided_again(acted: gcs.Session) -> None:
+    folder = acted.folder
     schema = json.loads((ROOT / "gcs" / "schemas" / "decisions.schema.json").read_text(encoding="utf-8"))
     acts = decisions(folder, "steered", "command", "inject", "operator", "fault")
     for line in acts:
@@ -129,12 +122,10 @@ def test_acts_stand_in_the_decisions_and_are_decided_again(acted: tuple[gcs.Sess
     assert "a program in Python acted in this session (90 ticks with set points, 1 command, 1 fault)" in again.stderr
 
 
-def test_an_act_that_cannot_be_read_is_not_decided_again(
-    acted: tuple[gcs.Session, gcs.Session], tmp_path: Path
-) -> None:
+def test_an_act_that_cannot_be_read_is_not_decided_again(acted: gcs.Session, tmp_path: Path) -> None:
     for name in ("session.tlog", "summary.json", "scenario.yaml"):
-        (tmp_path / name).symlink_to(acted[0].folder / name)
-    text = (acted[0].folder / "decisions.jsonl").read_text()
+        (tmp_path / name).symlink_to(acted.folder / name)
+    text = (acted.folder / "decisions.jsonl").read_text()
     (tmp_path / "decisions.jsonl").write_text(text.replace('"fault":"blackout"', '"fault":"black magic"', 1))
     again = run_gcs("replay", str(tmp_path), "--decide")
     assert again.returncode == 2

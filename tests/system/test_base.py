@@ -129,4 +129,10 @@ def test_they_close_with_a_fifth_of_all_frames_lost_and_repeat_to_the_last_byte(
     assert first.summary["link"]["lost"] > 100
     assert services(first)[2]["energy_j"] > 10_000
     assert_ledgers_close(first)
+    for sysid in EVERYONE:
+        energy, truth = first.vehicle(sysid)["energy"], first.truth(sysid)
+        assert energy["drawn_j"] <= truth.energy[-1, 0]
+        assert energy["received_j"] <= truth.energy[-1, 1]
+    received_j = sum(first.truth(sysid).energy[-1, 1] for sysid in (1, 2, 101))
+    assert received_j == sum(service["energy_j"] for service in first.summary["refuelling"])
     assert first.summary["digest"] == again.summary["digest"]

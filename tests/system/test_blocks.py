@@ -22,7 +22,7 @@ def six(**changes: Any) -> dict[str, Any]:
     """Six vehicles with ids 101 to 106: four pursuers round a target, and a tanker with work to do."""
     places = [(2.0, 0.0), (0.0, 2.0), (-2.0, 0.0), (0.0, -2.0)]
     percents = [40, 70, 80, 90]
-    content = small(goal={"duration_s": 25.0, "refuelled_at_least": 0})
+    content = small(goal={"duration_s": 18.0, "refuelled_at_least": 0})
     content["vehicles"]["targets"][0]["sysid"] = 105
     content["vehicles"]["tankers"][0] |= {"sysid": 106, "start_m": [-5.0, 0.0, 0.0]}
     content["vehicles"]["pursuers"] = [
@@ -81,9 +81,9 @@ def test_a_machine_that_cannot_keep_up_slows_the_clock_for_all_and_says_by_how_m
     summary = hurried.summary
     assert summary["digest"] == each_alone.summary["digest"]
     assert summary["speed_achieved"] < 1000.0
-    assert summary["lag_s"] == pytest.approx(summary["wall_time_s"] - 25.0 / 1000.0, abs=0.2)
+    assert summary["lag_s"] == pytest.approx(summary["wall_time_s"] - 18.0 / 1000.0, abs=0.2)
     ends = {float(hurried.truth(sysid).time_s[-1]) for sysid in range(101, 107)}
-    assert ends == {25.0}
+    assert ends == {18.0}
 
 
 def test_on_the_wire_a_block_is_as_many_vehicles_each_on_a_socket_of_its_own() -> None:

@@ -120,14 +120,14 @@ def test_a_fork_server_that_is_killed_is_replaced(reference: list[dict[str, Any]
     killed: set[int] = set()
 
     def kill(_: Progress, row: Any) -> None:
-        for server in descendants("gcs sessions") if row is not None and len(killed) < 3 else ():
+        for server in descendants("gcs sessions") if row is not None and not killed else ():
             killed.add(server.pid)
             server.kill()
 
     flown = plan()
     folder = make_folder(flown, tmp_path / "campaign")
     fly(folder, flown, kill, workers=2)
-    assert len(killed) >= 3
+    assert killed
     assert rows(folder, flown) == reference
     assert not descendants("gcs session")
     assert not descendants("simvehicle")
@@ -239,24 +239,6 @@ def secured(tmp_path: Path) -> Iterator[Path]:
         yield made / "dask.yaml"
 
 
-def test_a_lost_scheduler_is_one_sentence_and_resume_goes_on(
-    reference: list[dict[str, Any]], tmp_path: Path, secured: Path
-) -> None:
-    flown = plan()
-    folder = make_folder(flown, tmp_path / "campaign")
-    with Cluster(tmp_path / "cluster", secured, workers=1) as cluster:
-
-        def kill(progress: Progress, row: Any) -> None:
-            if progress.done == 2 and row is not None:
-                cluster.scheduler.kill()
-
-        with pytest.raises(EngineError, match="the scheduler is lost"):
-            fly(folder, flown, kill, scheduler=cluster.address)
-    assert 2 <= len(rows(folder, flown)) < ROWS
-    fly(folder, flown, workers=1)
-    assert rows(folder, flown) == reference
-
-
 @pytest.mark.usefixtures("secured")
 def test_a_scheduler_that_is_not_there_is_one_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("gcs.campaign.cluster.CONNECT_WITHIN_S", 1.0)
@@ -288,24 +270,24 @@ def test_a_session_that_cannot_be_flown_or_takes_too_long_is_a_row(tmp_path: Pat
 
 
 def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
-    content = {**CAMPAIGN, "sessions": 2, "expect": {"min_clearance_m": {"at_least": 50.0}}, "keep": "failed"}
+    content = {**CAMPAIGN, "sessions": 1, "expect": {"min_clearance_m": {"at_least": 50.0}}, "keep": "failed"}
     (tmp_path / "small.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
-    run = [*GCS, "campaign", "run", "small.yaml", "--workers", "2", "--out", "out", "--plain"]
+    run = [*GCS, "campaign", "run", "small.yaml", "--workers", "1", "--out", "out", "--plain"]
     done = subprocess.run(run, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (1, "")
     assert "row 0: min_clearance_m is " in done.stdout
     assert "below 50" in done.stdout
-    assert "cruise_m_s 1.5  0 of 2" in done.stdout
-    assert (tmp_path / "out" / "sessions" / "3" / "session.tlog").is_file()
+    assert "cruise_m_s 1.5  0 of 1" in done.stdout
+    assert (tmp_path / "out" / "sessions" / "1" / "session.tlog").is_file()
     status = subprocess.run(
         [*GCS, "campaign", "status", "out"], cwd=tmp_path, capture_output=True, text=True, check=False
     )
-    assert (status.returncode, status.stdout.splitlines()[0]) == (0, "small: 4 of 4 sessions")
-    again = [*GCS, "campaign", "fly", "out", "3", "--out", "again", "--quiet"]
+    assert (status.returncode, status.stdout.splitlines()[0]) == (0, "small: 2 of 2 sessions")
+    again = [*GCS, "campaign", "fly", "out", "1", "--out", "again", "--quiet"]
     assert subprocess.run(again, cwd=tmp_path, check=False).returncode in (0, 1)
     first, second = (
         json.loads((tmp_path / folder / "summary.json").read_text(encoding="utf-8"))["digest"]
-        for folder in ("out/sessions/3", "again")
+        for folder in ("out/sessions/1", "again")
     )
     assert first == second
 
@@ -328,11 +310,9 @@ def test_ctrl_c_which_a_terminal_sends_to_the_workers_too_ends_it_with_a_sentenc
 
 
 @contextmanager
-def network(machines: Sequence[str]) -> Iterator[str]:
-    """Network namespaces `machines`, each with an address 10.89.7.2, .3, … on a bridge; our own address there.
-
-    Skipped where namespaces cannot be had: they need root.
-    """
+def network(machines: Sequence[str]) -> Iterator[Sequence[str]]:
+    """Network namespaces `machines`, each with an address 10.89.7.2, .3, … on a bridge; none of them where they cannot
+    be had: they need root."""
     bridge = f"gcs{os.getpid()}"
 
     def ip(command: str) -> None:
@@ -354,28 +334,38 @@ def network(machines: Sequence[str]) -> Iterator[str]:
                 ip(f"-n {machine} addr add 10.89.7.{2 + i}/24 dev eth0")
                 ip(f"-n {machine} link set eth0 up")
                 ip(f"-n {machine} link set lo up")
-        except OSError as error:
-            pytest.skip(f"no network namespaces here: {error}")
-        yield "10.89.7.1"
+        except OSError:
+            machines = ()
+        yield machines
 
 
-def test_machines_that_share_nothing_but_a_network_fly_the_same_rows(
+def test_machines_that_share_nothing_but_a_network_fly_the_same_rows_and_a_lost_scheduler_is_one_sentence(
     reference: list[dict[str, Any]], tmp_path: Path, secured: Path
 ) -> None:
-    """A scheduler and two workers, each in a network namespace and a folder of its own."""
-    machines = [f"gcs{os.getpid()}{letter}" for letter in "abc"]
+    """A scheduler and two workers, each in a network namespace and a folder of its own, where those can be had."""
     flown = plan()
-    folder = make_folder(flown, tmp_path / "campaign")
-    with network(machines), Cluster(tmp_path / "cluster", secured, machines) as cluster:
-        assert cluster.address == "tls://10.89.7.2:8786"
-        fly(folder, flown, scheduler=cluster.address)
-    assert rows(folder, flown) == reference
+    whole, lost = (make_folder(flown, tmp_path / name) for name in ("whole", "lost"))
+    names = [f"gcs{os.getpid()}{letter}" for letter in "abc"]
+    with network(names) as machines, Cluster(tmp_path / "cluster", secured, machines) as cluster:
+
+        def kill(progress: Progress, row: Any) -> None:
+            if progress.done == 2 and row is not None:
+                cluster.scheduler.kill()
+
+        assert cluster.address == "tls://10.89.7.2:8786" or not machines
+        fly(whole, flown, scheduler=cluster.address)
+        with pytest.raises(EngineError, match="the scheduler is lost"):
+            fly(lost, flown, kill, scheduler=cluster.address)
+    assert rows(whole, flown) == reference
+    assert 2 <= len(rows(lost, flown)) < ROWS
+    fly(lost, flown, workers=1)
+    assert rows(lost, flown) == reference
 
 
 class Cluster:
     """A scheduler and workers of Dask, started by hand; here, or in network namespaces, one for each."""
 
-    def __init__(self, folder: Path, secured: Path, machines: Sequence[str] = (), *, workers: int = 2) -> None:
+    def __init__(self, folder: Path, secured: Path, machines: Sequence[str], *, workers: int = 2) -> None:
         folder.mkdir()
         self._processes: list[subprocess.Popen[str]] = []
         self._machines = list(machines)
@@ -427,11 +417,11 @@ SEARCH = {
     "search": {"minimise": "min_clearance_m", "trials": 4, "batch": 2},
     "vary": {},
     "draw": {"planner.cruise_m_s": {"uniform": [0.8, 2.0]}},
-    "set": {"goal.duration_s": 15},
+    "set": {"goal.duration_s": 8},
 }
 
 
-def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks(tmp_path: Path) -> None:
+def test_a_search_is_the_same_with_one_worker_and_with_two(tmp_path: Path) -> None:
     (tmp_path / "small.yaml").write_text(yaml.safe_dump({**CAMPAIGN, **SEARCH}), encoding="utf-8")
     worst = []
     for workers in ("1", "2"):
@@ -440,11 +430,6 @@ def test_a_search_is_the_same_with_one_worker_and_with_two_and_its_worst_shrinks
         assert (done.stdout, done.stderr) == ("", "")
         worst.append((tmp_path / workers / "worst.yaml").read_text(encoding="utf-8"))
     assert worst[0] == worst[1]
-    command = [*GCS, "campaign", "shrink", "1/worst.yaml", "--expect", "min_clearance_m>=0.9", "--out", "tiny.yaml"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert "still fails: 1 pursuers, 1 obstacles" in done.stdout
-    tiny = yaml.safe_load((tmp_path / "tiny.yaml").read_text(encoding="utf-8"))
-    assert (len(tiny["vehicles"]["pursuers"]), len(tiny["obstacles"])) == (1, 1)
 
 
 def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path: Path) -> None:
@@ -466,6 +451,7 @@ def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path:
     command = ["campaign", "shrink", "ten.yaml", "--expect", "min_separation_m>=0.6", "--out", "small.yaml"]
     done = subprocess.run([*GCS, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+    assert "still fails: 2 pursuers\n" in done.stdout
     small = yaml.safe_load((tmp_path / "small.yaml").read_text(encoding="utf-8"))
     assert {pursuer["sysid"] for pursuer in small["vehicles"]["pursuers"]} == {1, 2}
     assert small["obstacles"] == []

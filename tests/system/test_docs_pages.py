@@ -32,5 +32,8 @@ def test_what_a_page_has_run_does_what_it_says(page: Path, tmp_path: Path, monke
         first, second = (json.loads((tmp_path / name / "summary.json").read_text()) for name in ("first", "second"))
         assert first["digest"] == second["digest"]
         assert [fault["fault"] for fault in first["faults"]] == ["motor"]
+    if page.stem == "own-policy":
+        services = json.loads((tmp_path / "turns-flight" / "summary.json").read_text())["refuelling"]
+        assert {service["by"] for service in services} == {"policy"}
     if page.stem == "ci":
         assert "testsuite" in (tmp_path / "outcome.xml").read_text()

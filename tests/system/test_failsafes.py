@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from sessions import Outcome, fly, small
+from sessions import Outcome, fly, merged, small
 
 HOME = (6.0, 0.0, 0.0)
 
@@ -33,7 +33,8 @@ def texts(outcome: Outcome) -> list[str]:
 
 
 def test_after_a_short_blackout_the_vehicle_holds_and_then_goes_on(tmp_path: Path) -> None:
-    outcome = fly(dark(20.0, 23.0), tmp_path, "--plain")
+    content = merged(dark(20.0, 23.0), {"goal": {"duration_s": 35.0}})
+    outcome = fly(content, tmp_path, "--plain")
     assert speed_between(outcome, 21.6, 23.0) < 0.1
     assert outcome.vehicle(1)["final_mode"] == "offboard"
     truth = outcome.truth(1)
@@ -53,10 +54,12 @@ def test_without_the_ground_station_it_returns_lands_disarms_and_rejoins_when_it
     assert outcome.vehicle(1)["final_mode"] in ("takeoff", "hold", "offboard")
 
 
-def test_an_empty_battery_lands_and_says_so(tmp_path: Path) -> None:
-    content = dark(59.0, 59.9)
+def test_an_empty_battery_lands_and_says_so_where_there_is_no_tanker(tmp_path: Path) -> None:
+    content = dark(29.0, 29.9) | {"refuelling": {"enabled": True}, "goal": {"duration_s": 30.0}}
     content["vehicles"]["pursuers"][0]["battery"] = {"capacity_j": 24000, "initial_percent": 25}
     outcome = fly(content, tmp_path, "--plain")
+    assert outcome.summary["refuelling"] == []
+    assert outcome.vehicle(1)["final_mode"] == "land"
     assert any("battery empty" in text for text in texts(outcome))
     assert outcome.truth(1).p_ned[-1, 2] == 0.0
     assert outcome.truth(1).energy[:, 3].min() > 0.0

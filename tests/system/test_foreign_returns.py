@@ -18,6 +18,7 @@ from listener import Listener
 from ports import free_port
 from sessions import Outcome, Running, fly, read_truth
 from strangers import ARDUCOPTER, SIMVEHICLE, strangers
+from ways import between, nearest_m, of_truths
 
 HOME = "47.397742,8.545594,488"
 SEPARATION_M = 0.8
@@ -154,14 +155,15 @@ class Killed(NamedTuple):
     starts: np.ndarray
 
 
-EIGHT = [{"waypoints_m": [[12.0, 14.0 - 2.0 * i, -3.0]]} for i in range(8)]
+COUNT = 5
+FIVE = [{"waypoints_m": [[12.0, 14.0 - 2.0 * i, -3.0]]} for i in range(COUNT)]
 """They start in a row, 2 m apart, and change places twelve metres away: the ways home cross."""
 
 
 def kill_in_flight(running: Running, within_m: float = 0.8) -> None:
     """Kill gcs with all its processes when every vehicle has come to its place. Until then one may hang over another,
     which would climb through it: docs/limits.md."""
-    ends = np.array([one["waypoints_m"][0] for one in EIGHT])
+    ends = np.array([one["waypoints_m"][0] for one in FIVE])
 
     def there(seen: dict[str, Any]) -> bool:
         places = [one["p_ned"] for one in seen["vehicles"]]
@@ -176,44 +178,49 @@ def kill_in_flight(running: Running, within_m: float = 0.8) -> None:
         running.stop()
 
 
-def common(read: list[tuple[np.ndarray, np.ndarray]]) -> tuple[np.ndarray, np.ndarray]:
-    times = np.arange(max(t[0] for t, _ in read), min(t[-1] for t, _ in read), 0.02)
-    return times, np.array([[np.interp(times, t, p[:, axis]) for axis in range(3)] for t, p in read]).transpose(0, 2, 1)
-
-
 def kill_copters(folder: Path) -> Killed:
-    """Eight ArduCopters, every other one of today's, at three times real time."""
+    """ArduCopters, every other one of today's, at three times real time."""
     port, speed = free_port(), 3.0
-    ways = [folder / f"{i}.way" for i in range(1, 9)]
+    ways = [folder / f"{i}.way" for i in range(1, COUNT + 1)]
     commands = [
         copter(i, port, 2.0 * (i - 1), "--speedup", f"{speed:g}", "--way", str(ways[i - 1]), *["--si-names"] * (i % 2))
-        for i in range(1, 9)
+        for i in range(1, COUNT + 1)
     ]
-    made = scenario(EIGHT, port, 200.0, clock={"mode": "real", "speed": speed})
+    made = scenario(FIVE, port, 200.0, clock={"mode": "real", "speed": speed})
     with strangers(folder / "said", *commands):
         kill_in_flight(Running(made, folder, "--json"))
         killed_s = time.monotonic()
         with Listener(port) as ear:
-            ear.until_disarmed(range(1, 9), 200.0)
+            ear.until_disarmed(range(1, COUNT + 1), 200.0)
         read = [np.loadtxt(way.read_text(encoding="utf-8").splitlines()[:-1]) for way in ways]
-    times, places = common([(one[:, 0], one[:, 1:]) for one in read])
-    return Killed(places, times, killed_s, np.array([[0.0, 2.0 * i, 0.0] for i in range(8)]))
+    times, places = between([(one[:, 0], one[:, 1:]) for one in read])
+    return Killed(places, times, killed_s, np.array([[0.0, 2.0 * i, 0.0] for i in range(COUNT)]))
 
 
 def kill_px4s(folder: Path) -> Killed:
     port = free_port()
-    truths = [folder / f"{i}.truth" for i in range(1, 9)]
-    command = [*SIMVEHICLE, "--sysid", "1", "--count", "8", "--home", HOME, "--connect", f"udpout:127.0.0.1:{port}"]
+    truths = [folder / f"{i}.truth" for i in range(1, COUNT + 1)]
+    command = [
+        *SIMVEHICLE,
+        "--sysid",
+        "1",
+        "--count",
+        str(COUNT),
+        "--home",
+        HOME,
+        "--connect",
+        f"udpout:127.0.0.1:{port}",
+    ]
     for i, truth in enumerate(truths):
         command += ["--position", f"0,{2 * i},0", "--truth", str(truth)]
     with strangers(folder / "said", command):
-        kill_in_flight(Running(scenario(EIGHT, port, 200.0), folder, "--json"))
+        kill_in_flight(Running(scenario(FIVE, port, 200.0), folder, "--json"))
         killed_s = float(read_truth(truths[0]).time_s[-1])
         with Listener(port) as ear:
-            ear.until_disarmed(range(1, 9), 300.0)
+            ear.until_disarmed(range(1, COUNT + 1), 300.0)
         read = [read_truth(truth) for truth in truths]
-    times, places = common([(one.time_s, one.p_ned) for one in read])
-    return Killed(places, times, killed_s, np.array([[0.0, 2.0 * i, 0.0] for i in range(8)]))
+    times, places = of_truths(read)
+    return Killed(places, times, killed_s, np.array([[0.0, 2.0 * i, 0.0] for i in range(COUNT)]))
 
 
 FLEETS = {"ArduCopters": kill_copters, "PX4s": kill_px4s}
@@ -227,16 +234,13 @@ def killed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Future[Killed]
 
 
 @pytest.mark.parametrize("kind", FLEETS)
-def test_when_gcs_is_killed_eight_come_home_one_by_one_and_land_apart(
+def test_when_gcs_is_killed_five_come_home_one_by_one_and_land_apart(
     killed: dict[str, Future[Killed]], kind: str
 ) -> None:
     """By their true places none comes nearer to another than separation_m, from the kill to the ground."""
     ways, times, killed_s, starts = killed[kind].result()
     after = ways[:, times >= killed_s]
-    nearest_m = min(
-        float(np.linalg.norm(after[a] - after[b], axis=1).min()) for a, b in itertools.combinations(range(8), 2)
-    )
-    assert nearest_m > SEPARATION_M
+    assert nearest_m(after) > SEPARATION_M
     assert np.linalg.norm(after[:, -1, :2] - starts[:, :2], axis=1).max() < 0.5
     assert after[:, -1, 2].min() > -0.2
     tops_m = np.sort(-after[:, :, 2].min(axis=1))
@@ -246,17 +250,17 @@ def test_when_gcs_is_killed_eight_come_home_one_by_one_and_land_apart(
 STOPPED_S = (1.0, 3.0, 10.0)
 
 
-def nearest_while_stopped_m(folder: Path) -> float:
-    """Least distance of four that fly to and fro through each other; gcs is stopped for 1, 3 and 10 s in flight."""
+def test_a_station_that_stops_for_a_while_brings_no_two_together(tmp_path: Path) -> None:
+    """Four fly to and fro through each other; gcs is stopped for 1, 3 and 10 s in flight."""
     port = free_port()
     across = [[7.0, 0.0], [0.0, 7.0], [-7.0, 0.0], [0.0, -7.0]]
     blocks = [{"waypoints_m": [[n * sign, e * sign, -3.0] for _ in range(20) for sign in (-1, 1)]} for n, e in across]
-    truths = [folder / f"{i}.truth" for i in range(1, 5)]
+    truths = [tmp_path / f"{i}.truth" for i in range(1, 5)]
     command = [*SIMVEHICLE, "--sysid", "1", "--count", "4", "--home", HOME, "--connect", f"udpout:127.0.0.1:{port}"]
     for (n, e), truth in zip(across, truths, strict=True):
         command += ["--position", f"{n:g},{e:g},0", "--truth", str(truth)]
-    running = Running(scenario(blocks, port, 300.0), folder, "--json")
-    with strangers(folder / "said", command):
+    running = Running(scenario(blocks, port, 300.0), tmp_path, "--json")
+    with strangers(tmp_path / "said", command):
         try:
             for stopped_s in STOPPED_S:
                 on_the_way = running.wait_for(
@@ -273,10 +277,6 @@ def nearest_while_stopped_m(folder: Path) -> float:
         finally:
             running.stop()
     read = [read_truth(truth) for truth in truths]
-    _, ways = common([(one.time_s, one.p_ned) for one in read])
+    _, ways = of_truths(read)
     up = ways[:, (ways[:, :, 2] < -1.0).all(axis=0)]
-    return min(float(np.linalg.norm(up[a] - up[b], axis=1).min()) for a, b in itertools.combinations(range(4), 2))
-
-
-def test_a_station_that_stops_for_a_while_brings_no_two_together(tmp_path: Path) -> None:
-    assert nearest_while_stopped_m(tmp_path) > SEPARATION_M
+    assert nearest_m(up) > SEPARATION_M

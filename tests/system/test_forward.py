@@ -17,8 +17,8 @@ from pymavlink.dialects.v20 import common as mav
 from sessions import GCS, Outcome, fly, small
 
 
-def flown(folder: Path, *options: str, duration_s: float = 12.0) -> Outcome:
-    return fly(small(goal={"duration_s": duration_s, "refuelled_at_least": 0}), folder, "--quiet", *options)
+def flown(folder: Path, *options: str) -> Outcome:
+    return fly(small(goal={"duration_s": 12.0, "refuelled_at_least": 0}), folder, "--quiet", *options)
 
 
 def test_looking_on_changes_nothing_and_an_order_without_leave_reaches_nobody(tmp_path: Path) -> None:
@@ -40,8 +40,10 @@ def test_looking_on_changes_nothing_and_an_order_without_leave_reaches_nobody(tm
 
 
 def test_where_it_may_it_lands_one_that_nobody_flies_from_then_on(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 20.0, "refuelled_at_least": 0})
     with pymavlink_station(lands=1) as one:
-        outcome = flown(tmp_path, "--speed", "3", "--forward", one.address, "--forward-control", duration_s=20.0)
+        content["forward"] = {"to": [one.address], "control": True}
+        outcome = fly(content, tmp_path, "--quiet", "--speed", "3")
     assert (1, mav.MAV_RESULT_ACCEPTED, 255) in one.acked
     orders = [line for line in outcome.decisions if line["kind"] == "operator"]
     assert [(line["command"], line["sysid"], line["taken"]) for line in orders[:2]] == [

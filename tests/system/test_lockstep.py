@@ -9,13 +9,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from sessions import Outcome, fly, merged, small
+from sessions import Outcome, fly, merged, raw_frames, small
 
+DURATION_S = 20.0
 BUSY = "while True: sum(range(10_000))"
 
 
 def session(**changes: object) -> dict[str, object]:
-    return merged(small(goal={"duration_s": 25.0, "refuelled_at_least": 0}), changes)
+    return merged(small(goal={"duration_s": DURATION_S, "refuelled_at_least": 0}), changes)
 
 
 @pytest.fixture(scope="module")
@@ -37,16 +38,13 @@ def vehicle_frames(outcome: Outcome) -> list[bytes]:
     return [bytes(m.get_msgbuf())[5:-2] for _, m in outcome.messages("LOCAL_POSITION_NED") if m.get_srcSystem() < 255]
 
 
-def test_the_digest_is_the_same_again(plain: Outcome, tmp_path: Path) -> None:
-    again = fly(session(), tmp_path, "--plain")
-    assert again.summary["digest"] == plain.summary["digest"]
-    assert (again.folder / "session.tlog").read_bytes() == (plain.folder / "session.tlog").read_bytes()
-
-
-def test_the_digest_is_the_same_on_a_loaded_machine(plain: Outcome, tmp_path: Path) -> None:
-    with busy_cores(4):
-        loaded = fly(session(), tmp_path, "--plain")
+def test_it_is_the_same_to_the_last_byte_on_a_loaded_machine_and_by_another_seed_where_nothing_is_lost(
+    plain: Outcome, tmp_path: Path
+) -> None:
+    with busy_cores(2):
+        loaded = fly(session(), tmp_path, "--plain", "--seed", "7")
     assert loaded.summary["digest"] == plain.summary["digest"]
+    assert (loaded.folder / "session.tlog").read_bytes() == (plain.folder / "session.tlog").read_bytes()
 
 
 def test_the_digest_is_the_same_with_datagrams_dropped_and_sent_again(plain: Outcome, tmp_path: Path) -> None:
@@ -61,20 +59,13 @@ def test_the_digest_is_the_same_when_paced(plain: Outcome, tmp_path: Path) -> No
     assert paced.summary["speed_achieved"] <= 20.5
 
 
-def test_another_seed_without_radio_loss_changes_nothing(plain: Outcome, tmp_path: Path) -> None:
-    assert fly(session(), tmp_path, "--plain", "--seed", "7").summary["digest"] == plain.summary["digest"]
-
-
-def test_under_radio_loss_the_seed_decides(tmp_path: Path) -> None:
+def test_under_radio_loss_another_seed_makes_another_session(tmp_path: Path) -> None:
+    """The same seed makes the same one: tests/system/test_base.py, test_onboard.py."""
     radio = session(radio={"loss": 0.2})
-    one = fly(radio, tmp_path / "one", "--plain", "--seed", "1")
-    same = fly(radio, tmp_path / "same", "--plain", "--seed", "1")
-    other = fly(radio, tmp_path / "other", "--plain", "--seed", "2")
-    assert one.summary["digest"] == same.summary["digest"]
+    one, other = (fly(radio, tmp_path / seed, "--plain", "--seed", seed) for seed in "12")
     assert one.summary["digest"] != other.summary["digest"]
     assert one.summary["link"]["lost"] > 0
     assert (one.truth(1).state[-1] != other.truth(1).state[-1]).any()
-    assert (one.truth(1).state == same.truth(1).state).all()
 
 
 def test_one_changed_set_point_changes_the_vehicles_own_frames_and_the_digest(plain: Outcome, tmp_path: Path) -> None:
@@ -86,7 +77,7 @@ def test_one_changed_set_point_changes_the_vehicles_own_frames_and_the_digest(pl
 
 
 def test_the_tlog_is_in_session_time_and_in_order(plain: Outcome) -> None:
-    times = [t_s for t_s, _ in plain.messages()]
+    times = [t_s - plain.epoch_s for t_s, *_ in raw_frames(plain.folder / "session.tlog")]
     assert times == sorted(times)
     assert times[0] == pytest.approx(0.0, abs=1e-6)
-    assert times[-1] == pytest.approx(25.0, abs=1e-6)
+    assert times[-1] == pytest.approx(DURATION_S, abs=1e-6)

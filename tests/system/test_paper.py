@@ -11,7 +11,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 from commands import gcs
-from sessions import GCS
+from sessions import DIGESTS, GCS
 
 pytestmark = pytest.mark.timeout(450)
 
@@ -46,7 +46,9 @@ def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None
     assert [(claim["claim"] in line, claim["figure"] in line) for claim, line in zip(differ, told, strict=True)] == [
         (True, True)
     ] * len(differ)
-    assert json.loads((out / "sessions" / "example2" / "summary.json").read_text())["outcome"] == "met"
+    flown = json.loads((out / "sessions" / "example2" / "summary.json").read_text())
+    assert flown["outcome"] == "met"
+    assert flown["digest"].startswith(f"sha256:{DIGESTS['paper/example2']}")
     figures = {path.stem for path in out.glob("*.svg")}
     assert figures == {path.stem for path in out.glob("*.png")} == {"fig9a", "fig9b", "fig9c", "fig3a", "fig3b", "fig6"}
     page = page_of(out)

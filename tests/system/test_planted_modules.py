@@ -44,7 +44,6 @@ def planted(tmp_path_factory: pytest.TempPathFactory) -> Path:
         (("run", "own.yaml", "--web", "--out", "web"), None),
         (("campaign", "run", "campaign.yaml", "--workers", "1", "--out", "many", "--plain"), None),
         (("replay", "flown", "--web"), "page"),
-        (("replay", "flown", "--plain"), None),
         (("report", "flown"), None),
         (("validate", "own.yaml"), None),
         (("launch", "own.yaml"), "Ctrl-C"),

@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
@@ -69,6 +69,9 @@ UNTIL = {
     "simvehicle --sysid 1 --count 25 --connect udpout:127.0.0.1:14550": "vehicle 25: ",
 }
 """What goes on until someone ends it: the words on stdout after which Ctrl-C does."""
+GROWS = {"gcs run demo --lockstep --quiet --out flown": "flown/session.tlog"}
+"""What would go on for long without a word: the file after whose first MB Ctrl-C ends it. To its end
+`tests/system/test_demo.py` flies it."""
 
 ONE_VEHICLE = "simvehicle --sysid 1 --connect udpout:127.0.0.1:14550"
 COMPANIONS = {
@@ -135,7 +138,7 @@ def test_a_command_does_what_the_reader_expects(command: str, folder: Path) -> N
 
 
 def does_what_is_said(command: str, folder: Path) -> None:
-    if command in UNTIL:
+    if command in UNTIL or command in GROWS:
         process = subprocess.Popen(
             words(command),
             cwd=folder,
@@ -147,7 +150,10 @@ def does_what_is_said(command: str, folder: Path) -> None:
         )
         assert process.stdout is not None
         try:
-            said = any(UNTIL[command] in line for line in process.stdout)
+            if command in GROWS:
+                said = has_grown(folder / GROWS[command], process)
+            else:
+                said = any(UNTIL[command] in line for line in process.stdout)
             process.send_signal(signal.SIGINT)
             _, errors = process.communicate(timeout=60)
             assert said, (process.returncode, errors)
@@ -158,6 +164,16 @@ def does_what_is_said(command: str, folder: Path) -> None:
         return
     done = subprocess.run(words(command), cwd=folder, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def has_grown(file: Path, process: subprocess.Popen[str]) -> bool:
+    """Whether a file has come to a MB before its process ended."""
+    while process.poll() is None:
+        if file.exists() and file.stat().st_size > 1e6:
+            return True
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(0.1)
+    return False
 
 
 def test_the_program_flies_the_readers_scenario(folder: Path) -> None:

@@ -15,11 +15,12 @@ import psutil
 import pytest
 import yaml
 from launched import first_heartbeat, launched
-from sessions import ROOT, Outcome, demo, fly, small
+from on_our_physics import GUEST, assert_refuelled, assert_reported_where_it_is, mixed, several
+from sessions import ROOT, Outcome, demo, fly
 
 STAND_IN = ROOT / "tests" / "peers" / "json_arducopter.py"
 REAL = os.environ.get("SKYTENDER_ARDUCOPTER", "")
-COPTER = 2
+COPTER = GUEST
 PATIENCE_S = 400.0
 """Wall time of the demo with two real ones: a quarter of a minute on two cores that are free."""
 NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_ARDUCOPTER names no ArduCopter's simulator")
@@ -33,21 +34,10 @@ def program(folder: Path, like: str = "4.7") -> Path:
     return path
 
 
-def mixed(ardupilot: Path | str, *, duration_s: float = 25.0, **keys: Any) -> dict[str, Any]:
-    """One of ours, one that another autopilot flies and that needs energy, their target and a tanker, in wind."""
-    goal = {"duration_s": duration_s, "refuelled_at_least": 1, "pursue": {"within_m": 3.5, "for_s": 5.0}}
-    content = small(goal=goal, wind={"speed_m_s": 4.0, "from_deg": 200.0, "turbulence_m_s": 5.0})
-    content["vehicles"]["pursuers"][0]["battery"]["initial_percent"] = 100
-    battery = {"capacity_j": 60000, "initial_percent": 50}
-    copter = {
-        "sysid": COPTER,
-        "start_m": [2.0, 3.0, 0.0],
-        "battery": battery,
-        "params": copter_names.speed(ardupilot, 4.0),
-    }
-    content["vehicles"]["pursuers"].append({**copter, "autopilot": {"ardupilot": str(ardupilot)}, **keys})
-    content["refuelling"] = {"limit_j": 10000}
-    return content
+def with_copter(ardupilot: Path | str, **keys: Any) -> dict[str, Any]:
+    """The fleet whose guest an ArduCopter flies."""
+    params = copter_names.speed(ardupilot, 4.0)
+    return mixed({"ardupilot": str(ardupilot)}, **{"params": params, **keys})
 
 
 def copters() -> list[psutil.Process]:
@@ -60,7 +50,7 @@ def copters() -> list[psutil.Process]:
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     folder = tmp_path_factory.mktemp("mixed")
     copter = REAL if request.param == "real" else program(folder, request.param)
-    return fly(mixed(copter), folder / "session", "--plain")
+    return fly(with_copter(copter), folder / "session", "--plain")
 
 
 def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outcome) -> None:
@@ -76,34 +66,16 @@ def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outc
 
 
 def test_it_takes_ten_kilojoules_in_the_air_and_flies_on(flown: Outcome) -> None:
-    (service, *_) = flown.summary["refuelling"]
-    assert (service["receiver"], service["tanker"]) == (COPTER, 201)
-    assert service["energy_j"] >= 10_000
-    copter, tanker = flown.vehicle(COPTER)["energy"], flown.vehicle(201)["energy"]
-    assert copter["received_j"] == service["energy_j"]
-    assert tanker["given_j"] - tanker["received_j"] == copter["received_j"]  # what did not arrive came back
-    assert tanker["lost_j"] == 0.0
-    truth = flown.truth(COPTER)
-    drawn, received, given, remaining = truth.energy.T
-    assert np.abs(truth.head["initial_j"] + received - drawn - given - remaining).max() < 1e-6
-    assert received[-1] == copter["received_j"]
-    assert copter["drawn_j"] == pytest.approx(drawn[-1], abs=200.0)
-    assert truth.p_ned[-1, 2] < -1.0
+    assert_refuelled(flown)
 
 
 def test_what_it_reports_is_where_our_physics_has_it(flown: Outcome) -> None:
-    truth = flown.truth(COPTER)
-    reported = [(t, m) for t, m in flown.messages("LOCAL_POSITION_NED") if m.get_srcSystem() == COPTER]
-    assert len(reported) > 100
-    by_time = {round(t, 1): row for t, row in zip(truth.time_s, truth.p_ned, strict=True)}
-    for t, m in reported[20:]:
-        north, east, down = by_time[round(t, 1)] - [2.0, 3.0, 0.0]
-        assert (m.x, m.y, m.z) == pytest.approx((north, east, down), abs=0.4)  # a real one estimates it
+    assert_reported_where_it_is(flown, 0.4)
 
 
 def test_it_flies_the_same_way_again(flown: Outcome, tmp_path: Path) -> None:
     named = yaml.safe_load((flown.folder / "scenario.yaml").read_text())["vehicles"]["pursuers"][1]["autopilot"]
-    again = fly(mixed(named["ardupilot"], duration_s=5.0), tmp_path / "session", "--plain")
+    again = fly(with_copter(named["ardupilot"], duration_s=5.0), tmp_path / "session", "--plain")
     for sysid in (1, COPTER):
         before, now = flown.truth(sysid), again.truth(sysid)
         ticks = len(now.time_s)
@@ -114,7 +86,7 @@ def test_it_flies_the_same_way_again(flown: Outcome, tmp_path: Path) -> None:
 
 
 def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Path) -> None:
-    outcome = fly(mixed(program(tmp_path), params={"KIND": 1.0}), tmp_path / "session", "--plain")
+    outcome = fly(with_copter(program(tmp_path), params={"KIND": 1.0}), tmp_path / "session", "--plain")
     assert outcome.status == 1
     assert "is no ArduCopter with four rotors" in outcome.stderr
     assert "Traceback" not in outcome.stderr
@@ -122,7 +94,7 @@ def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Pa
 
 
 def test_a_period_that_is_no_multiple_of_its_step_is_flown(tmp_path: Path) -> None:
-    content = mixed(program(tmp_path), duration_s=8.0)
+    content = with_copter(program(tmp_path), duration_s=8.0)
     content |= {"clock": {"mode": "lockstep", "period_s": 0.036}, "goal": {"duration_s": 8.0}}
     outcome = fly(content, tmp_path / "session", "--plain")
     assert outcome.status == 0, outcome.stderr
@@ -132,7 +104,7 @@ def test_a_period_that_is_no_multiple_of_its_step_is_flown(tmp_path: Path) -> No
 
 def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> None:
     outcome = fly(
-        mixed(program(tmp_path), duration_s=8.0, params={"KILLED_AT_S": 6.0}), tmp_path / "session", "--plain"
+        with_copter(program(tmp_path), duration_s=8.0, params={"KILLED_AT_S": 6.0}), tmp_path / "session", "--plain"
     )
     assert outcome.status == 1
     assert outcome.summary["sim_time_s"] == 8.0
@@ -142,7 +114,7 @@ def test_one_that_is_killed_is_lost_and_the_others_fly_on(tmp_path: Path) -> Non
 
 
 def test_it_is_launched_for_other_ground_stations_too(tmp_path: Path) -> None:
-    with launched(mixed(program(tmp_path)), tmp_path) as where:
+    with launched(with_copter(program(tmp_path)), tmp_path) as where:
         heard = first_heartbeat(where[COPTER])
     assert (heard.get_srcSystem(), heard.autopilot, heard.custom_mode) == (COPTER, 3, 4)
     assert copters() == []
@@ -153,7 +125,7 @@ def test_it_is_launched_for_other_ground_stations_too(tmp_path: Path) -> None:
 def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
     """It has no GNSS, so that it never knows its place."""
     params = {"GPS_TYPE": 0.0, "GPS1_TYPE": 0.0}
-    outcome = fly(mixed(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
+    outcome = fly(with_copter(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 1
     assert "was not ready in 120 s of its time: " in outcome.stderr
     assert "Traceback" not in outcome.stderr
@@ -175,10 +147,10 @@ def test_two_of_ours_and_two_real_ones_meet_the_goal_of_the_demo(tmp_path: Path)
 
 @NEEDS_REAL
 def test_a_real_one_has_the_same_session_beside_other_work(tmp_path: Path) -> None:
-    one = fly(mixed(REAL), tmp_path / "one", "--plain")
+    one = fly(with_copter(REAL), tmp_path / "one", "--plain")
     with subprocess.Popen([sys.executable, "-c", "while True: pass"]) as busy:
         try:
-            other = fly(mixed(REAL), tmp_path / "other", "--plain")
+            other = fly(with_copter(REAL), tmp_path / "other", "--plain")
         finally:
             busy.kill()
     assert one.summary["digest"] == other.summary["digest"]
@@ -186,7 +158,7 @@ def test_a_real_one_has_the_same_session_beside_other_work(tmp_path: Path) -> No
 
 @NEEDS_REAL
 def test_a_real_one_leans_into_the_wind_as_the_drag_of_its_rotors_says(tmp_path: Path) -> None:
-    content = mixed(REAL, duration_s=20.0)
+    content = with_copter(REAL, duration_s=20.0)
     content.update(wind={"speed_m_s": 8.0}, refuelling={"enabled": False}, goal={"duration_s": 20.0})
     roll, pitch, _ = fly(content, tmp_path / "session", "--plain").truth(COPTER).state[-50:, 6:9].mean(axis=0)
     tilt = np.arccos(np.cos(roll) * np.cos(pitch))
@@ -199,7 +171,7 @@ def test_a_real_one_leans_into_the_wind_as_the_drag_of_its_rotors_says(tmp_path:
 
 @NEEDS_REAL
 def test_a_real_one_meets_the_sensors_and_faults_of_its_scenario(tmp_path: Path) -> None:
-    content = mixed(REAL, duration_s=20.0, sensors={})
+    content = with_copter(REAL, duration_s=20.0, sensors={})
     faults = [{"fault": "battery", "sysid": COPTER, "at_s": 10.0, "share": 0.3}]
     faults.append({"fault": "motor", "sysid": COPTER, "at_s": 17.0})
     content.update(wind={}, refuelling={"enabled": False}, goal={"duration_s": 20.0}, faults=faults)
@@ -223,14 +195,8 @@ def test_a_real_one_meets_the_sensors_and_faults_of_its_scenario(tmp_path: Path)
 
 @NEEDS_REAL
 def test_five_real_ones_fly_and_are_refuelled(tmp_path: Path) -> None:
-    content = mixed(REAL, duration_s=30.0)
-    (first, copter), battery = content["vehicles"]["pursuers"], {"capacity_j": 60000, "initial_percent": 45}
     places = [(4.0, 4.0), (4.0, -4.0), (-4.0, 4.0), (-4.0, -4.0), (6.0, 0.0)]
-    content["vehicles"]["pursuers"] = [first] + [
-        {**copter, "sysid": 2 + i, "start_m": [*place, 0.0], "battery": battery} for i, place in enumerate(places)
-    ]
-    content["formation"] = {"ring_m": 4.0}
-    content["goal"]["pursue"]["within_m"] = 6.0
+    content = several(with_copter(REAL, duration_s=30.0), *places)
     outcome = fly(content, tmp_path / "session", "--plain")
     assert outcome.status == 0, outcome.stdout
     assert {outcome.vehicle(sysid)["final_mode"] for sysid in range(2, 7)} <= {"offboard", "refuel"}

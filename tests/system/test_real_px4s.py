@@ -12,16 +12,15 @@ import numpy as np
 import psutil
 import pytest
 from launched import first_heartbeat, launched
-from sessions import ROOT, Outcome, Running, demo, fly, small
+from on_our_physics import GUEST, assert_refuelled, assert_reported_where_it_is, mixed, several
+from sessions import ROOT, Outcome, Running, demo, fly
 
 STAND_IN = ROOT / "tests" / "peers" / "hil_px4.py"
 REAL = os.environ.get("SKYTENDER_PX4", "")
-PX4 = 2
+PX4 = GUEST
 PATIENCE_S = 400.0
 """Wall time of a session that takes less than a minute on two cores that are free."""
 NEEDS_REAL = pytest.mark.skipif(not REAL, reason="SKYTENDER_PX4 names no build/px4_sitl_default")
-ACCURATE_M = 0.6
-"""How far its report may be from where our physics has it: a real one estimates it."""
 
 
 def build(folder: Path, like: str = "1.18") -> Path:
@@ -36,16 +35,9 @@ def build(folder: Path, like: str = "1.18") -> Path:
     return program.parents[1]
 
 
-def mixed(px4: Path | str, *, duration_s: float = 25.0, **keys: Any) -> dict[str, Any]:
-    """One of ours, a PX4 that needs energy, their target and a tanker, in wind."""
-    goal = {"duration_s": duration_s, "refuelled_at_least": 1, "pursue": {"within_m": 3.5, "for_s": 5.0}}
-    content = small(goal=goal, wind={"speed_m_s": 4.0, "from_deg": 200.0, "turbulence_m_s": 5.0})
-    content["vehicles"]["pursuers"][0]["battery"]["initial_percent"] = 100
-    battery = {"capacity_j": 60000, "initial_percent": 50}
-    one = {"sysid": PX4, "start_m": [2.0, 3.0, 0.0], "attitude_deg": [0.0, 0.0, 70.0], "battery": battery}
-    content["vehicles"]["pursuers"].append({**one, "autopilot": {"px4": str(px4)}, **keys})
-    content["refuelling"] = {"limit_j": 10000}
-    return content
+def with_px4(px4: Path | str, **keys: Any) -> dict[str, Any]:
+    """The fleet whose guest a PX4 flies."""
+    return mixed({"px4": str(px4)}, attitude_deg=[0.0, 0.0, 70.0], **keys)
 
 
 def px4s() -> list[psutil.Process]:
@@ -58,7 +50,7 @@ def px4s() -> list[psutil.Process]:
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     folder = tmp_path_factory.mktemp("mixed")
     px4 = REAL if request.param == "real" else build(folder, request.param)
-    return fly(mixed(px4), folder / "session", "--plain")
+    return fly(with_px4(px4), folder / "session", "--plain")
 
 
 def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outcome) -> None:
@@ -76,36 +68,18 @@ def test_it_takes_off_follows_its_target_and_is_recorded_as_ours_are(flown: Outc
 
 
 def test_it_takes_ten_kilojoules_in_the_air_and_flies_on(flown: Outcome) -> None:
-    (service, *_) = flown.summary["refuelling"]
-    assert (service["receiver"], service["tanker"]) == (PX4, 201)
-    assert service["energy_j"] >= 10_000
-    px4, tanker = flown.vehicle(PX4)["energy"], flown.vehicle(201)["energy"]
-    assert px4["received_j"] == service["energy_j"]
-    assert tanker["given_j"] - tanker["received_j"] == px4["received_j"]  # what did not arrive came back
-    assert tanker["lost_j"] == 0.0
-    truth = flown.truth(PX4)
-    drawn, received, given, remaining = truth.energy.T
-    assert np.abs(truth.head["initial_j"] + received - drawn - given - remaining).max() < 1e-6
-    assert received[-1] == px4["received_j"]
-    assert px4["drawn_j"] == pytest.approx(drawn[-1], abs=200.0)
-    assert truth.p_ned[-1, 2] < -1.0
+    assert_refuelled(flown)
     volts = [m.voltage_battery for _, m in flown.messages("SYS_STATUS") if m.get_srcSystem() == PX4]
     told = [sum(m.voltages[:4]) for _, m in flown.messages("BATTERY_STATUS") if m.get_srcSystem() == PX4]
     assert volts[-1] == pytest.approx(told[-1], abs=150)  # it measures our battery, half a second late
 
 
 def test_what_it_reports_is_where_our_physics_has_it(flown: Outcome) -> None:
-    truth = flown.truth(PX4)
-    reported = [(t, m) for t, m in flown.messages("LOCAL_POSITION_NED") if m.get_srcSystem() == PX4]
-    assert len(reported) > 100
-    by_time = {round(t, 1): row for t, row in zip(truth.time_s, truth.p_ned, strict=True)}
-    for t, m in reported[20:]:
-        north, east, down = by_time[round(t, 1)] - [2.0, 3.0, 0.0]
-        assert (m.x, m.y, m.z) == pytest.approx((north, east, down), abs=ACCURATE_M)
+    assert_reported_where_it_is(flown, 0.6)
 
 
 def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Path) -> None:
-    outcome = fly(mixed("nowhere"), tmp_path / "session", "--plain")
+    outcome = fly(with_px4("nowhere"), tmp_path / "session", "--plain")
     assert outcome.status == 1
     assert "nowhere cannot be started: there is no " in outcome.stderr
     assert "Traceback" not in outcome.stderr
@@ -119,7 +93,7 @@ def px4(request: pytest.FixtureRequest, tmp_path: Path) -> str:
 
 
 def test_one_that_is_killed_is_lost_and_the_others_fly_on(px4: str, tmp_path: Path) -> None:
-    running = Running(mixed(px4, duration_s=12.0), tmp_path, "--json")
+    running = Running(with_px4(px4, duration_s=12.0), tmp_path, "--json")
     try:
         running.wait_for(lambda seen: seen["t_s"] > 1.0)
         (one,) = px4s()
@@ -135,7 +109,7 @@ def test_one_that_is_killed_is_lost_and_the_others_fly_on(px4: str, tmp_path: Pa
 
 
 def test_it_is_launched_for_other_ground_stations_too(px4: str, tmp_path: Path) -> None:
-    with launched(mixed(px4), tmp_path) as where:
+    with launched(with_px4(px4), tmp_path) as where:
         heard = first_heartbeat(where[PX4])
     assert (heard.get_srcSystem(), heard.autopilot, heard.custom_mode) == (PX4, 12, 4 << 16 | 3 << 24)
     assert px4s() == []
@@ -146,7 +120,7 @@ def test_it_is_launched_for_other_ground_stations_too(px4: str, tmp_path: Path) 
 def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
     """It wants one satellite more than there are, so that it never knows its place. It says so once: by its link, or
     before that is up, in its last lines."""
-    outcome = fly(mixed(REAL, params={"EKF2_REQ_NSATS": 13.0}), tmp_path, "--plain", patience_s=PATIENCE_S)
+    outcome = fly(with_px4(REAL, params={"EKF2_REQ_NSATS": 13.0}), tmp_path, "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 1
     assert "was not ready in 120 s of its time" in outcome.stderr
     assert "not enough GPS Satellites" in outcome.stderr
@@ -166,21 +140,14 @@ def test_two_of_ours_and_a_real_one_meet_the_goal_of_the_demo(tmp_path: Path) ->
 
 @NEEDS_REAL
 def test_a_real_one_flies_nearly_the_same_way_again(tmp_path: Path) -> None:
-    first, second = (fly(mixed(REAL), tmp_path / name, "--plain").truth(PX4).p_ned for name in ("one", "other"))
+    first, second = (fly(with_px4(REAL), tmp_path / name, "--plain").truth(PX4).p_ned for name in ("one", "other"))
     assert len(first) == len(second)
     assert np.abs(first - second).max() < 1.0
 
 
 @NEEDS_REAL
 def test_three_real_ones_fly_together(tmp_path: Path) -> None:
-    content = mixed(REAL, duration_s=30.0)
-    (first, px4), battery = content["vehicles"]["pursuers"], {"capacity_j": 60000, "initial_percent": 45}
-    places = [(4.0, 4.0), (4.0, -4.0), (-4.0, 4.0)]
-    content["vehicles"]["pursuers"] = [first] + [
-        {**px4, "sysid": 2 + i, "start_m": [*place, 0.0], "battery": battery} for i, place in enumerate(places)
-    ]
-    content["formation"] = {"ring_m": 4.0}
-    content["goal"]["pursue"]["within_m"] = 6.0
+    content = several(with_px4(REAL, duration_s=30.0), (4.0, 4.0), (4.0, -4.0), (-4.0, 4.0))
     outcome = fly(content, tmp_path / "session", "--plain")
     assert outcome.status == 0, outcome.stdout
     assert {outcome.vehicle(sysid)["final_mode"] for sysid in range(2, 5)} <= {"offboard", "refuel"}

@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 from attached import Attached
-from sessions import Running, demo, fly, merged, small
+from sessions import Running, fly, small, two_refuellings
 
 from gcs.recording import tlog_reader
 from gcs.recording.summary import Summary
@@ -74,7 +74,7 @@ def test_every_line_of_a_session_an_observer_and_a_replay_keeps_to_the_schema(tm
 
 
 def test_summary_and_decisions_keep_to_their_schemas(tmp_path: Path) -> None:
-    outcome = fly(merged(demo(), {"goal": {"duration_s": 60}, "radio": {"loss": 0.3}}), tmp_path, "--plain")
+    outcome = fly(two_refuellings(), tmp_path, "--plain")
     jsonschema.Draft202012Validator(schema("summary")).validate(outcome.summary)
     validator = jsonschema.Draft202012Validator(schema("decisions"))
     decisions = outcome.decisions

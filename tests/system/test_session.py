@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -18,8 +17,6 @@ from sessions import ROOT, fly, merged, small
 
 import gcs
 
-EXAMPLES = ROOT / "tests" / "examples"
-
 
 def write(folder: Path, **changes: Any) -> Path:
     path = folder / "scenario.yaml"
@@ -28,12 +25,12 @@ def write(folder: Path, **changes: Any) -> Path:
 
 
 def test_every_tick_is_a_snapshot_and_looking_changes_nothing(tmp_path: Path) -> None:
-    path = write(tmp_path, goal={"duration_s": 15.0, "refuelled_at_least": 0})
+    path = write(tmp_path, goal={"duration_s": 11.0, "refuelled_at_least": 0})
     with gcs.Session(path, out=tmp_path / "looked") as session:
         seen = list(session)
-    assert [round(10 * snapshot.time_s) for snapshot in seen] == list(range(151))
+    assert [round(10 * snapshot.time_s) for snapshot in seen] == list(range(111))
     assert seen[0].sysid.tolist() == [1, 101, 201]
-    truth = fly(small(goal={"duration_s": 15.0, "refuelled_at_least": 0}), tmp_path / "alone", "--quiet")
+    truth = fly(small(goal={"duration_s": 11.0, "refuelled_at_least": 0}), tmp_path / "alone", "--quiet")
     assert session.summary.digest == truth.summary["digest"]
     assert session.summary.outcome == "met"
     assert (truth.stdout, truth.stderr) == ("", "")
@@ -80,17 +77,6 @@ def test_bad_arguments_and_late_questions_are_sentences(tmp_path: Path) -> None:
         next(iter(gcs.Session("demo")))
     with pytest.raises(gcs.SessionError, match="exists already"), gcs.Session("demo", out=tmp_path):
         pass
-
-
-def test_the_examples_planner_and_policy_fly_and_refuel(tmp_path: Path) -> None:
-    for file in ("my_planner.py", "my_policy.py"):
-        shutil.copy(EXAMPLES / file, tmp_path)
-        assert len((EXAMPLES / file).read_text().splitlines()) <= 32
-    outcome = fly(small(planner="my_planner:Ring", competition="my_policy:InTurn"), tmp_path, "--plain")
-    assert outcome.status == 0, outcome.stdout + outcome.stderr
-    assert {service["by"] for service in outcome.summary["refuelling"]} == {"policy"}
-    distance = np.linalg.norm(outcome.truth(1).p_ned - outcome.truth(101).p_ned, axis=1)
-    assert distance[outcome.truth(1).time_s > 10.0] == pytest.approx(2.0, abs=0.2)
 
 
 def test_a_shipped_policy_refuels_in_the_competitions_place(tmp_path: Path) -> None:

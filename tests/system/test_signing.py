@@ -95,7 +95,7 @@ def flying(folder: Path, key: Path) -> Iterator[tuple[Station, int]]:
     port = free_port()
     one = vehicle("--connect", f"udpin:127.0.0.1:{port}", "--key-file", str(key))
     with strangers(folder, one), Station(7) as station:
-        station._peer = ("127.0.0.1", port)
+        station.speaks_to("127.0.0.1", port)
         sign(station, key)
         yield station, port
 
@@ -117,7 +117,7 @@ def test_no_forged_stale_replayed_or_unsigned_command_moves_a_vehicle(keys: tupl
             sign(wrong, other)
             sign(stale, own, stamp=int((time.time() - 1_420_070_400 - 61.0) * 1e5))
             for forger in forgers:
-                forger._peer = ("127.0.0.1", port)
+                forger.speaks_to("127.0.0.1", port)
                 for _ in range(5):
                     forger.send(arm)
             assert station.command(mav.MAV_CMD_REQUEST_MESSAGE, float(mav.MAVLINK_MSG_ID_HEARTBEAT)) == ACCEPTED

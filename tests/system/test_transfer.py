@@ -50,7 +50,7 @@ def test_joules_flow_only_while_the_tanker_is_there(clear: Outcome) -> None:
 def test_it_closes_when_the_tanker_is_pushed_out_of_the_capture_radius(tmp_path: Path) -> None:
     """Traffic comes for the tanker, whose planner gives way; the receiver itself ends the transfer."""
     pushed = small(
-        goal={"duration_s": 60.0, "refuelled_at_least": 0},
+        goal={"duration_s": 45.0, "refuelled_at_least": 0},
         refuelling={"capture_m": 1.3, "rate_w": 500.0},
         traffic=[
             {"callsign": "PUSHER", "path_m": [[2.0, -9.0, -3.9], [2.0, 9.0, -3.9]], "speed_m_s": 0.8, "start_s": 8.0}
@@ -87,23 +87,6 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
     assert outcome.vehicle(201)["energy"]["given_j"] == service["energy_j"] + lost_j
 
 
-def test_it_closes_with_a_fifth_of_all_frames_lost(tmp_path: Path) -> None:
-    # Not as long as the demo: a battery that ends empty no longer pays for what thrust draws.
-    outcome = fly(merged(demo(), {"radio": {"loss": 0.2}, "goal": {"duration_s": 90.0}}), tmp_path, "--plain")
-    sysids = (1, 2, 3, 4, 5, 101, 201)
-    assert outcome.summary["link"]["lost"] > 1000
-    assert len(outcome.summary["refuel_order"]) >= 3
-    assert_ledgers_close(outcome, sysids)
-    for sysid in sysids:
-        energy, truth = outcome.vehicle(sysid)["energy"], outcome.truth(sysid)
-        assert energy["drawn_j"] <= truth.energy[-1, 0]
-        assert energy["received_j"] <= truth.energy[-1, 1]
-    # Its tanker too receives, what it has given and nobody got.
-    assert sum(outcome.truth(s).energy[-1, 1] for s in sysids if s != 201) == sum(
-        s["energy_j"] for s in outcome.summary["refuelling"]
-    )
-
-
 @pytest.mark.parametrize("lost", ["first", "last"])
 def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_path: Path, lost: str) -> None:
     """The tanker's frames are dark around the transfer's start or end, as the undisturbed session shows them."""
@@ -111,7 +94,7 @@ def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_pa
     moving = given.time_s[1:][np.diff(given.energy[:, 2]) > 0]
     at_s = float(moving[0] if lost == "first" else moving[-1])
     dark = {"sysid": 201, "from_s": at_s - 0.05, "to_s": at_s + 0.35}
-    outcome = fly(small(radio={"blackouts": [dark]}), tmp_path, "--plain")
+    outcome = fly(small(radio={"blackouts": [dark]}, goal={"duration_s": at_s + 12.0}), tmp_path, "--plain")
     assert_ledgers_close(outcome, EVERYONE)
     receiver, tanker = outcome.truth(1).energy[-1], outcome.truth(201).energy[-1]
     assert receiver[1] > 0

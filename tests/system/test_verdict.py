@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree as ET
 
-import numpy as np
 import pytest
 from attached import Attached
 from sessions import Outcome, Running, fly, merged, small
+from ways import at_grants, nearest_m
 
 from gcs.campaign import measures
 from gcs.scenario.file import load
@@ -44,7 +44,7 @@ def pursuers(*starts: tuple[float, float], percent: float = 90.0, **more: Any) -
 
 def scenario(**changes: Any) -> dict[str, Any]:
     """Three pursuers around a target that stands; nobody is refuelled."""
-    content = small(goal={"duration_s": 20.0, "refuelled_at_least": 0}, refuelling={"enabled": False})
+    content = small(goal={"duration_s": 13.0, "refuelled_at_least": 0}, refuelling={"enabled": False})
     content["vehicles"]["pursuers"] = pursuers((4.0, 0.0), (-4.0, 0.0), (0.0, 4.0))
     del content["vehicles"]["tankers"]
     return merged(content, changes)
@@ -71,12 +71,8 @@ def violations(outcome: Outcome, part: str) -> list[dict[str, Any]]:
 
 def true_least_m(outcome: Outcome, *sysids: int) -> float:
     """By the truth files, at their records."""
-    truths = [outcome.truth(sysid) for sysid in sysids]
-    times = sorted(set.intersection(*(set(np.round(truth.time_s, 3)) for truth in truths)))
-    at = np.array([truth.p_ned[np.isin(np.round(truth.time_s, 3), times)] for truth in truths])
-    up = (at[:, :, 2] < -0.5).all(axis=0)
-    gaps = [np.linalg.norm(at[i] - at[j], axis=1)[up] for i in range(len(at)) for j in range(i)]
-    return float(np.min(gaps))
+    at = at_grants(outcome, sysids)
+    return nearest_m(at[:, (at[:, :, 2] < -0.5).all(axis=0)])
 
 
 @pytest.fixture(scope="module")

@@ -18,8 +18,9 @@ from zipfile import ZipFile
 import pytest
 import yaml
 from pages import DOCS, block
-from sessions import DIGESTS, ROOT
+from sessions import DIGESTS, ROOT, small
 
+from gcs.scenario.file import shipped_names
 from skytender.compiled import PACKAGES, compiled_sources
 
 PIP = [sys.executable, "-m", "pip", "--quiet", "--disable-pip-version-check"]
@@ -106,13 +107,6 @@ def test_programs_scenarios_schemas_and_types_are_in_it(installed: Path, tmp_pat
     assert "simvehicle" in run(installed / "gcs", "doctor", cwd=tmp_path)
 
 
-def test_the_demo_flies_in_it_as_in_the_checkout(installed: Path, tmp_path: Path) -> None:
-    """With all of the processor's instructions; tests/system/test_digests.py flies it with fewer."""
-    run(installed / "gcs", "run", "demo", "--lockstep", "--quiet", "--no-report", "--out", "wheel", cwd=tmp_path)
-    digest = json.loads((tmp_path / "wheel" / "summary.json").read_text())["digest"]
-    assert digest.removeprefix("sha256:").startswith(DIGESTS["demo"])
-
-
 # in other people's repositories
 
 
@@ -148,7 +142,9 @@ def steps(listed: list[dict[str, Any]], environment: dict[str, str]) -> list[str
     return said
 
 
-def test_the_workflow_of_the_docs_runs_in_another_repository(wheel: Path, runner: dict[str, str]) -> None:
+def test_the_workflow_of_the_docs_flies_the_demo_in_another_repository_as_in_the_checkout(
+    wheel: Path, runner: dict[str, str]
+) -> None:
     workflow = yaml.safe_load(block(DOCS / "how-to" / "ci.md", "workflow.yml"))
     assert workflow["env"].keys() == {"SKYTENDER"}
     steps(workflow["jobs"]["fly"]["steps"], runner | {"SKYTENDER": str(wheel)})
@@ -158,13 +154,18 @@ def test_the_workflow_of_the_docs_runs_in_another_repository(wheel: Path, runner
         assert (repository / kept).exists()
     cases = ET.parse(repository / "outcome.xml").getroot().iter("testcase")
     assert {case.find("failure") for case in cases} == {None}
+    digest = json.loads((repository / "session" / "summary.json").read_text())["digest"]
+    assert digest.startswith(f"sha256:{DIGESTS['demo']}")
 
 
 def test_the_actions_steps_fly_every_seed(wheel: Path, runner: dict[str, str], tmp_path: Path) -> None:
     """What a runner puts for the expressions in `env` is put here."""
     action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
+    assert action["inputs"]["scenario"]["default"] in shipped_names()
+    brief = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
+    (Path(runner["PWD"]) / "field.yaml").write_text(yaml.safe_dump(brief))
     given = {
-        "PACKAGE": str(wheel), "SCENARIO": action["inputs"]["scenario"]["default"], "SEEDS": "3 4",
+        "PACKAGE": str(wheel), "SCENARIO": "field.yaml", "SEEDS": "3 4",
         "FOLDER": str(tmp_path / "temp" / "sessions"), "GITHUB_OUTPUT": str(tmp_path / "output"),
     }  # fmt: skip
     listed = action["runs"]["steps"]

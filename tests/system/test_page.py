@@ -205,21 +205,8 @@ def test_a_link_without_its_token_shows_nothing(browser: Browser) -> None:
 
 
 def test_hostile_names_and_texts_are_shown_as_text(browser: Browser) -> None:
-    rows = [
-        row(
-            1,
-            0.0,
-            label=HOSTILE,
-            role="target",
-            mode=HOSTILE,
-            state=HOSTILE,
-            note=HOSTILE,
-            trouble=[HOSTILE],
-            severity=2,
-            condition="failing",
-            figure=HOSTILE,
-        )
-    ]
+    texts = dict.fromkeys(("label", "mode", "state", "note", "figure"), HOSTILE)
+    rows = [row(1, 0.0, role="target", trouble=[HOSTILE], severity=2, condition="failing", **texts)]
     event = {"t_s": 1.0, "sysid": 1, "level": "warning", "kind": "text", "text": HOSTILE}
     with served(Script(session(rows, name=HOSTILE), snapshot(1.0, rows, event))) as links:
         watched = Watched(browser)

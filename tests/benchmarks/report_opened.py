@@ -48,7 +48,7 @@ def figures() -> list[Figure]:
             found.append(Figure(10, "  its size", float(page.stat().st_size), "bytes", most_bytes, at_most=True))
             opened = []
             for _ in range(OPENED):
-                with Browser(watched=False) as browser:
+                with Browser() as browser:
                     browser.open(page)
                     opened.append(browser.drawn())
         for stage, words in STAGES.items():

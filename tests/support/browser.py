@@ -1,4 +1,4 @@
-"""Headless Chromium, spoken to in its DevTools protocol over a pair of pipes: nothing to install beside it.
+"""Headless Chromium for measurements, spoken to in its DevTools protocol over a pair of pipes.
 
 https://chromedevtools.github.io/devtools-protocol; `--remote-debugging-pipe` reads commands on descriptor 3 and writes
 answers and events on 4, JSON ended by a NUL.
@@ -6,8 +6,6 @@ answers and events on 4, JSON ended by a NUL.
 
 from __future__ import annotations
 
-import base64
-import io
 import json
 import os
 import select
@@ -22,7 +20,6 @@ from types import TracebackType
 from typing import Any, Self
 
 from patience import PATIENCE_S
-from PIL import Image
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 MISSING = "Chromium is not installed (Debian: apt-get install chromium)"
@@ -47,14 +44,7 @@ DRAWN = """new Promise((done) => {
 
 
 class Browser:
-    """One browser with one page; `events` are all that it has told of the page.
-
-    A watched page tells of its requests, errors and logs, and is the slower for it: for every error that a script only
-    makes, V8 then works out the places in its source.
-    """
-
-    def __init__(self, *, watched: bool = True) -> None:
-        self._domains = ("Page", "Runtime", "Network", "Log") if watched else ("Page",)
+    """One browser with one page that tells of no errors: V8 would work out the places of each in its source."""
 
     def __enter__(self) -> Self:
         assert CHROMIUM, MISSING
@@ -73,15 +63,13 @@ class Browser:
         )
         os.close(theirs_in)
         os.close(theirs_out)
-        self.events: list[dict[str, Any]] = []
         self._read = b""
         self._number = 0
         self._session: str | None = None
         try:
             target = self.call("Target.createTarget", url="about:blank")["targetId"]
             self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-            for domain in self._domains:
-                self.call(f"{domain}.enable")
+            self.call("Page.enable")
         except BaseException:
             self.__exit__(None, None, None)
             raise
@@ -112,10 +100,6 @@ class Browser:
         result: dict[str, Any] = answer["result"]
         return result
 
-    def wait_for(self, method: str) -> dict[str, Any]:
-        """The next event of that name."""
-        return self._take(lambda told: told.get("method") == method)
-
     def _take(self, wanted: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
         deadline_s = time.monotonic() + PATIENCE_S
         while True:
@@ -130,49 +114,17 @@ class Browser:
                 continue
             self._read = rest
             told: dict[str, Any] = json.loads(line)
-            if "method" in told:
-                self.events.append(told)
             if wanted(told):
                 return told
 
-    def open(self, page: Path, width: int = 1280, height: int = 900, *, dark: bool = False) -> None:
-        """Open a file and wait until it is loaded; `events` begins anew."""
-        self.call(
-            "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600
-        )
-        feature = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
-        self.call("Emulation.setEmulatedMedia", features=[feature])
-        self.events.clear()
+    def open(self, page: Path) -> None:
+        """Open a file and wait until it is loaded."""
+        self.call("Emulation.setDeviceMetricsOverride", width=1280, height=900, deviceScaleFactor=1, mobile=False)
         self.call("Page.navigate", url=page.resolve().as_uri())
-        self.wait_for("Page.loadEventFired")
+        self._take(lambda told: told.get("method") == "Page.loadEventFired")
 
     def drawn(self) -> dict[str, float]:
         """Waits until a report's figures are drawn; when each stage was there, in ms since the page was asked for."""
-        told: dict[str, str] = self.evaluate(DRAWN)
-        return {stage: float(ms) for stage, ms in told.items()}
-
-    def evaluate(self, expression: str) -> Any:
-        """The value of a JavaScript expression, awaited where it is a promise."""
-        told = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
+        told = self.call("Runtime.evaluate", expression=DRAWN, awaitPromise=True, returnByValue=True)
         assert "exceptionDetails" not in told, told["exceptionDetails"]
-        return told["result"].get("value")
-
-    def picture_of(self, box: dict[str, float]) -> Image.Image:
-        """A part of the page, in CSS pixels from its top left corner."""
-        told = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip={**box, "scale": 1})
-        return Image.open(io.BytesIO(base64.b64decode(told["data"])))
-
-    def picture(self, to: Path, *, whole: bool = True) -> None:
-        """A PNG of the page."""
-        told = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole, **self._clip(whole))
-        to.write_bytes(base64.b64decode(told["data"]))
-
-    def _clip(self, whole: bool) -> dict[str, Any]:
-        if not whole:
-            return {}
-        size = self.call("Page.getLayoutMetrics")["cssContentSize"]
-        return {"clip": {"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}}
-
-    def pdf(self) -> bytes:
-        """The page as it is printed."""
-        return base64.b64decode(self.call("Page.printToPDF", preferCSSPageSize=True, printBackground=True)["data"])
+        return {stage: float(ms) for stage, ms in told["result"]["value"].items()}

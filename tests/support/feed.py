@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import queue
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -277,19 +278,19 @@ class Fed:
     """A source that hands out what it was given, and keeps what it is told."""
 
     def __init__(self, *messages: Mapping[str, Any]) -> None:
-        self.waiting: list[Mapping[str, Any]] = list(messages)
         self.sent: list[Mapping[str, Any]] = []
         self.connected = True
-        self.closed = False
+        self._waiting: queue.SimpleQueue[Mapping[str, Any]] = queue.SimpleQueue()
+        self.feed(*messages)
 
     def feed(self, *messages: Mapping[str, Any]) -> None:
         """Have these handed out at the next call."""
-        self.waiting += messages
+        for message in messages:
+            self._waiting.put(message)
 
     def receive(self) -> list[Mapping[str, Any]]:
         """What was given since the last call."""
-        messages, self.waiting = self.waiting, []
-        return messages
+        return [self._waiting.get() for _ in range(self._waiting.qsize())]
 
     def send(self, command: Mapping[str, Any]) -> None:
         """Keep it."""
@@ -297,4 +298,4 @@ class Fed:
 
     def close(self) -> None:
         """Remember that."""
-        self.connected, self.closed = False, True
+        self.connected = False

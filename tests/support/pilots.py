@@ -30,9 +30,8 @@ class Shown:
 
     async def press(self, *keys: str) -> None:
         """Press keys, one after the other."""
-        for key in keys:
-            await self.pilot.press(key)
-            await self.pilot.pause()
+        await self.pilot.press(*keys)
+        await self.pilot.pause()
 
     def segments(self) -> list[list[Segment]]:
         """The screen as a screenshot of Textual's takes it."""

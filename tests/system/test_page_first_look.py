@@ -1,71 +1,69 @@
-"""The page when it is new, in Debian's Chromium: before anything flies, the tour, a sound, keys on their buttons."""
+"""The page when it is new, in Debian's Chromium: before anything flies, the tour, a sound."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from playwright.sync_api import Browser, Locator, Page, expect
+from web import Script, Watched, row, served, session, snapshot, until
 
-import pytest
-from playwright.sync_api import Browser, expect
-from web import CHROMIUM, MISSING, Script, Watched, barriers, chromium, row, served, session, snapshot, until
-
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
+NARROW, WIDE = (390, 800, True), (1280, 800, False)
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
-
-
-@pytest.mark.parametrize("width", [390, 1280])
-def test_while_a_session_starts_the_page_says_so_and_offers_nothing_that_would_not_work(
-    browser: Browser, width: int
-) -> None:
+def test_while_a_session_starts_the_page_says_so_and_offers_nothing_that_would_not_work(browser: Browser) -> None:
     rows = [row(sysid, 0.0) for sysid in (1, 2)] + [row(101, 0.0, role="target")]
     source = Script()
     with served(source) as links:
-        watched = Watched(browser, width=width)
+        watched = Watched(browser)
         page = watched.open(links["command"])
         said = page.locator(".picture").get_by_role("status")
         expect(said).to_have_text("The session is starting.")
-        for name in ("hold", "stop", "all: return"):
-            expect(page.get_by_role("button", name=name, exact=True)).to_be_hidden()
-        assert barriers(page) == []
-        source.tell(session(rows, name="harvest"))
+        for width, height, dark in (NARROW, WIDE):
+            watched.look(width, height, dark=dark)
+            for name in ("hold", "stop", "all: return"):
+                expect(page.get_by_role("button", name=name, exact=True)).to_be_hidden()
+            watched.well()
+        source.feed(session(rows, name="harvest"))
         expect(page.locator("h1")).to_have_text("harvest")
         expect(said).to_have_text("2 pursuers, 1 target start; they are shown here as soon as they report.")
         expect(page.get_by_role("button", name="stop", exact=True)).to_be_visible()
-        source.tell(snapshot(0.1, rows))
+        source.feed(snapshot(0.1, rows))
         expect(said).to_be_hidden()
         until(page, "skytender.current?.vehicles.length === 3")
         assert watched.wrong == []
         page.close()
 
 
-@pytest.mark.parametrize(("width", "dark"), [(390, True), (1280, False)])
-def test_the_first_visit_begins_with_a_tour_of_five_steps_and_the_next_without(
-    browser: Browser, width: int, dark: bool
-) -> None:
+def steps(page: Page, tour: Locator) -> set[str | None]:
+    """Go through the tour; what it points at."""
+    pointed = set()
+    for step in range(1, 6):
+        expect(tour).to_contain_text(f"{step} of 5")
+        expect(page.locator(".pointed")).to_have_count(1)
+        pointed.add(page.locator(".pointed").get_attribute("class"))
+        tour.get_by_role("button", name="Next" if step < 5 else "Done").press("Enter")
+    return pointed
+
+
+def test_the_first_visit_begins_with_a_tour_of_five_steps_and_the_next_without(browser: Browser) -> None:
     rows = [row(1, 0.0)]
     with served(Script(session(rows), snapshot(1.0, rows))) as links:
-        watched = Watched(browser, width=width, dark=dark, tour=True)
+        watched = Watched(browser, tour=True)
         page = watched.flying(links["command"])
         tour = page.get_by_role("region", name="tour")
-        pointed = set()
-        for step in range(1, 6):
-            expect(tour).to_contain_text(f"{step} of 5")
-            expect(page.locator(".pointed")).to_have_count(1)
-            pointed.add(page.locator(".pointed").get_attribute("class"))
-            assert step > 1 or barriers(page) == []
-            tour.get_by_role("button", name="Next" if step < 5 else "Done").press("Enter")
-        assert len(pointed) == 5
+        expect(tour).to_contain_text("1 of 5")
+        for width, height, dark in (WIDE, NARROW):
+            watched.look(width, height, dark=dark)
+            watched.well()
+        assert len(steps(page, tour)) == 5
         expect(tour).to_be_hidden()
         page.reload()
         until(page, "window.skytender?.current")
         expect(tour).to_be_hidden()
+        watched.look(*WIDE[:2], dark=False)
         page.get_by_role("button", name="keys ?").click()
         page.get_by_role("button", name="Show the tour").click()
-        expect(tour).to_contain_text("1 of 5")
+        assert len(steps(page, tour)) == 5
+        page.get_by_role("button", name="keys ?").click()
+        page.get_by_role("button", name="Show the tour").click()
         tour.get_by_role("button", name="Close tour").click()
         expect(tour).to_be_hidden()
         assert watched.wrong == []
@@ -84,43 +82,13 @@ def test_a_sound_is_off_until_it_is_switched_on_and_tells_what_gets_worse(browse
         assert page.evaluate("[skytender.sound.rung, skytender.sound.audio]") == [0, None]
         button.click()
         expect(button).to_have_attribute("aria-pressed", "true")
-        source.tell(snapshot(2.0, [row(1, 0.0), row(2, 0.0, **low)]))
+        source.feed(snapshot(2.0, [row(1, 0.0), row(2, 0.0, **low)]))
         until(page, "skytender.current.t_s === 2")
         assert page.evaluate("skytender.sound.rung") == 0, "it is no worse than before"
-        source.tell(snapshot(3.0, [row(1, 0.0, **dead), row(2, 0.0, **low)]))
+        source.feed(snapshot(3.0, [row(1, 0.0, **dead), row(2, 0.0, **low)]))
         until(page, "skytender.sound.rung === 1")
         button.click()
         expect(button).to_have_attribute("aria-pressed", "false")
         assert page.evaluate("skytender.sound.audio") is None
-        assert watched.wrong == []
-        page.close()
-
-
-def test_keys_stand_on_the_buttons_that_they_press(browser: Browser) -> None:
-    rows = [row(1, 0.0)]
-    with served(Script(session(rows), snapshot(1.0, rows))) as links:
-        watched = Watched(browser)
-        page = watched.flying(links["command"])
-        page.locator("table.fleet tbody").get_by_role("button", name="1", exact=True).click()
-        for button in page.locator("button:has(kbd):visible").all():
-            shown = button.locator("kbd").inner_text()
-            name = button.inner_text().removesuffix(shown).strip()
-            if not shown.startswith("⇧"):
-                continue
-            page.keyboard.press(f"Shift+{shown[1:]}")
-            if name == "retarget":
-                expect(page.get_by_role("status").last).to_contain_text("There is no target.")
-                continue
-            expect(page.get_by_role("dialog")).to_be_visible()
-            page.keyboard.press("Escape")
-            expect(page.get_by_role("dialog")).to_be_hidden()
-        for name, key, before, after in (
-            ("map", "M", "space", "map"),
-            ("3-D", "3", "map", "space"),
-        ):
-            assert page.evaluate("skytender.view") == before
-            expect(page.get_by_role("button", name=name, exact=True).locator("kbd")).to_have_text(key)
-            page.keyboard.press(key.lower())
-            assert page.evaluate("skytender.view") == after
         assert watched.wrong == []
         page.close()

@@ -1,5 +1,5 @@
 """Orders from the page to a real session, in Debian's Chromium: from table, map and space, to a selection and to all;
-then the page after the session's end. One session for all; the tests are its parts, in order."""
+a second page that looks on; then the page after the session's end. One session for all; the tests are its parts."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from typing import Any, NamedTuple
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, Locator, Page, expect
 from sessions import Running, small
-from web import CHROMIUM, MISSING, Watched, barriers, chromium, until
+from web import Watched, barriers, drawn, until
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
+from gcs.web.hub import READ_ONLY
+
 SEPARATION_M = 0.6
 
 
@@ -26,6 +27,7 @@ class Flying(NamedTuple):
     running: Running
     watched: Watched
     link: str
+    view: str
 
 
 def scenario() -> dict[str, Any]:
@@ -43,15 +45,14 @@ def scenario() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def flying(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flying]:
+def flying(tmp_path_factory: pytest.TempPathFactory, browser: Browser) -> Iterator[Flying]:
     running = Running(scenario(), tmp_path_factory.mktemp("orders"), "--web", report=True)
     try:
         said = "".join(line for _, line in zip(range(3), running.lines(), strict=False))
-        link = re.findall(r"http://127\.0\.0\.1:\d+/#token=\S+", said)[0]
-        with chromium() as browser:
-            watched = Watched(browser, height=900)
-            until(watched.flying(link), "skytender.current.vehicles.every((v) => v.mode === 'offboard')")
-            yield Flying(running, watched, link)
+        link, view = re.findall(r"http://127\.0\.0\.1:\d+/#token=\S+", said)
+        watched = Watched(browser, height=900)
+        until(watched.flying(link), "skytender.current.vehicles.every((v) => v.mode === 'offboard')")
+        yield Flying(running, watched, link, view)
     finally:
         running.stop()
 
@@ -71,9 +72,9 @@ def answered(page: Page, text: str, level: str = "good") -> None:
     expect(page.locator(f".notices .{level}", has_text=text).last).to_be_visible()
 
 
-def drawn(page: Page, *sysids: int) -> tuple[float, float, float, float]:
+def around(page: Page, *sysids: int) -> tuple[float, float, float, float]:
     """A box on the page around vehicles as the picture shows them: left, top, right, bottom."""
-    until(page, "!skytender.dirty")
+    drawn(page, page.evaluate("skytender.view"))
     at = page.locator(".picture").bounding_box()
     assert at is not None
     places = [one for one in page.evaluate("skytender.places") if one["sysid"] in sysids]
@@ -104,6 +105,19 @@ def test_an_order_from_the_table_is_sent_acknowledged_and_obeyed(flying: Flying)
     expect(page.locator("table.fleet tbody tr", has_text="taken by the operator")).to_have_count(1)
 
 
+def test_who_looks_on_is_told_of_it_and_may_send_nothing(flying: Flying) -> None:
+    browser = flying.watched.page.context.browser
+    assert browser is not None
+    other = Watched(browser, width=420, height=900, dark=True)
+    page = other.flying(flying.view)
+    until(page, "skytender.flight.events.some((e) => /operator/i.test(e.text + e.kind))")
+    expect(page.get_by_role("button", name="hold", exact=True)).to_be_hidden()
+    refused = "new Promise((done) => skytender.operator.send({command: 'stop'}, (ok, text) => done([ok, text])))"
+    assert page.evaluate(refused) == [False, READ_ONLY]
+    assert other.wrong == []
+    page.close()
+
+
 def test_an_order_that_makes_no_sense_is_refused_with_its_reason(flying: Flying) -> None:
     page = flying.watched.page
     page.locator("table.fleet").get_by_role("button", name="1", exact=True).click()
@@ -115,7 +129,7 @@ def test_vehicles_in_a_box_on_the_map_are_given_one_order(flying: Flying) -> Non
     page = flying.watched.page
     page.keyboard.press("Escape")
     page.keyboard.press("m")
-    drag(page, drawn(page, 1, 2))
+    drag(page, around(page, 1, 2))
     assert {1, 2} <= set(selected(page))
     assert page.evaluate("skytender.map.view") is None, "the map has not moved"
     count = len(selected(page))
@@ -130,7 +144,7 @@ def test_vehicles_in_a_box_in_space_are_given_one_order(flying: Flying) -> None:
     page = flying.watched.page
     page.keyboard.press("3")
     page.keyboard.press("Escape")
-    drag(page, drawn(page, 1, 2, 3, 101, 201))
+    drag(page, around(page, 1, 2, 3, 101, 201))
     assert selected(page) == [1, 2, 3, 101, 201]
     asked(page, "land")
     answered(page, "land: 5 of 5 obey.")
@@ -166,7 +180,7 @@ def test_all_come_home_but_the_dead_and_plan_b_keeps_them_apart(flying: Flying) 
 def test_after_the_end_the_page_stays_and_opens_the_report(flying: Flying) -> None:
     page = flying.watched.page
     asked(page, "stop").get_by_role("button", name="Yes").click()
-    expect(page.get_by_role("alert")).to_contain_text("The session has ended")
+    expect(page.get_by_role("alert")).to_contain_text("The session has ended: interrupted")
     link = page.get_by_role("link", name="Open the report")
     expect(link).to_be_visible()
     expect(page.get_by_role("button", name="all: return")).to_be_hidden()
@@ -181,6 +195,8 @@ def test_after_the_end_the_page_stays_and_opens_the_report(flying: Flying) -> No
     guess = late.page.request.get(f"http://127.0.0.1:{urlsplit(flying.link).port}/report/guessed")
     assert guess.status == 404
     assert flying.watched.wrong == late.wrong == []
+    served_by = {urlsplit(url).port for url in flying.watched.asked if url.startswith("http")}
+    assert served_by == {urlsplit(flying.link).port}, "nothing from elsewhere"
     late.page.close()
 
 
@@ -191,5 +207,6 @@ def test_ctrl_c_ends_the_page_that_stayed(flying: Flying) -> None:
     assert "the page stays, with the report; Ctrl-C ends it" in outcome.stderr
     orders = [(d["command"], d.get("sysid"), d["taken"]) for d in outcome.decisions if d["kind"] == "operator"]
     assert ("rejoin", 1, False) in orders
+    assert [command for command, *_ in orders].count("stop") == 1, "the page that looked on has stopped nothing"
     assert [sysid for command, sysid, _ in orders if command == "return"] == [1, 2, 101, 201]
     assert Path(outcome.folder, "report.html").is_file()

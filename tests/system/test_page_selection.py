@@ -1,21 +1,14 @@
-"""Several vehicles at once on the page, in Debian's Chromium: selected in table and picture, and given one order."""
+"""Several vehicles at once on the page, in Debian's Chromium: selected in table and picture, and given one order. The
+tests share a page."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from web import CHROMIUM, MISSING, Script, Watched, barriers, chromium, row, served, session, snapshot, until
-
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
+from web import Script, Watched, drawn, row, served, session, snapshot, until
 
 
 class Refusing(Script):
@@ -24,7 +17,7 @@ class Refusing(Script):
     def send(self, command: Mapping[str, Any]) -> None:
         if command.get("sysid") == 2:
             self.sent.append(command)
-            self.tell({"type": "reply", "id": command["id"], "ok": False, "text": "Pursuer 2 is busy."})
+            self.feed({"type": "reply", "id": command["id"], "ok": False, "text": "Pursuer 2 is busy."})
         else:
             super().send(command)
 
@@ -46,72 +39,75 @@ def fleet() -> list[dict[str, Any]]:
     return [row(sysid, 0.0, **{7: dead, 6: unheard}.get(sysid, {}), role="pursuer") for sysid in range(1, 8)]
 
 
-def test_several_are_selected_and_ordered_with_one_confirmation(browser: Browser) -> None:
+class Showing(NamedTuple):
+    """What is told, and the page that shows it."""
+
+    source: Refusing
+    watched: Watched
+
+
+@pytest.fixture(scope="module")
+def showing(browser: Browser) -> Iterator[Showing]:
     rows = fleet()
-    source = Refusing(session(rows), snapshot(1.0, rows))
+    plan = {"return_m": 12.5, "level_after_s": 9.0, "down_after_s": 30.0}
+    told = session(rows)
+    told["vehicles"] = [one | ({"plan_b": plan} if one["sysid"] < 6 else {}) for one in told["vehicles"]]
+    source = Refusing(told, snapshot(1.0, rows))
     with served(source) as links:
         watched = Watched(browser)
-        page = watched.flying(links["command"])
-        until(page, "document.querySelectorAll('table.fleet tbody tr').length === 7")
-        table = page.locator("table.fleet tbody")  # 7 dead, 6 silent, 1 to 5
-        ids = table.get_by_role("button")
-        ids.get_by_text("1", exact=True).click()
-        ids.get_by_text("3", exact=True).click(modifiers=["Shift"])
-        assert selected(page) == [1, 2, 3]
-        ids.get_by_text("3", exact=True).click(modifiers=["Control"])
-        ids.get_by_text("7", exact=True).click(modifiers=["Control"])
-        assert selected(page) == [1, 2, 7]
-        page.keyboard.press("m")
-        until(page, "!skytender.map.dirty && !skytender.dirty")
-        place = page.evaluate("skytender.map.places.find((one) => one.sysid === 5)")
-        page.locator("canvas.map").click(position={"x": place["x"], "y": place["y"]}, modifiers=["Shift"])
-        assert selected(page) == [1, 2, 5, 7]
-        expect(page.locator(".selection")).to_contain_text("4 vehicles selected")
-        page.get_by_role("button", name="hold", exact=True).click()
-        dialog = page.get_by_role("dialog")
-        expect(dialog).to_contain_text("Hold 4 vehicles?")
-        expect(dialog.get_by_role("listitem")).to_have_text(["pursuer 7 is dead."])
-        assert barriers(page) == []
-        assert source.sent == []
-        dialog.get_by_role("button", name="Yes").click()
-        notice = page.locator(".notices .bad")
-        expect(notice).to_have_text("hold: 2 of 3 obey. Pursuer 2 is busy.")
-        assert sorted((sent["command"], sent["sysid"]) for sent in source.sent) == [
-            ("hold", 1),
-            ("hold", 2),
-            ("hold", 5),
-        ]
+        until(watched.flying(links["command"]), "document.querySelectorAll('table.fleet tbody tr').length === 7")
+        yield Showing(source, watched)
         assert watched.wrong == []
-        page.close()
 
 
-@pytest.mark.parametrize("width", [390, 1280])
-def test_all_are_sent_home_from_wherever_the_page_stands(browser: Browser, width: int) -> None:
-    rows = fleet()
-    source = Script(session(rows), snapshot(1.0, rows))
-    with served(source) as links:
-        watched = Watched(browser, width=width, height=720)
-        page = watched.flying(links["command"])
+def test_several_are_selected_and_ordered_with_one_confirmation(showing: Showing) -> None:
+    source, watched = showing
+    page = watched.page
+    ids = page.locator("table.fleet tbody").get_by_role("button")  # 7 dead, 6 silent, 1 to 5
+    ids.get_by_text("1", exact=True).click()
+    ids.get_by_text("3", exact=True).click(modifiers=["Shift"])
+    assert selected(page) == [1, 2, 3]
+    ids.get_by_text("3", exact=True).click(modifiers=["Control"])
+    ids.get_by_text("7", exact=True).click(modifiers=["Control"])
+    assert selected(page) == [1, 2, 7]
+    page.keyboard.press("m")
+    drawn(page, "map")
+    place = page.evaluate("skytender.map.places.find((one) => one.sysid === 5)")
+    page.locator("canvas.map").click(position={"x": place["x"], "y": place["y"]}, modifiers=["Shift"])
+    assert selected(page) == [1, 2, 5, 7]
+    expect(page.locator(".selection")).to_contain_text("4 vehicles selected")
+    page.get_by_role("button", name="hold", exact=True).click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("Hold 4 vehicles?")
+    expect(dialog.get_by_role("listitem")).to_have_text(["pursuer 7 is dead."])
+    assert source.sent == []
+    dialog.get_by_role("button", name="Yes").click()
+    expect(page.locator(".notices .bad")).to_have_text("hold: 2 of 3 obey. Pursuer 2 is busy.")
+    assert sorted((sent["command"], sent["sysid"]) for sent in source.sent) == [("hold", 1), ("hold", 2), ("hold", 5)]
+
+
+def test_all_are_sent_home_from_wherever_the_page_stands(showing: Showing) -> None:
+    source, watched = showing
+    page = watched.page
+    for width in (390, 1280):
+        source.sent.clear()
+        watched.look(width, 720, dark=False)
         page.evaluate("scrollTo(0, document.body.scrollHeight)")
         page.get_by_role("button", name="all: return").click()
         assert page.evaluate("scrollY > 300"), "it was in reach"
         dialog = page.get_by_role("dialog")
         expect(dialog).to_contain_text("Return all 7 vehicles?")
-        expect(dialog.get_by_role("listitem")).to_have_text(
-            ["pursuer 6 has not sent any telemetry yet.", "pursuer 7 is dead."]
-        )
+        unable = ["pursuer 6 has not sent any telemetry yet.", "pursuer 7 is dead."]
+        expect(dialog.get_by_role("listitem")).to_have_text(unable)
         dialog.get_by_role("button", name="Yes").click()
-        expect(page.locator(".notices .good")).to_have_text("return: 5 of 5 obey.")
+        expect(page.locator(".notices").get_by_text("return: 4 of 5 obey. Pursuer 2 is busy.").last).to_be_visible()
         assert sorted(sent["sysid"] for sent in source.sent) == [1, 2, 3, 4, 5]
-        page.close()
-        viewer = Watched(browser).flying(links["view"])
-        expect(viewer.get_by_role("button", name="all: return")).to_be_hidden()
-        viewer.close()
+    page.evaluate("scrollTo(0, 0)")
 
 
-def drawn(page: Page, view: str, sysid: int) -> tuple[float, float]:
+def where(page: Page, view: str, sysid: int) -> tuple[float, float]:
     """Where a view shows a vehicle, on the page."""
-    until(page, f"!skytender.{view}.dirty && !skytender.dirty")
+    drawn(page, view)
     at = page.locator(".picture").bounding_box()
     assert at is not None
     place = page.evaluate(f"skytender.{view}.places.find((one) => one.sysid === {sysid})")
@@ -129,89 +125,84 @@ def drag(page: Page, a: tuple[float, float], b: tuple[float, float], *, spare: f
 
 
 @pytest.mark.parametrize("view", ["map", "space"])
-def test_a_box_selects_in_the_picture_by_pointer_and_by_keys(browser: Browser, view: str) -> None:
+def test_a_box_selects_in_the_picture_by_pointer_and_by_keys(showing: Showing, view: str) -> None:
     """Seven vehicles stand in a row, 1 m apart."""
-    rows = fleet()
-    with served(Script(session(rows), snapshot(1.0, rows))) as links:
-        watched = Watched(browser)
-        page = watched.flying(links["command"])
-        page.keyboard.press("m" if view == "map" else "3")
-        camera = "JSON.stringify([skytender.map.view, skytender.space.camera.position])"
-        first, third, fifth, sixth = (drawn(page, view, sysid) for sysid in (1, 3, 5, 6))
-        before = page.evaluate(camera)
-        page.get_by_role("button", name="box").click()
-        drag(page, first, third)
-        assert selected(page) == [1, 2, 3]
-        expect(page.get_by_role("button", name="box")).to_have_attribute("aria-pressed", "false")
-        page.keyboard.down("Shift")
-        drag(page, fifth, sixth)
-        page.mouse.click(*third)
-        page.keyboard.up("Shift")
-        assert selected(page) == [1, 2, 5, 6], "the box has joined them, the click has taken one out"
-        assert page.evaluate(camera) == before, "neither has moved the picture"
-        expect(page.locator(".picture .box")).to_be_hidden()
-        # by keys alone: the picture is moved until it shows what is meant
-        page.keyboard.press("Escape")
-        assert selected(page) == []
+    page = showing.watched.page
+    page.keyboard.press("0")
+    page.keyboard.press("m" if view == "map" else "3")
+    camera = "[skytender.map.view, ...Object.values(skytender.space.camera.position)]"
+    first, third, fifth, sixth = (where(page, view, sysid) for sysid in (1, 3, 5, 6))
+    before = page.evaluate(camera)
+    page.get_by_role("button", name="box").click()
+    drag(page, first, third)
+    assert selected(page) == [1, 2, 3]
+    expect(page.get_by_role("button", name="box")).to_have_attribute("aria-pressed", "false")
+    page.keyboard.down("Shift")
+    drag(page, fifth, sixth)
+    page.mouse.click(*third)
+    page.keyboard.up("Shift")
+    assert selected(page) == [1, 2, 5, 6], "the box has joined them, the click has taken one out"
+    assert page.evaluate(camera) == pytest.approx(before), "neither has moved the picture"
+    expect(page.locator(".picture .box")).to_be_hidden()
+    # by keys alone: the picture is moved until it shows what is meant
+    page.keyboard.press("Escape")
+    assert selected(page) == []
+    page.keyboard.press("b")
+    assert selected(page) == [1, 2, 3, 4, 5, 6, 7]
+    canvas = page.locator(f"canvas.{view}")
+    for _ in range(12):
+        canvas.press("+")
+        drawn(page, view)
         page.keyboard.press("b")
-        assert selected(page) == [1, 2, 3, 4, 5, 6, 7]
-        canvas = page.locator(f"canvas.{view}")
-        for _ in range(12):
-            canvas.press("+")
-            until(page, f"!skytender.{view}.dirty && !skytender.dirty")
-            page.keyboard.press("b")
-            if len(selected(page)) < 7:
-                break
-        assert 0 < len(selected(page)) < 7
-        page.get_by_label("filter vehicles").fill("6")
-        page.get_by_label("filter vehicles").press("Escape")
-        page.keyboard.press("a")
-        assert selected(page) == [6], "all that the table shows"
-        page.get_by_label("filter vehicles").fill("")
-        page.get_by_role("button", name="id", exact=True).click()
-        page.locator("table.fleet tbody").get_by_role("button", name="1", exact=True).press("Enter")
-        page.locator("table.fleet tbody").get_by_role("button", name="3", exact=True).press("Shift+Enter")
-        assert selected(page) == [1, 2, 3]
-        assert watched.wrong == []
-        page.close()
+        if len(selected(page)) < 7:
+            break
+    assert 0 < len(selected(page)) < 7
+    page.get_by_label("filter vehicles").fill("6")
+    page.get_by_label("filter vehicles").press("Escape")
+    page.keyboard.press("a")
+    assert selected(page) == [6], "all that the table shows"
+    page.get_by_label("filter vehicles").fill("")
+    page.get_by_role("button", name="id", exact=True).click()
+    page.locator("table.fleet tbody").get_by_role("button", name="1", exact=True).press("Enter")
+    page.locator("table.fleet tbody").get_by_role("button", name="3", exact=True).press("Shift+Enter")
+    assert selected(page) == [1, 2, 3]
+    page.get_by_role("button", name="trouble", exact=True).click()
+    page.keyboard.press("0")
 
 
-def test_what_may_not_obey_is_listed_with_its_reason(browser: Browser) -> None:
+def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
     rows = fleet()
     rows[0] |= {"landed": True, "mode": "land"}
     rows[1] |= {"armed": False, "landed": True}
     rows[2] |= {"condition": "silent", "figure": "6 s", "severity": 2, "trouble": ["no telemetry for 6 s"]}
     rows[3] |= {"note": "taken by the operator", "mode": "hold"}
     rows[4] |= {"condition": "failing", "mode": "return", "severity": 2, "trouble": ["return"], "figure": "return"}
-    told = session(rows)
-    plan = {"return_m": 12.5, "level_after_s": 9.0, "down_after_s": 30.0}
-    told["vehicles"] = [one | ({"plan_b": plan} if one["sysid"] < 6 else {}) for one in told["vehicles"]]
-    with served(Script(told, snapshot(1.0, rows))) as links:
-        watched = Watched(browser)
-        page = watched.flying(links["command"])
-        page.get_by_role("button", name="all: return").click()
-        dialog = page.get_by_role("dialog")
-        expect(dialog).to_contain_text("2 of them cannot:")
-        expect(dialog).to_contain_text("5 take the order, but:")
-        expect(dialog.get_by_role("listitem")).to_have_text(
-            [
-                "pursuer 6 has not sent any telemetry yet.",
-                "pursuer 7 is dead.",
-                "pursuer 1 has landed and stays there.",
-                "pursuer 2 is on the ground and stays there.",
-                "pursuer 3 is silent (6 s) and may not hear it.",
-                "pursuer 4 is taken by the operator already (hold).",
-                "pursuer 5 is in return by its own failsafe, which the order would end.",
-            ]
-        )
-        expect(dialog.get_by_role("region", name="plan B").locator("tbody tr")).to_have_text(
-            [
-                "1, 2, 3, 4, 5straight home at 12.5 m above it, level after 9 s, down after 30 s",
-                "6, 7by its own parameters",
-            ]
-        )
-        assert barriers(page) == []
-        dialog.get_by_role("button", name="No").click()
-        page.locator("table.fleet tbody").get_by_role("button", name="5", exact=True).click()
-        expect(page.locator(".vehicle-page")).to_contain_text("plan Bstraight home at 12.5 m above it")
-        page.close()
+    source, watched = showing
+    page = watched.page
+    source.feed(snapshot(2.0, rows))
+    until(page, "skytender.current.t_s === 2")
+    page.get_by_role("button", name="all: return").click()
+    dialog = page.get_by_role("dialog")
+    expect(dialog).to_contain_text("2 of them cannot:")
+    expect(dialog).to_contain_text("5 take the order, but:")
+    expect(dialog.get_by_role("listitem")).to_have_text(
+        [
+            "pursuer 6 has not sent any telemetry yet.",
+            "pursuer 7 is dead.",
+            "pursuer 1 has landed and stays there.",
+            "pursuer 2 is on the ground and stays there.",
+            "pursuer 3 is silent (6 s) and may not hear it.",
+            "pursuer 4 is taken by the operator already (hold).",
+            "pursuer 5 is in return by its own failsafe, which the order would end.",
+        ]
+    )
+    expect(dialog.get_by_role("region", name="plan B").locator("tbody tr")).to_have_text(
+        [
+            "1, 2, 3, 4, 5straight home at 12.5 m above it, level after 9 s, down after 30 s",
+            "6, 7by its own parameters",
+        ]
+    )
+    watched.well()
+    dialog.get_by_role("button", name="No").click()
+    page.locator("table.fleet tbody").get_by_role("button", name="5", exact=True).click()
+    expect(page.locator(".vehicle-page")).to_contain_text("plan Bstraight home at 12.5 m above it")

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import io
-from collections.abc import Iterator
 from itertools import combinations, product
 from typing import Any
 
@@ -18,11 +17,10 @@ import numpy.typing as npt
 import pytest
 from PIL import Image
 from playwright.sync_api import Browser, Page
-from web import CHROMIUM, MISSING, Script, Watched, chromium, row, served, session, snapshot, until
+from web import Script, Watched, row, served, session, snapshot, until
 
 from gcs.scenario.colours import ALARM_DARK, ALARM_LIGHT, DARK, LIGHT
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 Floats = npt.NDArray[np.float64]
 SIGHTS: dict[str, Floats] = {
     "normal": np.eye(3),
@@ -79,12 +77,6 @@ def test_the_alarms_colour_is_no_vehicles(sight: str, alarm: str, others: tuple[
     assert min(distances.values()) > APART, distances
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with chromium() as browser:
-        yield browser
-
-
 def states() -> list[dict[str, Any]]:
     """Side by side two of each condition in the air and two that have landed, the rest behind them; none so badly off
     that its id is written."""
@@ -122,29 +114,33 @@ def strays(picture: npt.NDArray[np.bool_], other: npt.NDArray[np.bool_]) -> int:
     return int(np.count_nonzero(picture & ~near))
 
 
-@pytest.mark.parametrize("dark", [False, True])
-@pytest.mark.parametrize("view", ["map", "space"])
-def test_states_differ_in_shape_for_every_sight(browser: Browser, view: str, dark: bool) -> None:
+def seen_by(name: str, found: dict[int, Floats]) -> None:
+    """Pictures of two states differ for a kind of sight, and pictures of one state do not."""
+    light = {sysid: lab(seen @ SIGHTS[name].T)[..., 0] for sysid, seen in found.items()}
+    ground = np.median(light[1])
+    shape = {sysid: np.abs(one - ground) > BESIDE_GRID for sysid, one in light.items()}
+    for a, b in combinations(shape, 2):
+        apart = strays(shape[a], shape[b]) + strays(shape[b], shape[a])
+        same = (a - 1) // 2 == (b - 1) // 2
+        assert (apart <= MOST_ALIKE) if same else (apart >= LEAST_APART), (name, a, b, apart)
+
+
+def test_states_differ_in_shape_for_every_sight(browser: Browser) -> None:
     rows = states()
     members = session(rows)
     members["vehicles"] = [{**one, "colour": 0} for one in members["vehicles"]]
     with served(Script(members, snapshot(1.0, rows))) as links:
-        watched = Watched(browser, width=1280, height=900, dark=dark)
+        watched = Watched(browser)
         page = watched.flying(links["command"])
-        page.keyboard.press("m" if view == "map" else "3")
         page.keyboard.press("v")
-        if view == "space":
-            for _ in range(2):  # none at the picture's edge
-                page.locator("canvas.space").press("-")
-        until(page, f"!skytender.{view}.dirty && !skytender.dirty && skytender.{view}.places.length === {COUNT}")
-        found = signs(page, view)
+        for _ in range(2):  # none at the picture's edge
+            page.locator("canvas.space").press("-")
+        for view, dark in (("space", False), ("space", True), ("map", True), ("map", False)):
+            watched.look(1280, 900, dark=dark)
+            page.keyboard.press("m" if view == "map" else "3")
+            shown = f"skytender.{view}.places.length === {COUNT}"
+            until(page, f"skytender.view === '{view}' && !skytender.{view}.dirty && !skytender.dirty && {shown}")
+            for name in SIGHTS:
+                seen_by(name, signs(page, view))
         assert watched.wrong == []
         page.close()
-    for name, matrix in SIGHTS.items():
-        light = {sysid: lab(seen @ matrix.T)[..., 0] for sysid, seen in found.items()}
-        ground = np.median(light[1])
-        shape = {sysid: np.abs(one - ground) > BESIDE_GRID for sysid, one in light.items()}
-        for a, b in combinations(shape, 2):
-            apart = strays(shape[a], shape[b]) + strays(shape[b], shape[a])
-            same = (a - 1) // 2 == (b - 1) // 2
-            assert (apart <= MOST_ALIKE) if same else (apart >= LEAST_APART), (name, a, b, apart)

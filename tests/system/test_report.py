@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import gzip
+import io
 import json
 import re
 import shutil
@@ -14,15 +15,16 @@ from typing import Any
 import jsonschema
 import numpy as np
 import pytest
-from browser import CHROMIUM, MISSING, Browser
 from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
+from PIL import Image
+from playwright.sync_api import Browser, Page, expect
 from sessions import Outcome, demo, fly, merged
+from web import Watched, until
 
 from gcs.cli.main import run_argv
 from gcs.cli.report import after_run
 
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 # Of every figure: whether it shows, where, and how many lines or bars it holds, and what stands beside its axes.
 FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
   const box = plot.getBoundingClientRect();
@@ -36,8 +38,8 @@ FLIGHT = """(() => {
   const box = document.querySelector('.picture').getBoundingClientRect();
   return {x: box.x + scrollX, y: box.y + scrollY, width: box.width, height: box.height};
 })()"""
-STATES = """(async () => {
-  const {flight} = await skytender;
+STATES = """(() => {
+  const {flight} = skytender;
   const known = (column) => Array.from(column, (value) => Number.isNaN(value) ? null : value);
   const v = Object.fromEntries([...flight.columns].map(([id, one]) => [id, known(one.v)]));
   return {t_s: Array.from(flight.t_s), v};
@@ -73,9 +75,12 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with Browser() as browser:
-        yield browser
+def shown(flown: Outcome, browser: Browser) -> Iterator[Watched]:
+    """The page that the run has left, opened."""
+    watched = Watched(browser, height=900)
+    watched.report((flown.folder / "report.html").resolve().as_uri())
+    yield watched
+    watched.page.close()
 
 
 def model(page: Path) -> tuple[dict[str, Any], bytes]:
@@ -123,49 +128,50 @@ def test_its_numbers_are_the_summarys(flown: Outcome) -> None:
     assert done[0] == summary["refuelling"][0]["end_s"]
 
 
-@needs_chromium
+def figures(page: Page) -> list[dict[str, Any]]:
+    """All that show."""
+    return [figure for figure in page.evaluate(FIGURES) if figure["shows"]]
+
+
+def part(picture: Image.Image, box: dict[str, float]) -> Image.Image:
+    """What a picture of the whole page shows in a box."""
+    x, y = int(box["x"]), int(box["y"])
+    return picture.crop((x, y, x + int(box["width"]), y + int(box["height"])))
+
+
 @pytest.mark.parametrize(("width", "dark"), [(1280, False), (420, True)])
-def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, browser: Browser, width: int, dark: bool) -> None:
-    browser.open(flown.folder / "report.html", width, dark=dark)
-    browser.drawn()
-    shown = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
-    assert {figure["name"] for figure in shown} == FIGURE_NAMES
-    for figure in [*shown, {"name": "flight", "marks": 1, "axes": ["(m)"], "box": browser.evaluate(FLIGHT)}]:
-        colours = browser.picture_of(figure["box"]).convert("RGB").getcolors(1 << 24)
+def test_every_figure_is_drawn_and_nothing_is_fetched(flown: Outcome, shown: Watched, width: int, dark: bool) -> None:
+    page = shown.page
+    assert page.evaluate("skytender.current.t_s") == 32.0, "it opens at the end"
+    shown.look(width, 900, dark=dark)
+    until(page, f"{FIGURES}.every((one) => one.box.x + one.box.width <= {width})")
+    found = figures(page)
+    assert {figure["name"] for figure in found} == FIGURE_NAMES
+    whole = Image.open(io.BytesIO(page.screenshot(full_page=True))).convert("RGB")
+    for figure in [*found, {"name": "flight", "marks": 1, "axes": ["(m)"], "box": page.evaluate(FLIGHT)}]:
+        colours = part(whole, figure["box"]).getcolors(1 << 24)
         assert len(colours) > 20, f"{figure['name']}: lines and letters have soft edges"
         assert figure["box"]["x"] + figure["box"]["width"] <= width
         assert figure["marks"] >= 1, figure["name"]
         units = any("(" in title for title in figure["axes"]) or figure["name"] == "contest"
         assert units, f"{figure['name']} has units, but for states and shares"
-    assert browser.evaluate("document.documentElement.scrollWidth") <= width
-    told = [
-        event for event in browser.events if event["method"] in ("Runtime.exceptionThrown", "Runtime.consoleAPICalled")
-    ]
-    told += [
-        event
-        for event in browser.events
-        if event["method"] == "Log.entryAdded" and event["params"]["entry"]["level"] == "error"
-    ]
-    assert not told
-    asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
-    assert asked == [(flown.folder / "report.html").resolve().as_uri()]
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert shown.wrong == []
+    assert shown.asked == [(flown.folder / "report.html").resolve().as_uri()]
 
 
-@needs_chromium
 def test_a_state_of_the_competition_is_shown_where_its_vehicle_competed_and_nowhere_else(
-    flown: Outcome, browser: Browser
+    flown: Outcome, shown: Watched
 ) -> None:
     """Held against the lines of the competition: 0.25 s, two and a half ticks, after one its state is shown no more."""
-    browser.open(flown.folder / "report.html")
-    browser.drawn()
-    shown = browser.evaluate(STATES)
+    states = shown.page.evaluate(STATES)
     lines = [d for d in flown.decisions if d["kind"] == "competition" and d.get("giver") != "base"]
     competed = {name: [line["t_s"] for line in lines if name in line["v"]] for line in lines for name in line["v"]}
     rounding_s = 1e-3  # times are told in 65,534ths of the flight
     count = 0
-    for name, moments in shown["v"].items():
+    for name, moments in states["v"].items():
         told = np.array([-np.inf, *competed.get(name, [])])
-        for t_s, v in zip(shown["t_s"], moments, strict=True):
+        for t_s, v in zip(states["t_s"], moments, strict=True):
             since_s = t_s - told[told < t_s - rounding_s].max()
             begins = since_s > 0.25 and np.abs(told - t_s).min() <= rounding_s
             if not begins and abs(since_s - 0.25) > rounding_s:
@@ -175,31 +181,29 @@ def test_a_state_of_the_competition_is_shown_where_its_vehicle_competed_and_nowh
     assert len(competed) >= 3
 
 
-@needs_chromium
-def test_a_vehicle_can_be_left_out_of_every_figure(flown: Outcome, browser: Browser) -> None:
-    browser.open(flown.folder / "report.html")
-    browser.drawn()
-    lines = "Number(document.querySelector('[data-figure=battery]').dataset.lines)"
-    before = browser.evaluate(lines)
-    browser.evaluate("document.querySelector('.picker button').click()")
-    assert browser.evaluate("document.querySelector('.picker button').getAttribute('aria-pressed')") == "false"
-    assert browser.evaluate(lines) == before - 1 == 6
+def test_a_vehicle_can_be_left_out_of_every_figure(shown: Watched) -> None:
+    battery, button = shown.page.locator("[data-figure=battery]"), shown.page.locator(".picker button").first
+    expect(battery).to_have_attribute("data-lines", "7")
+    for pressed, lines in (("false", "6"), ("true", "7")):
+        button.click()
+        expect(button).to_have_attribute("aria-pressed", pressed)
+        expect(battery).to_have_attribute("data-lines", lines)
 
 
-@needs_chromium
-def test_no_figure_is_lost_on_paper(flown: Outcome, browser: Browser) -> None:
-    browser.open(flown.folder / "report.html", dark=True)
-    browser.drawn()
-    pdf = browser.pdf()
+def test_no_figure_is_lost_on_paper(shown: Watched) -> None:
+    page = shown.page
+    shown.look(1280, 900, dark=True)
+    pdf = page.pdf(prefer_css_page_size=True, print_background=True)
     assert pdf.startswith(b"%PDF")
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) >= 4
-    browser.call("Emulation.setEmulatedMedia", media="print")
-    browser.evaluate("dispatchEvent(new Event('beforeprint'))")
-    printed = [figure for figure in browser.evaluate(FIGURES) if figure["shows"]]
+    page.emulate_media(media="print")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    printed = figures(page)
     assert {figure["name"] for figure in printed} == FIGURE_NAMES | {"flight"}, "a map in place of the view in space"
     assert all(figure["marks"] for figure in printed)
     assert max(figure["box"]["width"] for figure in printed) >= 600
-    sky = browser.picture_of(next(f["box"] for f in printed if f["name"] == "flight")).convert("RGB").getpixel((2, 2))
+    whole = Image.open(io.BytesIO(page.screenshot(full_page=True))).convert("RGB")
+    sky = part(whole, next(one["box"] for one in printed if one["name"] == "flight")).getpixel((2, 2))
     assert sky == (255, 255, 255), "paper is white, whatever the screen is"
 
 
@@ -238,15 +242,15 @@ def test_one_file_alone_makes_a_page(flown: Outcome, tmp_path: Path, kept: str) 
     assert not (folder / "report.html").exists()
 
 
-@needs_chromium
 def test_a_page_without_figures_is_no_error(flown: Outcome, tmp_path: Path, browser: Browser) -> None:
     folder = tmp_path / "only"
     folder.mkdir()
     shutil.copy(flown.folder / "summary.json", folder)
     assert report(folder, "--quiet") == 0
-    browser.open(folder / "report.html")
-    browser.drawn()
-    assert not [event for event in browser.events if event["method"] == "Runtime.exceptionThrown"]
+    watched = Watched(browser)
+    watched.report((folder / "report.html").as_uri())
+    assert watched.wrong == []
+    watched.page.close()
 
 
 def test_what_is_no_session_is_refused_in_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -123,7 +123,7 @@ def test_what_is_granted_is_not_told_and_what_is_refused_is() -> None:
     assert news(demo(events=[granted, refused])) == ["    1.0 s WARNING: pursuer 5: Hold refused: denied"]
 
 
-@pytest.mark.parametrize("at_once", range(1, 8))
+@pytest.mark.parametrize("at_once", [1, 2, 3, 7])
 def test_the_lines_do_not_depend_on_how_often_snapshots_come(at_once: int) -> None:
     happened = [
         event(40.0, 5, "Refuelling of 5 by 201 decided by competition") | {"kind": "decision"},

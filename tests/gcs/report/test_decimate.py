@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
@@ -17,6 +17,7 @@ values = arrays.arrays(
 )
 
 
+@settings(max_examples=40)
 @given(values, st.integers(1, 60))
 def test_every_pixel_keeps_its_extremes_and_its_gap(y: np.ndarray, buckets: int) -> None:
     t = np.linspace(0.0, 60.0, len(y), endpoint=False)
@@ -66,6 +67,7 @@ def test_a_band_holds_the_extremes_of_all_and_the_median_of_each() -> None:
     assert median[:5] == pytest.approx(5.0)
 
 
+@settings(max_examples=40)
 @given(values)
 def test_packed_values_are_right_to_the_scale_and_exact_at_its_ends(y: np.ndarray) -> None:
     """Read back as the page's script does it."""

@@ -12,7 +12,7 @@ ENU_OF_NED = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
 FLU_OF_FRD = np.diag([1.0, -1.0, -1.0])
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(3))
 def test_an_attitude_turns_a_body_in_enu_as_it_turned_it_in_ned(seed: int) -> None:
     roll, pitch, yaw = np.random.default_rng(seed).uniform((-3.0, -1.5, -6.0), (3.0, 1.5, 6.0))
     ned_of_frd = Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_matrix()

@@ -86,7 +86,7 @@ def test_every_vehicle_comes_with_its_schema_and_time_and_what_stands_for_who_co
         drawn, rows, t_s = b"", [], 10.0
         while b"ball 1" not in drawn or not rows:
             t_s += 0.1
-            source.tell(snapshot(t_s))
+            source.feed(snapshot(t_s))
             subscription, at_ns, content = client.message()
             if subscription == 0:
                 drawn += content

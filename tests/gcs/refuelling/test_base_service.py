@@ -8,8 +8,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import pytest
+import views as base
 
-from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.refuelling.explain import sentence
 from gcs.refuelling.scheduler import Scheduler
@@ -23,14 +24,8 @@ CAPACITY_J = 10_000.0
 
 
 def view(sysid: int, role: str = "pursuer", **changed: Any) -> VehicleView:
-    seen = VehicleView(
-        sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, last_received_s=0.0, p_ned=(0.0, 0.0, -4.8), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=CAPACITY_J, initial_j=4_000.0,
-        battery_reported=True, drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0,
-        energy_source="energy_consumed", control_effort=0.0,
-    )  # fmt: skip
-    return seen._replace(**changed)
+    poor = {"p_ned": (0.0, 0.0, -4.8), "capacity_j": CAPACITY_J, "initial_j": 4_000.0, "drawn_j": 0.0, "power_w": 0.0}
+    return base.view(sysid, role, **(poor | changed))
 
 
 @dataclass

@@ -336,14 +336,14 @@ changes = st.fixed_dictionaries(
 )  # fmt: skip
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(change=changes)
 def test_what_is_dumped_is_loaded_equal(tmp_path_factory: pytest.TempPathFactory, change: dict[str, Any]) -> None:
     scenario = Scenario.model_validate({**yaml.safe_load(SMALL), **change})
     assert loaded(tmp_path_factory.getbasetemp() / "round.yaml", dump(scenario)) == scenario
 
 
-@settings(max_examples=150)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_no_damage_to_the_demo_ends_in_anything_but_a_scenario_error(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject

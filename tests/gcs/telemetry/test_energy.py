@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import random
 from typing import Any
 
@@ -16,7 +15,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import battery, codec
 from gcs.mavlink.battery import BatteryReport, BatteryReports
 from gcs.telemetry.battery_account import GIVEN, RECEIVED, BatteryAccount, Fact
-from gcs.telemetry.energy import GAP_S, MOST_HISTORY, SOURCES, EnergySource
+from gcs.telemetry.energy import GAP_S, EnergySource
 
 CAPACITY_J = 100_000.0
 CELLS = [65535] * 10
@@ -130,14 +129,6 @@ def test_a_ramp_is_integrated_exactly_whatever_the_spacing() -> None:
     assert not facts
 
 
-def test_a_sine_is_integrated_within_the_trapezoid_rules_bound() -> None:
-    """∫ 200 + 100 sin t over 0..2π is 400π; the rule is off by at most (b-a) h²/12 max|f''|."""
-    n = 200
-    h = 2.0 * math.pi / n
-    account, _ = heard(*(power(h * k, 200.0 + 100.0 * math.sin(h * k)) for k in range(n + 1)))
-    assert abs(account.drawn_j - 400.0 * math.pi) <= 2.0 * math.pi * h * h / 12.0 * 100.0
-
-
 def test_a_gap_is_bridged_by_the_mean_of_both_ends_and_told() -> None:
     account, facts = heard(power(0.0, 100.0), power(1.0, 100.0), power(11.0, 300.0), power(12.0, 300.0))
     assert account.drawn_j == pytest.approx(100.0 + 200.0 * 10.0 + 300.0)
@@ -169,35 +160,6 @@ def test_a_share_is_what_is_left_where_nothing_else_is_told() -> None:
     assert account.source == "battery_remaining"
     assert account.drawn_j == pytest.approx(0.10 * CAPACITY_J)
     assert account.power_w == pytest.approx(100.0)  # 1 % of 100 kJ every 10 s
-
-
-@pytest.mark.parametrize("seed", range(6))
-def test_power_is_the_mean_of_the_last_while(seed: int) -> None:
-    """Held against a list of what had been drawn when, with sources that come and go."""
-    rng = random.Random(seed)
-    account, history, source, power_w = new(), list[tuple[float, float]](), "none", 0.0
-    every_s, t_s, total_j, left = rng.choice([0.01, 0.5, 3.0]), 0.0, 0.0, 0.9
-    for k in range(1500):
-        t_s += every_s * rng.choice([1.0, 1.0, 1.0, 0.0, 2.0])
-        total_j += rng.choice([0.0, 10.0, 25.0])
-        left -= rng.choice([0.0, 0.0, 0.0, 0.0002])
-        told = BatteryReport(t_s, *((total_j, None, None), (None, 300.0, None), (None, None, left))[k // 200 % 3])
-        before_j = account.drawn_j
-        account.report(told, armed=True)
-        word = ("energy_consumed", "current_voltage", "battery_remaining")[k // 200 % 3]
-        assert account.drawn_j >= before_j
-        if account.account["source"][0] == SOURCES.index(EnergySource(word)):  # its word was among the report's
-            if word != source:
-                source, history = word, []
-            steps = word == "battery_remaining"
-            if not (steps and history and history[-1][1] == account.drawn_j):
-                history = [*history, (t_s, account.drawn_j)][-MOST_HISTORY:]
-                while len(history) > 2 and t_s - history[1][0] >= (120.0 if steps else 5.0):
-                    history.pop(0)
-                if t_s > history[0][0]:
-                    power_w = (account.drawn_j - history[0][1]) / (t_s - history[0][0])
-        assert (account.source, account.power_w) == (source, power_w)
-    assert power_w > 0.0
 
 
 def test_nothing_told_is_no_source() -> None:

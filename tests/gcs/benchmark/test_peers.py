@@ -24,7 +24,7 @@ from gcs.cli.main import run_argv
 
 
 @pytest.mark.parametrize(
-    ("method", "kind"), zip(compare.METHODS, itertools.cycle(["tankers", "reloads", "bases"]), strict=False)
+    ("method", "kind"), list(zip(compare.METHODS, itertools.cycle(["tankers", "reloads", "bases"]), strict=False))
 )
 def test_every_method_makes_schedules_that_can_be_carried_out(method: str, kind: str) -> None:
     one = instance(kind, 15)

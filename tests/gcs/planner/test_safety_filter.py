@@ -10,6 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skytender import geometry as shapes
+from skytender.safety.braking_clearance import stop_way
+from skytender.safety.safety_constraints import OBSTACLE, OTHER, PAIR, PLANE, clearances
 from skytender.safety.safety_filter import KINDS, FilterSettings, Leaders, Others, filter_step
 
 DT, SUB = 0.1, 8
@@ -153,6 +155,38 @@ def test_from_any_state_braking_clearance_is_at_least_what_braking_keeps(seed, r
         got = np.linalg.norm(chosen[:upto] - at[:, None], axis=2).min(axis=0)
         kept = np.linalg.norm(braked[:upto] - at[:, None], axis=2).min(axis=0)
         assert (got >= np.minimum(radius[k] + margin, kept) - slack).all()
+
+
+@fixed
+@given(seeds)
+def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
+    """(1) of braking_clearance.py for the bounds themselves, on which the guarantee rests: pairs, shapes, walls, others."""
+    rng = np.random.default_rng(seed)
+    p, v, b = rng.uniform(-2, 2, (2, 3)), rng.normal(size=(2, 3)) * 3, rng.uniform(2, 6, 2)
+    table, other = world(rng), np.concatenate([rng.uniform(-2, 2, 3), np.zeros(3), [0.5, 0.0, 0.0]])[None]
+    fence = np.full((2, 6), -3.0)
+    rows = np.array(
+        [(PAIR, 0, 1), (PLANE, 0, 1), *((OBSTACLE, 0, k) for k in range(len(table))), (OTHER, 1, 0)], dtype=np.int64
+    )
+    last = np.full(len(rows), -math.inf)
+    for _ in range(30):
+        u = brake(v, b[:, None])
+        found = clearances(rows, 99.0, p, v, u, b, other, table, fence, DT, RULES.horizon_s)
+        now = found[:, :2].min(axis=1)
+        assert (now >= last - 1e-9).all()
+        last, p, v = now, p + DT * v + 0.5 * DT * DT * u, v + DT * u
+
+
+@settings(fixed, max_examples=5)
+@given(seeds)
+def test_one_period_of_braking_leads_along_the_same_way(seed):
+    rng = np.random.default_rng(seed)
+    v, b = rng.normal(size=(1, 3)) * rng.choice([0.01, 1.0, 5.0]), np.array([[rng.uniform(1, 8)]])
+    whole = way(np.zeros((1, 3)), v, brake(v, b), b, 400)
+    u = brake(v, b)
+    tail = way(DT * v + 0.5 * DT * DT * u, v + DT * u, brake(v + DT * u, b), b, 399)
+    assert np.abs(whole[SUB + 1 :] - tail).max() < 1e-12
+    assert np.linalg.norm(whole[-1]) == pytest.approx(stop_way(float(np.linalg.norm(v)), float(b[0, 0]), DT), abs=1e-9)
 
 
 @fixed

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import dataclass, field
 from typing import Any
@@ -294,18 +293,6 @@ def test_the_book_stands_still_while_a_vehicle_is_not_heard() -> None:
     assert game.schedule.stocks[0].given_j == given_j
     game.set(1, age_s=0.0)
     assert game.until(Phase.DONE).energy_j == 5_000
-
-
-def test_joules_flow_at_the_bases_rate_and_whole() -> None:
-    slow = PAD.model_copy(update={"rate_w": 333.0})
-    game = world(bases=(slow,))
-    service = game.until(Phase.DONE)
-    assert service.start_s is not None
-    given = [b.given_j for decision in game.decisions for b in decision.giver_reports]
-    assert given[-1] == 5_000
-    assert max(b - a for a, b in itertools.pairwise(given)) <= math.ceil(33.3)
-    flowing_s = 0.1 * sum(b > a for a, b in itertools.pairwise(given))
-    assert flowing_s == pytest.approx(5_000 / 333.0, abs=0.2)
 
 
 def test_a_base_gives_no_more_than_it_has_and_keeps_on_the_ground_who_could_only_come_back() -> None:

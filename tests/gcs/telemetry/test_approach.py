@@ -121,6 +121,55 @@ def test_an_obstacle_is_passed_between_ticks(shape: Obstacle, least_m: float) ->
     assert (least[0], shares[0]) == pytest.approx((least_m, 0.5), abs=0.005)
 
 
+def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now() -> None:
+    """Tick by tick against numpy's choice of rows, nearest_pair and clearances: some land, some fall silent, one is not
+    ours."""
+    rng, n, period_s = np.random.default_rng(7), 9, 0.1
+    shapes = of_scenario([Obstacle(sphere_m=(0.0, 0.0, 0.0), radius_m=0.4), Obstacle(point_m=(1.0, 1.0, 0.0))])
+    exempt, ours = np.array([[0, 1], [2, 8]]), np.arange(n) != 4
+    last, ways_of_all = np.zeros((2, n, 3)), np.empty((n, approach.WAY))
+    p_last, v_last, before = last[0], last[1], ways_of_all[:, :3]
+    clear_m, clear_at = ways_of_all[:, approach.CLEAR_M], ways_of_all[:, approach.CLEAR_AT]
+    p_last[:] = np.nan
+    found, expected_found = np.empty((64, 4)), np.empty((64, 4))
+    watch = approach.FleetWatch(last, shapes, ways_of_all, found)
+    near_in_all = too_near_in_all = 0
+    for tick in range(60):
+        p, v, flying = rng.uniform(-2.0, 2.0, (n, 3)), rng.uniform(-3.0, 3.0, (n, 3)), rng.random(n) < 0.8
+        p[rng.random(n) < 0.2 * (tick % 3 > 0)] = np.nan
+        rows = np.flatnonzero(flying & ~np.isnan(p[:, 0]))
+        was = np.where(np.isnan(p_last[rows]), p[rows], p_last[rows])
+        curved = not np.isnan(p_last[rows]).any()
+        places = {row: k for k, row in enumerate(rows.tolist())}
+        pairs = [(places[a], places[b]) for a, b in exempt.tolist() if a in places and b in places]
+        ways = (was, p[rows], v_last[rows] if curved else STRAIGHT, v[rows] if curved else STRAIGHT)
+        least, one, other, share, near = nearest_pair(
+            *ways, period_s, ours[rows], np.array(pairs, dtype=np.int64).reshape(-1, 2), 0.8, math.inf, expected_found
+        )
+        own = ours[rows]
+        expected_m, expected_at = clearances(shapes, was[own], p[rows][own], 0.5)
+        known = np.where(np.isin(np.arange(n), rows)[:, None], p, np.nan)
+        count, *told, clearest = watch.look(p, v, period_s, flying, ours, exempt, 0.8, math.inf, 0.5, 0.3)
+        clear = expected_m < 0.5
+        assert clearest == (rows[own][expected_m.argmin()] if clear.any() else -1)
+        too_near_in_all += int(clear.any())
+        assert count == len(rows)
+        assert told == [least, *((rows[one], rows[other]) if one >= 0 else (-1, -1)), share, near]
+        told_rows = found[:near, :2].astype(int)
+        assert told_rows.tolist() == rows[expected_found[:near, :2].astype(int)].tolist()
+        assert found[:near, 2:].tolist() == expected_found[:near, 2:].tolist()
+        assert (clear_m[rows[own]].tolist(), clear_at[rows[own]].tolist()) == (
+            expected_m.tolist(),
+            expected_at.tolist(),
+        )
+        assert np.isinf(np.delete(clear_m, rows[own])).all()
+        assert (before[rows].tolist(), v_last.tolist()) == (was.tolist(), v.tolist())
+        np.testing.assert_array_equal(p_last, known)
+        near_in_all += near
+    assert near_in_all > 50
+    assert 0 < too_near_in_all < 60
+
+
 def test_way_points_are_passed_in_their_order_on_the_straight_way_from_tick_to_tick() -> None:
     rng, within_m = np.random.default_rng(3), 0.5
     ways = [rng.uniform(-1.5, 1.5, (count, 3)) for count in (5, 0, 60, 1)]

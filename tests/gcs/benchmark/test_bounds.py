@@ -19,15 +19,7 @@ from gcs.benchmark.solve import lost_of, solve
 from gcs.benchmark.verifier import verify
 from gcs.cli.main import run_argv
 
-TRIED = [
-    ("tankers", 0),
-    ("tankers", 24),
-    ("tankers", 27),
-    ("reloads", 18),
-    ("reloads", 54),
-    ("bases", 9),
-    ("bases", 54),
-]
+TRIED = [("tankers", 27), ("reloads", 18), ("bases", 54)]
 
 
 @pytest.mark.parametrize(("kind", "number"), TRIED)
@@ -94,7 +86,7 @@ def fewest_lost(one: Instance, most_services: int) -> int:
 
 def test_no_order_of_services_loses_fewer_than_the_bound_on_tiny_instances() -> None:
     """The bound stays at or below what an enumeration finds, and is the same for most."""
-    found = [(fewest_lost(one, 4), bounds.least_lost(Arrays(one))) for one in map(small, range(40))]
+    found = [(fewest_lost(one, 4), bounds.least_lost(Arrays(one))) for one in map(small, range(25))]
     assert all(at_least <= fewest for fewest, at_least in found), found
     assert {fewest for fewest, _ in found} >= {0, 1}
     lossy = [pair for pair in found if pair[0] > 0]
@@ -102,8 +94,8 @@ def test_no_order_of_services_loses_fewer_than_the_bound_on_tiny_instances() -> 
 
 
 def test_the_search_finds_what_the_enumeration_finds() -> None:
-    for one in map(small, range(12)):
-        gap, schedule = solve(one, 1.0)
+    for one in map(small, range(5)):
+        gap, schedule = solve(one, 0.5)
         assert gap.upper == lost_of(one, schedule)
         assert gap.lower <= gap.upper <= fewest_lost(one, 4)
 

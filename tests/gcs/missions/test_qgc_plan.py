@@ -162,7 +162,7 @@ plans = st.builds(
 
 
 @given(plans)
-@settings(deadline=None)
+@settings(deadline=None, max_examples=40)
 def test_what_is_written_is_read_back(plan: MissionPlan) -> None:
     written = json.loads(qgc_plan.write(plan))
     assert written["fileType"] == "Plan"
@@ -215,7 +215,7 @@ def test_a_broken_plan_is_one_sentence_with_its_place(content: bytes, words: str
 
 
 @given(st.data())
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_value_anywhere_is_read_or_refused_by_a_sentence(data: st.DataObject) -> None:
     content = copy.deepcopy(SITE)
     at: Any = content
@@ -232,7 +232,7 @@ def test_any_value_anywhere_is_read_or_refused_by_a_sentence(data: st.DataObject
 
 
 @given(st.binary(max_size=60), st.integers(0, 2000), st.integers(0, 40))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_bytes_are_read_or_refused_by_a_sentence(noise: bytes, at: int, cut: int) -> None:
     content = json.dumps(SITE).encode()
     with contextlib.suppress(MissionFileError):

@@ -73,7 +73,7 @@ def values(message: Any) -> tuple[Any, ...]:
 
 
 @given(st.lists(items(), max_size=12))
-@settings(deadline=None)
+@settings(deadline=None, max_examples=25)
 def test_what_pymavlink_writes_is_read_with_its_values(
     tmp_path_factory: pytest.TempPathFactory, mission: list[MissionItem]
 ) -> None:
@@ -89,7 +89,7 @@ def test_what_pymavlink_writes_is_read_with_its_values(
 
 
 @given(st.lists(items(), max_size=12))
-@settings(deadline=None)
+@settings(deadline=None, max_examples=25)
 def test_what_is_written_is_read_by_pymavlink_with_equal_values(
     tmp_path_factory: pytest.TempPathFactory, mission: list[MissionItem]
 ) -> None:

@@ -121,7 +121,7 @@ def test_without_the_safety_layer_or_a_fence_nothing_is_forbidden() -> None:
         assert fence.brought_inside((99.0, 99.0, -1.0)) == (99.0, 99.0, -1.0)
 
 
-@fixed
+@settings(fixed, max_examples=10)
 @given(seeds, st.booleans())
 def test_who_is_inside_stays_inside_whatever_is_wished(seed: int, poor: bool) -> None:
     """All places of each period's flight, at up to 5 m/s, among fences of bays, spikes and circles; a projection too

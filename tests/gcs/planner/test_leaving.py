@@ -14,7 +14,7 @@ from skytender.safety.safety_filter import FilterSettings, Leaders, Others, filt
 DT, RULES, A, MARGIN = 0.1, FilterSettings(), 4.0, 0.1
 B = 0.8 * A
 seeds = st.integers(0, 2**32 - 1)
-fixed = settings(derandomize=True, deadline=None, max_examples=60, database=None)
+fixed = settings(derandomize=True, deadline=None, max_examples=30, database=None)
 
 
 def unit(x):
@@ -88,7 +88,7 @@ def chased(p, pursuers, w, fast, periods=150):
     return nearest, apart
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_who_hovers_outruns_one_that_flies_at_it(seed):
     rng = np.random.default_rng(seed)
     w = rng.uniform(1, 3)
@@ -97,7 +97,7 @@ def test_who_hovers_outruns_one_that_flies_at_it(seed):
     assert nearest >= 0.8 + MARGIN - 0.02
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_between_two_that_come_from_opposite_sides_it_leaves_aside_in_time(seed):
     rng = np.random.default_rng(seed)
     w, side = rng.uniform(1, 2.5), unit(rng.normal(size=3) * (1, 1, 0.2))
@@ -105,7 +105,7 @@ def test_between_two_that_come_from_opposite_sides_it_leaves_aside_in_time(seed)
     assert nearest >= 0.8 + MARGIN - SQUEEZED_M
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_a_ring_opens_and_stays_apart(seed):
     rng = np.random.default_rng(seed)
     angle = np.arange(8) / 8 * 2 * math.pi

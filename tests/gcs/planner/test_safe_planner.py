@@ -4,13 +4,14 @@ import math
 from typing import Any
 
 import pytest
+from views import view
 
-from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.safe_planner import SafePlanner
 from gcs.scenario.model import Scenario
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 PERIOD_S, SPEED_M_S = 0.1, 3.0
 AHEAD_M = 10.0
@@ -31,16 +32,6 @@ def scenario() -> Scenario:
     )  # fmt: skip
 
 
-def view(sysid: int, p_ned: Vec3, v_ned: Vec3, mode: FlightMode, age_s: float) -> VehicleView:
-    return VehicleView(
-        sysid=sysid, role="pursuer", label=f"pursuer {sysid}", alive=True, profile=PX4, mode=mode, armed=True,
-        landed=False, last_received_s=0.0, p_ned=p_ned, v_ned=v_ned, age_s=age_s, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
-        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
-        control_effort=0.0,
-    )  # fmt: skip
-
-
 def gives_way_m(mode: FlightMode) -> float:
     """How far the leader of vehicle 1 has gone when the last report of vehicle 2, which flew at it, is 1.5 s old."""
     content = scenario()
@@ -49,8 +40,8 @@ def gives_way_m(mode: FlightMode) -> float:
     for tick in range(16):
         age_s = tick * PERIOD_S
         vehicles = (
-            view(1, here, (0.0, 0.0, 0.0), FlightMode.OFFBOARD, 0.0),
-            view(2, (0.0, 0.0, -5.0), (SPEED_M_S, 0.0, 0.0), mode, age_s),
+            view(1, p_ned=here),
+            view(2, p_ned=(0.0, 0.0, -5.0), v_ned=(SPEED_M_S, 0.0, 0.0), mode=mode, age_s=age_s),
         )
         (point,) = planner.plan(PlanRequest(FleetSnapshot(20.0 + age_s, vehicles, ()), frozenset({1}), PERIOD_S))
     return math.dist(point.p_ned, here)
@@ -71,8 +62,8 @@ def nearest_to_rest_m(mode: FlightMode) -> float:
     p_ned, nearest_m = (0.0, 0.0, -5.0), math.inf
     for tick in range(20):
         vehicles = (
-            view(1, here, (speed_m_s, 0.0, 0.0), mode, 0.0),
-            view(2, p_ned, (0.0, 0.0, 0.0), FlightMode.OFFBOARD, 0.0),
+            view(1, p_ned=here, v_ned=(speed_m_s, 0.0, 0.0), mode=mode),
+            view(2, p_ned=p_ned),
         )
         time_s = 20.0 + tick * PERIOD_S
         (point,) = planner.plan(PlanRequest(FleetSnapshot(time_s, vehicles, ()), frozenset({2}), PERIOD_S))
@@ -103,8 +94,8 @@ def meets_m(approaches: frozenset[int]) -> list[float]:
     away_m = []
     for tick in range(150):
         vehicles = (
-            view(1, here, v_ned, FlightMode.OFFBOARD, 0.0),
-            view(3, tanker, tanker_v_ned, FlightMode.OFFBOARD, 0.0)._replace(role="tanker"),
+            view(1, p_ned=here, v_ned=v_ned),
+            view(3, "tanker", p_ned=tanker, v_ned=tanker_v_ned),
         )
         request = PlanRequest(FleetSnapshot(20.0 + tick * PERIOD_S, vehicles, ()), frozenset({1, 3}), PERIOD_S)
         own, other = planner.plan(request._replace(rendezvous={3: 1}, approaches=approaches))

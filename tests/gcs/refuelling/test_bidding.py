@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+import views as base
 from scipy.integrate import solve_ivp
 
-from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.bidding import NeedBidding
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -17,15 +18,7 @@ RULES = CompetitionRules(p=2.0, rate=5.0, need_from=0.5, dwell_s=2.0, decide_wit
 
 
 def view(sysid: int, need: float, role: str = "pursuer", **changed: Any) -> VehicleView:
-    made = VehicleView(
-        sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, last_received_s=0.0, p_ned=(0.0, 0.0, -5.0), v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
-        drawn_j=1e4 * need, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0,
-        energy_source="energy_consumed",
-        control_effort=0.0,
-    )  # fmt: skip
-    return made._replace(**changed)
+    return base.view(sysid, role, **({"p_ned": (0.0, 0.0, -5.0), "drawn_j": 1e4 * need} | changed))
 
 
 TANKER = view(200, 0.0, "tanker")

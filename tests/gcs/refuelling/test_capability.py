@@ -5,19 +5,12 @@ from __future__ import annotations
 import math
 
 import pytest
+from views import view
 
-from gcs.mavlink.autopilots import PX4, FlightMode
+from gcs.mavlink.autopilots import FlightMode
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.service import ServiceRequests
-from gcs.telemetry.state import FleetSnapshot, VehicleView
-
-VIEW = VehicleView(
-    sysid=1, role="pursuer", label="pursuer 1", alive=True, profile=PX4, mode=FlightMode.HOLD, armed=False,
-    landed=True, last_received_s=0.0, p_ned=None, v_ned=(0.0, 0.0, 0.0), age_s=0.0, heading_rad=0.0,
-    origin_offset_ned=None,
-    ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True, drawn_j=0.0, received_j=0, given_j=0,
-    given_reported_s=0.0, power_w=0.0, energy_source="none", control_effort=0.0,
-)  # fmt: skip
+from gcs.telemetry.state import FleetSnapshot
 
 
 def run(
@@ -30,7 +23,7 @@ def run(
     at_s: float = 0.0,
 ) -> None:
     for k in range(round(seconds / 0.5) + 1):
-        seen = VIEW._replace(battery_reported=told, last_received_s=0.0 if heard else -math.inf)
+        seen = view(1, mode=FlightMode.HOLD, battery_reported=told, last_received_s=0.0 if heard else -math.inf)
         ability.decide(FleetSnapshot(at_s + 0.5 * k, (seen,), ()), requests)
 
 

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+import views as base
 from hypothesis import given
 from hypothesis import strategies as st
 
-from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.refuelling.target_assignment import TargetAssignment, predicted_effort
 from gcs.scenario.model import PursuitRules as Rules
 from gcs.telemetry.state import GRAVITY_M_S2, FleetSnapshot, Vec3, VehicleView
@@ -17,14 +17,7 @@ SPEED = 2.0
 
 
 def view(sysid: int, *at: float, role: str = "pursuer", **changed: Any) -> VehicleView:
-    made = VehicleView(
-        sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
-        landed=False, last_received_s=0.0, p_ned=at, v_ned=STILL, age_s=0.0, heading_rad=0.0,
-        origin_offset_ned=STILL, ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True, drawn_j=0.0,
-        received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
-        control_effort=0.0,
-    )  # fmt: skip
-    return made._replace(**changed)
+    return base.view(sysid, role, p_ned=at, **changed)
 
 
 def pursuit(targets: tuple[int, ...] = (101,), pursuers: tuple[int, ...] = (1, 2, 3), **rules: Any) -> TargetAssignment:

@@ -45,7 +45,7 @@ def decide(
     return math.inf, []
 
 
-@pytest.mark.parametrize(("n", "k", "within_s", "seeds"), [(12, 4, 6.0, 12), (200, 8, 15.0, 3)])
+@pytest.mark.parametrize(("n", "k", "within_s", "seeds"), [(12, 4, 6.0, 5), (200, 8, 15.0, 1)])
 def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float, seeds: int) -> None:
     """Random fleets, near ties and all: never by time-out, and no winner bids less than who ties with the last one."""
     for seed in range(seeds):
@@ -66,7 +66,7 @@ def test_as_many_win_at_once_as_tankers_are_free(n: int, k: int, within_s: float
 
 def test_winners_are_matched_so_that_the_way_is_least() -> None:
     rng = np.random.default_rng(3)
-    for _ in range(20):
+    for _ in range(10):
         n, k = 12, int(rng.integers(2, 9))
         views = [pursuer(i + 1, 20.0 + 2.0 * i, (*rng.uniform(-40, 40, 2), -5.0)) for i in range(n)]
         givers = [giver(200 + j, (*rng.uniform(-40, 40, 2), -6.0)) for j in range(k)]

@@ -180,13 +180,13 @@ plain = st.recursive(
 )
 
 
-@settings(max_examples=150)
+@settings(max_examples=60)
 @given(st.dictionaries(texts.filter(lambda key: key != "<<"), plain, max_size=4))
 def test_what_is_emitted_is_read_back_equal(data: dict[str, object]) -> None:
     assert parse(emit(data), "f.yaml").data == data
 
 
-@settings(max_examples=300)
+@settings(max_examples=150)
 @given(st.text(st.sampled_from(list("ab01:-,.[]{}&*!|>'\"%@#?~<\\ \n\tuUx\x85\0")), max_size=60))
 def test_no_text_ends_in_anything_but_a_scenario_error(text: str) -> None:
     with contextlib.suppress(ScenarioError):
@@ -256,7 +256,7 @@ PIECES += ["\\", "&x ", "*x", ">\n", "|\n", "%", "@", "`", "~", "é", "<<", "---
 PIECES += ["\t", "?", "!", "\r", "\ufeff", "\x85", "\u2028"]
 
 
-@settings(max_examples=1500)
+@settings(max_examples=300)
 @given(st.lists(st.sampled_from(PIECES), max_size=25).map("".join))
 def test_any_text_is_read_the_same_either_way(text: str) -> None:
     assert quickly(text) == slowly(text)

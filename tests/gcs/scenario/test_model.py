@@ -1,13 +1,11 @@
 """gcs.scenario.model: the demo as it ships, what is refused and with which sentence, and the round trip."""
 
-import itertools
 import math
 import re
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 import yaml
 from hypothesis import given, settings
@@ -38,32 +36,6 @@ def test_the_demo_holds_what_it_promises() -> None:
     assert len(demo.traffic) == 2
     assert demo.goal.refuelled_at_least == 3
     assert (demo.clock.mode, demo.clock.speed) == ("real", 5)
-
-
-def samples(corners: tuple[tuple[float, float, float], ...]) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Points on the closed path, at most a few cm apart."""
-    ring = np.array([*corners, corners[0]])
-    return np.concatenate([np.linspace(a, b, 400) for a, b in itertools.pairwise(ring)])
-
-
-def distance_m(a: np.ndarray[Any, Any], b: np.ndarray[Any, Any]) -> float:
-    return float(np.linalg.norm(a[:, None, :] - b[None, :, :], axis=2).min())
-
-
-def test_the_demos_target_keeps_clear_of_what_stands_and_of_what_moves() -> None:
-    demo = load(file.find("demo"))
-    path = samples(demo.vehicles.targets[0].path_m)
-    assert distance_m(path, np.array([obstacle.point_m for obstacle in demo.obstacles])) >= 0.6
-    for mover in demo.traffic:
-        assert distance_m(path, samples(mover.path_m)) >= 1.0
-    assert -3.0 <= path[:, 2].min() < path[:, 2].max() <= -1.0
-
-
-def test_the_demos_vehicles_start_apart_and_on_the_ground() -> None:
-    vehicles = load(file.find("demo")).vehicles.all
-    starts = [vehicle.start_m for vehicle in vehicles]
-    assert all(start[2] == 0 for start in starts)
-    assert min(math.dist(a, b) for i, a in enumerate(starts) for b in starts[:i]) >= 1.5
 
 
 def test_paper_axes_become_ned_by_half_a_turn_about_north(path: Path) -> None:
@@ -336,14 +308,14 @@ changes = st.fixed_dictionaries(
 )  # fmt: skip
 
 
-@settings(max_examples=60)
+@settings(max_examples=25)
 @given(change=changes)
 def test_what_is_dumped_is_loaded_equal(tmp_path_factory: pytest.TempPathFactory, change: dict[str, Any]) -> None:
     scenario = Scenario.model_validate({**yaml.safe_load(SMALL), **change})
     assert loaded(tmp_path_factory.getbasetemp() / "round.yaml", dump(scenario)) == scenario
 
 
-@settings(max_examples=150)
+@settings(max_examples=60)
 @given(data=st.data())
 def test_no_damage_to_the_demo_ends_in_anything_but_a_scenario_error(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject

@@ -46,7 +46,7 @@ def told(name: str, value: float, kind: int = mav.MAV_PARAM_TYPE_INT8) -> list[c
     return [*codec.split(bytes(message.pack(mav.MAVLink(None, COPTER, 1)))).frames]
 
 
-@pytest.mark.parametrize("number", [*range(-1, 13)])
+@pytest.mark.parametrize("number", [-1, 0, 3, 10, 11])
 def test_what_it_flies_on_is_said_once(number: int) -> None:
     found = estimators("battery")
     (asked,) = found.requests(COPTER, ARDUPILOT, 0.0)

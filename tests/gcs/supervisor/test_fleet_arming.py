@@ -1,5 +1,6 @@
 """Whom a tick asks, against a fleet of which everybody is asked in every tick."""
 
+from collections import Counter
 from typing import Any
 
 import pytest
@@ -12,6 +13,7 @@ from gcs.supervisor.fleet_arming import FleetArming
 
 SYSIDS = (1, 2, 3, 7, 101, 201)
 TICKS = 2500
+RESTING = (Stage.FLY, Stage.DOWN, Stage.TAKEN)
 
 
 def sequences() -> dict[int, ArmingSequence]:
@@ -32,7 +34,7 @@ def wants(fleet: ChangingFleet, *several: dict[int, ArmingSequence]) -> None:
         getattr(one[sysid], what)(*arguments.get(what, ()))
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(2))
 def test_who_is_not_asked_would_not_have_answered_nor_changed(seed: int) -> None:
     fleet, everybody = ChangingFleet(SYSIDS, seed), sequences()
     some = FleetArming(sequences())
@@ -68,12 +70,11 @@ def test_who_is_not_asked_would_not_have_answered_nor_changed(seed: int) -> None
     assert told < len(SYSIDS) * TICKS * 0.7
 
 
-@pytest.mark.parametrize("stage", [Stage.FLY, Stage.DOWN, Stage.TAKEN])
-def test_all_that_a_resting_sequence_is_has_stayed_as_it_was(stage: Stage) -> None:
+def test_all_that_a_resting_sequence_is_has_stayed_as_it_was() -> None:
     """Not only what it answers: its whole memory but for the time at which it reads parameters that are there."""
-    for seed in range(3):
+    rested = Counter[Stage]()
+    for seed in range(2):
         fleet, everybody = ChangingFleet(SYSIDS, seed), sequences()
-        rested = 0
         for _ in range(TICKS):
             if fleet.chance.random() < 0.03:
                 wants(fleet, everybody)
@@ -84,10 +85,14 @@ def test_all_that_a_resting_sequence_is_has_stayed_as_it_was(stage: Stage) -> No
             for sysid, one in everybody.items():
                 seen, one.grounded = snapshot.vehicle(sysid), fleet.chance.random() < 0.1
                 one.decide(seen, fleet.time_s)
-                if one.stage is stage and one.rests(seen):
+                if (
+                    one.rests(seen)
+                    and one.stage in RESTING
+                    and (rested[one.stage] < 500 or fleet.chance.random() < 0.2)
+                ):
                     memory = dict(vars(one))
                     for later_s in (0.1, 1.5, 100.0):
                         assert one.decide(seen._replace(drawn_j=9e3), fleet.time_s + later_s) == ([], [])
                         assert vars(one) == memory
-                    rested += 1
-        assert rested > 100
+                    rested[one.stage] += 1
+    assert all(rested[stage] > 200 for stage in RESTING)

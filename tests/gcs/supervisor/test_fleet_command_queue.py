@@ -5,11 +5,10 @@ from typing import Any
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import codec
-from gcs.mavlink.command_protocol import ARMING, OPERATOR, CommandRequest
+from gcs.mavlink.command_protocol import ARMING, CommandRequest
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 
 ARM = CommandRequest(3, mav.MAV_CMD_COMPONENT_ARM_DISARM, (), f"{ARMING} arm")
-LAND = CommandRequest(3, mav.MAV_CMD_NAV_LAND, (), f"{OPERATOR} land")
 SERVE = CommandRequest(3, mav.MAV_CMD_USER_1, (), "5 receive")
 
 
@@ -56,16 +55,6 @@ def test_what_is_asked_once_is_not_lined_up_behind_itself() -> None:
     assert commands(queue) == []
     queue.ask_once([ARM], 0.3)
     assert commands(queue) == [ARM.command]
-
-
-def test_pilots_and_operators_commands_are_withdrawn_and_a_services_go_on() -> None:
-    queue = FleetCommandQueue([3])
-    queue.ask([ARM, LAND, SERVE], 0.0)
-    assert commands(queue) == [ARM.command, LAND.command, SERVE.command]
-    queue.withdraw(3)
-    ended = queue.poll(3, 0.6)
-    assert [(result.token, result.outcome) for result in ended] == [(ARM.token, "timeout"), (LAND.token, "timeout")]
-    assert commands(queue) == [SERVE.command]
 
 
 def test_a_withdrawn_command_that_waited_its_turn_may_be_asked_again_at_once() -> None:

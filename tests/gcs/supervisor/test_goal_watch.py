@@ -44,7 +44,7 @@ def memory(watch: GoalWatch) -> dict[str, Any]:
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("seed", range(10, 13))
+@pytest.mark.parametrize("seed", [10, 12])
 def test_what_is_measured_is_the_same_when_everybody_is_looked_at_in_every_tick(seed: int) -> None:
     fleet, told = ChangingFleet(SYSIDS, seed), scenario()
     sequences: dict[int, ArmingSequence] = make_arming_sequences(told)

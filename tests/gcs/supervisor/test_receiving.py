@@ -182,7 +182,7 @@ class Vehicles:
         self.before = datagrams
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tmp_path: Path) -> None:
     rng = random.Random(seed)
     scenario = load(find("fleet"))
@@ -192,9 +192,9 @@ def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tm
     usual, alone = both
     assert usual.link.joined == alone.link.joined == set(keys)
     vehicles = Vehicles(rng, addresses)
-    for tick in range(150):
+    for tick in range(60):
         now_s = 0.1 * tick
-        if tick == 100:
+        if tick == 40:
             left = rng.choice(keys)
             keys.remove(left)
             for side in both:
@@ -211,7 +211,7 @@ def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tm
         assert usual.delivered(now_s) == alone.delivered(now_s)
         assert same(usual.state(now_s), alone.state(now_s))
     assert alone.together == 0
-    assert 400 < usual.together < 1750
+    assert 150 < usual.together < 700
     lost = sum(usual.supervisor.gaps.lost_of.values())
     assert lost == 0
     for side in both:
@@ -227,11 +227,11 @@ def test_a_tick_that_does_not_fit_the_buffer_is_received_all_the_same(
     addresses = {key: key[0] for key in keys}
     side = Side(load(find("fleet")), addresses, tmp_path / "one", alone=False)
     vehicles = Vehicles(rng, addresses)
-    for tick in range(50):
+    for tick in range(20):
         side.grant(keys, 100 * tick)
         told = vehicles.answers(keys, 100 * tick)
         assert side.take(vehicles.whole(told)) == []
         arrived, _ = side.delivered(0.1 * tick)
         assert arrived == [raw for key in keys for raw in told[key]]
-    assert 50 < side.together < 400
+    assert 20 < side.together < 160
     side.close()

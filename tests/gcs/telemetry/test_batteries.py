@@ -61,7 +61,7 @@ def told(draw: st.DrawFn) -> list[tuple[int, int, int]]:
     return words
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(told())
 def test_a_session_and_a_monitor_know_the_emptiest_that_is_flown_on(words: list[tuple[int, int, int]]) -> None:
     fleet = Fleet([Member(1, "pursuer", "pursuer 1", CAPACITY_J, CAPACITY_J, external=True)], GlobalOrigin(47, 8, 400))

@@ -60,7 +60,7 @@ def made_of_views(snapshot: FleetSnapshot) -> FleetColumns:
 
 def test_columns_are_the_views_and_tell_of_every_change_of_what_is_no_figure() -> None:
     changes = same = 0
-    for seed in range(12):
+    for seed in range(6):
         chance = random.Random(seed)
         members = [Member(sysid, "pursuer", f"p {sysid}", 24_000.0, 18_000.0, external=sysid == 9) for sysid in (9, 3)]
         fleet = Fleet(members, ORIGIN)
@@ -99,8 +99,8 @@ def test_columns_are_the_views_and_tell_of_every_change_of_what_is_no_figure() -
             last = fleet.snapshot(now_s)
         for snapshot, views in earlier:  # made long after the vehicles have said more
             assert snapshot.vehicles == views
-    assert changes > 500
-    assert same > 100
+    assert changes > 250
+    assert same > 50
     assert fleet.snapshot(last.time_s).columns.changed_since(last.columns.number) == []
     fleet.join(Member(200, "pursuer", "late", 24_000.0, 18_000.0))
     assert fleet.snapshot(last.time_s).columns.changed_since(last.columns.number) == [3, 4, 9, 200]

@@ -11,7 +11,6 @@ from pymavlink.dialects.v20 import common as mav
 
 from gcs.mavlink import battery as battery_module
 from gcs.mavlink import codec
-from gcs.mavlink.datagram import runs_of
 from gcs.telemetry import energy, fleet, plausibility, readings
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.readings import FOUND, TelemetryReader, new_readings
@@ -68,7 +67,7 @@ def floats(count: int) -> list[bytes]:
 
 def test_places_are_read_as_pymavlink_reads_them() -> None:
     believed = 0
-    for payload in [*floats(6), *payloads("LOCAL_POSITION_NED", 2000)]:
+    for payload in [*floats(6), *payloads("LOCAL_POSITION_NED", 600)]:
         one = Read("LOCAL_POSITION_NED", payload)
         c = one.content
         told = [c.x, c.y, c.z, c.vx, c.vy, c.vz]
@@ -80,7 +79,7 @@ def test_places_are_read_as_pymavlink_reads_them() -> None:
             assert one.told(readings.V_NORTH, readings.V_EAST, readings.V_DOWN) == told[3:]
             assert one.told(readings.POSITION_S) == [5.0]
             believed += 1
-    assert 250 < believed < 2000
+    assert 220 < believed < 700
 
 
 def test_a_place_is_as_old_as_its_vehicles_clock_says_and_none_older_follows() -> None:
@@ -92,7 +91,7 @@ def test_a_place_is_as_old_as_its_vehicles_clock_says_and_none_older_follows() -
 
 
 def test_attitudes_are_read_as_pymavlink_reads_them() -> None:
-    for payload in [*floats(6), *payloads("ATTITUDE", 2000)]:
+    for payload in [*floats(6), *payloads("ATTITUDE", 600)]:
         one = Read("ATTITUDE", payload)
         c = one.content
         heading = c.yaw if abs(c.yaw) <= math.tau else 0.0
@@ -119,7 +118,7 @@ def test_batteries_are_counted_as_by_their_reports(name: str, convert: Any) -> N
     rng = random.Random(5)
     size = getattr(mav, f"MAVLink_{name.lower()}_message").unpacker.size
     told = 0
-    for payload in payloads(name, 3000):
+    for payload in payloads(name, 1500):
         usual = bytearray(payload)
         if name == "BATTERY_STATUS" and rng.random() < 0.8:
             cells = [rng.choice([4000, 4000, 65535, 0]) for _ in range(10)]
@@ -145,7 +144,7 @@ def test_batteries_are_counted_as_by_their_reports(name: str, convert: Any) -> N
         if more:
             np.testing.assert_array_equal(one.found, [*words[:2], *outcome])
         told += more
-    assert told > 500
+    assert told > 250
 
 
 def test_a_message_that_tells_nothing_new_changes_a_fleet_as_if_it_were_read_like_the_first(
@@ -163,7 +162,7 @@ def test_a_message_that_tells_nothing_new_changes_a_fleet_as_if_it_were_read_lik
             lambda *args, handler=handler, msgid=msgid: read.append(msgid) or handler(*args),
         )  # fmt: skip
     handled = 0
-    for tick in range(2000):
+    for tick in range(800):
         sysid, boot_ms = rng.choice([3, 4]), 100 * tick - rng.randrange(300)
         if rng.random() < 0.01:
             joules = rng.randrange(100)
@@ -195,7 +194,7 @@ def test_a_message_that_tells_nothing_new_changes_a_fleet_as_if_it_were_read_lik
         views = [repr(one.snapshot(0.1 * tick)) for one in (usual, each)]
         assert views[0] == views[1]
         assert usual.snapshot(0.1 * tick).columns.changed.tolist() == each.snapshot(0.1 * tick).columns.changed.tolist()
-    assert 200 < handled < 1200
+    assert 80 < handled < 480
 
 
 def test_efforts_and_landed_states_are_read_as_pymavlink_reads_them() -> None:
@@ -221,52 +220,3 @@ def test_nothing_is_read_of_other_components_and_beyond_the_end() -> None:
         _, why = read_alone(data, 5.0, row, energy.new_account(1.0, 1.0), np.zeros(FOUND))
         assert why == readings.END
         assert row[readings.ROLL] == 0.0
-
-
-def test_a_fleet_reads_a_datagram_as_it_reads_its_frames() -> None:
-    """Whatever they are, and in whatever order: a battery's report counts as the HEARTBEAT before it says."""
-    rng = random.Random(9)
-    kinds = ["HEARTBEAT", "ATTITUDE", "LOCAL_POSITION_NED", "BATTERY_STATUS", "SYS_STATUS", "EXTENDED_SYS_STATE",
-             "NAMED_VALUE_FLOAT", "NAMED_VALUE_INT", "PARAM_VALUE", "STATUSTEXT", "COMMAND_ACK", "ADSB_VEHICLE",
-             "GPS_GLOBAL_ORIGIN", "HOME_POSITION", "GLOBAL_POSITION_INT", "SYSTEM_TIME", "DEBUG_VECT"]  # fmt: skip
-    together, single = (Fleet([Member(3, "pursuer", "pursuer 3", 24_000.0, 18_000.0)], ORIGIN) for _ in range(2))
-    for tick in range(1500):
-        sysid = rng.choice([3, 3, 3, 4])
-        frames = []
-        for _ in range(rng.randrange(1, 9)):
-            name = rng.choice(kinds)
-            shape = codec.layout(name)
-            values = {field: _value(form, rng) for field, form in zip(shape.record._fields, shape.formats, strict=True)}
-            if name == "NAMED_VALUE_INT":
-                values["name"] = rng.choice(["XferIn", "XferOut", "Other"])
-            frames.append(codec.encode(name, len(frames), sysid, rng.choice([1, 1, 1, 2]), **values))
-        (run,) = runs_of(b"".join(frames)) or ()
-        together.ingest_all(run, 0.1 * tick)
-        for frame in run:
-            single.ingest(frame, 0.1 * tick)
-        assert repr(together.snapshot(0.1 * tick)) == repr(single.snapshot(0.1 * tick))
-        assert together.pop_facts() == single.pop_facts()
-        assert repr(together.pop_acks()) == repr(single.pop_acks())
-        assert together.pop_statustexts(0.1 * tick) == single.pop_statustexts(0.1 * tick)
-    view = together.snapshot(150.0).vehicle(3)
-    assert view.drawn_j > 0.0
-    assert view.p_local_ned is not None
-
-
-def _value(form: str, rng: random.Random) -> Any:
-    """A value that fits a field, mostly a small one."""
-    if form[-1] == "s":
-        return "x"
-    length = int(form[:-1]) if len(form) > 1 else 0
-    if length:
-        return [_value(form[-1], rng) for _ in range(length)]
-    if form in "fd":
-        return rng.choice([0.0, 1.0, -2.5, rng.uniform(-50.0, 50.0), math.nan if rng.random() < 0.1 else 3.0])
-    return rng.choice([0, 0, 1, 100, rng.randrange(127)])
-
-
-def test_no_message_is_both_a_reading_and_kept_elsewhere_but_a_battery_of_several() -> None:
-    names = ("HEARTBEAT", "SYS_STATUS", "ATTITUDE", "LOCAL_POSITION_NED", "BATTERY_STATUS", "EXTENDED_SYS_STATE",
-             "NAMED_VALUE_FLOAT")  # fmt: skip
-    assert set(map(codec.msgid, names)) == readings.MESSAGES
-    assert readings.MESSAGES & fleet._HANDLERS.keys() == {codec.msgid("BATTERY_STATUS")}

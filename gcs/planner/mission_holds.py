@@ -118,7 +118,7 @@ class MissionVerdict(NamedTuple):
 def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: float) -> dict[int, MissionVerdict]:
     """MissionVerdict for each, by system id; `flights` in order of system id."""
     verdicts: dict[int, MissionVerdict] = {}
-    asked: list[tuple[OnMission, FloatArray]] = []
+    asked: list[FloatArray] = []
     for i, one in enumerate(flights):
         speed_m_s = one.pace_m_s
         stretch = _stretch(one, one.stopping.way_m(speed_m_s))
@@ -145,9 +145,9 @@ def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: f
         claim = _bend(one, stretch) if one.goes else stretch[:0]
         if waits_for and not one.goes:  # led vehicles leave it
             way = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))
-            if not any(_meet(way, theirs, one.p_ned, first.p_ned, 2.0 * separation_m) for first, theirs in asked):
+            if not any(_least2(way, theirs) < 4.0 * separation_m * separation_m for theirs in asked):
                 claim = way[1:]
-            asked.append((one, way))
+            asked.append(way)
         verdicts[one.sysid] = MissionVerdict(waits_for, False, claim)
     return {one.sysid: verdicts[one.sysid]._replace(aside=_in_the_way(one, flights, separation_m)) for one in flights}
 
@@ -157,7 +157,7 @@ def _in_the_way(one: OnMission, flights: Sequence[OnMission], separation_m: floa
     if one.goes or one.led or _speed(one) > STANDS_M_S:
         return False
     for other in flights:
-        if other.sysid < one.sysid and not other.led:
+        if other.sysid < one.sysid:
             wanted_m = separation_m + one.stopping.strays_m + other.stopping.strays_m
             speed_m_s = max(other.pace_m_s, SETS_OUT_M_S)
             way = _stretch(other, other.stopping.way_m(speed_m_s) + ASIDE_S * speed_m_s)
@@ -240,8 +240,13 @@ def _meet(mine: FloatArray, theirs: FloatArray, p_ned: Vec3, other_ned: Vec3, wa
     limit_m = min(wanted_m, elementary.distance(p_ned, other_ned) - PARTS_M)
     if limit_m <= 0.0:
         return False
+    return _least2(mine, theirs) < limit_m * limit_m
+
+
+def _least2(mine: FloatArray, theirs: FloatArray) -> float:
+    """Square of the least distance between places (k, 3) and others (n, 3), m²."""
     apart = mine[:, np.newaxis] - theirs[np.newaxis]
-    return bool((apart * apart).sum(axis=2).min() < limit_m * limit_m)
+    return float((apart * apart).sum(axis=2).min())
 
 
 def _reach(one: OnMission, other: Other, speed_m_s: float, stands_s: float, wanted_m: float) -> bool:

@@ -3,6 +3,7 @@ on; and what their autopilots are sent for that."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -74,6 +75,28 @@ def test_a_fleet_on_one_plan_is_crossed_by_another(tmp_path: Path) -> None:
     assert held  # else the test would show nothing
 
 
+@pytest.mark.parametrize(
+    "starts",
+    [
+        [(-6.0 - 3 * (i % 3), -4.0 - 4.0 * (i // 3)) for i in range(5)],
+        pytest.param(
+            [(10.0 + 8.0 * math.cos(0.25 * math.pi * i), 8.0 * math.sin(0.25 * math.pi * i)) for i in range(8)],
+            marks=pytest.mark.slow,
+        ),
+    ],
+    ids=["rows", "ring"],
+)
+def test_many_that_begin_one_plan_together_all_fly_it(tmp_path: Path, starts: list[tuple[float, float]]) -> None:
+    plan = write_plan(tmp_path / "mow.plan", [waypoint(n, e, 4.0) for n, e in ((20, 0), (0, 0), (0, 4), (20, 4))])
+    pursuers = [
+        {"sysid": i, "start_m": [north, east, 0.0], "mission": plan, "params": {"MPC_XY_CRUISE": 4.0}}
+        for i, (north, east) in enumerate(starts, 1)
+    ]
+    outcome = fly(scenario(pursuers, 120.0), tmp_path)
+    assert outcome.status == 0, outcome.summary["outcome_text"]
+    assert nearest_m(at_grants(outcome, range(1, len(starts) + 1))) >= SEPARATION_M
+
+
 def head_on(folder: Path, cruise_m_s: float) -> list[dict[str, Any]]:
     """Two that fly along one line, 30 m, each to where the other starts."""
     ends = {1: (0.0, 30.0), 2: (30.0, 0.0)}
@@ -136,6 +159,7 @@ SENT = {
 """Commands by which each autopilot begins or goes on, and holds: custom mode AUTO.MISSION, AUTO.LOITER; BRAKE."""
 
 
+@pytest.mark.slow
 def test_px4s_and_ardupilots_that_others_started_get_their_plans_and_their_own_commands(tmp_path: Path) -> None:
     """Two pairs, one of each autopilot, head-on along lines 20 m apart; in each pair the second is held."""
     port = free_port()

@@ -60,6 +60,24 @@ def test_one_that_stands_in_the_way_of_a_first_one_steps_aside() -> None:
     assert verdicts[2].waits_for == "pursuer 1"
 
 
+def test_one_that_stands_in_the_way_of_a_first_one_that_stepped_aside_does_so_too() -> None:
+    first = flier(1, (0.0, 0.0, -4.0), (0.0, 0.0, 0.0), (0.0, 20.0, -4.0), goes=False, led=True)
+    other = flier(2, (0.0, 4.0, -4.0), (0.0, 0.0, 0.0), (0.0, 20.0, -4.0), goes=False)
+    assert judge([first, other], [], WANTED_M)[2].aside
+
+
+def test_of_ways_side_by_side_that_of_the_first_is_kept_free_and_one_far_away_too() -> None:
+    stands = (0.0, 0.0, 0.0)
+    flights = [
+        flier(sysid, (north_m, 0.0, -4.0), stands, (north_m, 20.0, -4.0), goes=False)
+        for sysid, north_m in ((1, 0.0), (2, 1.5), (3, 3.0), (4, 40.0))
+    ]
+    walls = [Other(f"wall {one.sysid}", (one.p_ned[0], 1.5, -4.0), stands) for one in flights]
+    verdicts = judge(flights, walls, WANTED_M)
+    assert all(verdict.waits_for for verdict in verdicts.values())
+    assert [len(verdicts[k].claim_ned) > 0 for k in (1, 2, 3, 4)] == [True, False, False, True]
+
+
 def test_one_that_still_brakes_does_not_step_aside_yet() -> None:
     other = flier(2, (0.0, 9.0, -4.0), (0.0, -1.0, 0.0), (0.0, -20.0, -4.0), goes=False)
     assert not judge([EAST, other], [], WANTED_M)[2].aside

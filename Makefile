@@ -20,7 +20,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build check test release-check bench fuzz faults docs picture gallery clean
+.PHONY: run build check test test-all release-check bench fuzz faults docs picture gallery clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -44,12 +44,13 @@ check: $(DEV_READY)
 
 # The tests are imported once before they run, and what is compiled then is kept: else each worker would compile all of
 # it. Many tests wait for real time: four workers for each of two processors keep those busy. mypy runs beside them.
-test: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
+test: CHOSEN := -m "not slow"
+test test-all: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \
 	  $(VENV)/bin/python -m pytest --collect-only -qq >/dev/null; \
-	  $(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder; tested=$$?; \
+	  $(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder $(CHOSEN); tested=$$?; \
 	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
 # What a release needs, as far as it needs no network: lint, types and the fast tests; the source archive, and of it a

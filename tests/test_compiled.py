@@ -101,6 +101,7 @@ def rebuilt(root: Path) -> set[Path]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(600)
 def test_what_is_rebuilt_flies(copied: Path) -> None:
     """A fall that is asked for is held at the least lift, a share of gravity that the law's source names. The changed

@@ -21,6 +21,7 @@ def test_hostile_input_harms_nothing() -> None:
     assert all(line.endswith("  ok") for line in lines)
 
 
+@pytest.mark.slow
 def test_nor_does_input_that_coverage_finds(tmp_path: Path) -> None:
     """What earlier campaigns have found, and some runs beyond it, guided by the vehicle's branches alone."""
     pytest.importorskip("atheris")

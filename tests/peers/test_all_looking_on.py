@@ -105,6 +105,7 @@ def mission(fleet: Fleet, landed: int) -> dict[str, Any]:
     return said
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("link", "lander", "landed"), [(tcp, MAVSDK, 1), (serial, MAVPROXY, 2)], ids=["tcp", "serial"])
 def test_all_look_on_and_one_lands_one_while_the_others_fly_their_mission(
     peers: Path, fly: Any, tmp_path: Path, link: Callable[..., Fleet], lander: Lander, landed: int

@@ -42,6 +42,7 @@ def each_alone(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     return shared(tmp_path_factory.mktemp("blocks"), 1)
 
 
+@pytest.mark.slow
 def test_digest_and_truth_do_not_depend_on_how_vehicles_share_processes(each_alone: Outcome, tmp_path: Path) -> None:
     flown = [each_alone, shared(tmp_path, 3), shared(tmp_path, 6)]
     assert len({outcome.summary["digest"] for outcome in flown}) == 1

@@ -339,6 +339,7 @@ def network(machines: Sequence[str]) -> Iterator[Sequence[str]]:
         yield machines
 
 
+@pytest.mark.slow
 def test_machines_that_share_nothing_but_a_network_fly_the_same_rows_and_a_lost_scheduler_is_one_sentence(
     reference: list[dict[str, Any]], tmp_path: Path, secured: Path
 ) -> None:
@@ -421,6 +422,7 @@ SEARCH = {
 }
 
 
+@pytest.mark.slow
 def test_a_search_is_the_same_with_one_worker_and_with_two(tmp_path: Path) -> None:
     (tmp_path / "small.yaml").write_text(yaml.safe_dump({**CAMPAIGN, **SEARCH}), encoding="utf-8")
     worst = []

@@ -40,6 +40,7 @@ def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> str:
     return digest
 
 
+@pytest.mark.slow
 def test_resized_suspended_watched_by_others_and_killed_it_changes_nothing_in_flight(
     tmp_path: Path, undisturbed: str
 ) -> None:

@@ -124,6 +124,7 @@ def compiled_here(source: Path) -> None:
                 shutil.copy2(path, source / path.relative_to(ROOT))
 
 
+@pytest.mark.slow
 def test_the_containers_steps_make_one_that_runs_its_programs_and_not_as_root(container: Container) -> None:
     for instruction, words in instructions():
         if instruction == "RUN" and "pip install" in words:

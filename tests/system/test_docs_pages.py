@@ -17,6 +17,7 @@ def test_the_index_runs_nothing_that_the_first_hour_does_not() -> None:
     assert set(run_lines(INDEX)) <= set(run_lines(DOCS / "first-hour.md"))
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize("page", RUN, ids=lambda page: page.stem)
 def test_what_a_page_has_run_does_what_it_says(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -246,6 +246,7 @@ def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     assert (cleared.returncode, cleared.stdout) == (1, f" 14  mission  refused: {busy}\n")
 
 
+@pytest.mark.slow
 def test_a_vehicle_that_falls_silent_is_named_and_the_others_are_done(tmp_path: Path, site: Path) -> None:
     lines = ((11, "--autopilot ardupilot"), (21, "--autopilot px4 --late 60"))
     with holders(tmp_path, *lines) as missions:

@@ -233,6 +233,7 @@ def killed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Future[Killed]
         return {name: pool.submit(one, tmp_path_factory.mktemp("killed")) for name, one in FLEETS.items()}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", FLEETS)
 def test_when_gcs_is_killed_five_come_home_one_by_one_and_land_apart(
     killed: dict[str, Future[Killed]], kind: str

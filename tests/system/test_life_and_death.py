@@ -101,6 +101,7 @@ def hanging(folder: Path, **changes: Any) -> Path:
     return scenario
 
 
+@pytest.mark.slow
 def test_a_planner_that_hangs_in_compiled_code_is_ended_and_named_and_its_pursuers_are_held(tmp_path: Path) -> None:
     """In lockstep the session goes on, the same each time, and its status tells."""
     goal = {"duration_s": 11.0, "refuelled_at_least": 0}

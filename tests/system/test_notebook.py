@@ -35,6 +35,7 @@ def outputs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, str
     return run("flight.ipynb", tmp_path_factory.mktemp("notebook"))
 
 
+@pytest.mark.slow
 def test_a_planner_of_a_cell_flies_and_repeats(tmp_path: Path) -> None:
     shown = run("act.ipynb", tmp_path)
     said = shown["home.outcome, snapshot.trouble[2], round(min(clear_m), 2)"]["text/plain"]
@@ -45,6 +46,7 @@ def test_a_planner_of_a_cell_flies_and_repeats(tmp_path: Path) -> None:
     assert shown["snapshot"]["text/html"].count("<tr>") == 1 + 5
 
 
+@pytest.mark.slow
 def test_snapshot_summary_and_tables_are_shown(outputs: dict[str, dict[str, str]]) -> None:
     assert outputs["snapshot"]["text/html"].count("<tr>") == 1 + 7
     assert "<th>outcome</th><td>" in outputs["session.summary"]["text/html"]
@@ -58,6 +60,7 @@ def browser() -> Iterator[Browser]:
         yield browser
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason=MISSING)
 def test_a_recording_is_shown_as_its_page(outputs: dict[str, dict[str, str]], browser: Browser, tmp_path: Path) -> None:
     page = tmp_path / "shown.html"

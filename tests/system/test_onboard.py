@@ -27,6 +27,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     return fly(merged(demo(), {**ON_BOARD, **silent}), tmp_path_factory.mktemp("silent"), "--quiet")
 
 
+@pytest.mark.slow
 def test_the_ground_stations_radio_was_dead(flown: Outcome) -> None:
     raw = raw_frames(flown.folder / "session.tlog")
     frames = [t_s - flown.epoch_s for t_s, msgid, _ in raw if msgid != mavlink.MAVLINK_MSG_ID_SYSTEM_TIME]
@@ -35,6 +36,7 @@ def test_the_ground_stations_radio_was_dead(flown: Outcome) -> None:
     assert max(frames) > TO_S
 
 
+@pytest.mark.slow
 def test_those_in_need_are_decided_met_and_served_all_the_same(flown: Outcome) -> None:
     """All whose charge would not have lasted, each by energy that it took in the dark."""
     for sysid in PURSUERS:
@@ -48,6 +50,7 @@ def test_those_in_need_are_decided_met_and_served_all_the_same(flown: Outcome) -
     assert all(r["energy_j"] > 0 and FROM_S <= r["decided_at_s"] < r["start_s"] for r in served)
 
 
+@pytest.mark.slow
 def test_nobody_is_served_twice_at_once_or_again_before_it_is_in_need(flown: Outcome) -> None:
     for sysid in PURSUERS:
         own = [r for r in flown.summary["refuelling"] if r["receiver"] == sysid]
@@ -58,6 +61,7 @@ def test_nobody_is_served_twice_at_once_or_again_before_it_is_in_need(flown: Out
             assert truth.energy[row, 3] <= 0.55 * truth.head["capacity_j"]
 
 
+@pytest.mark.slow
 def test_nobody_is_lost_and_the_plan_goes_on(flown: Outcome) -> None:
     assert (flown.status, flown.summary["outcome_text"]) == (0, "met")
     for sysid in (*PURSUERS, TARGET, TANKER):
@@ -72,6 +76,7 @@ def test_nobody_is_lost_and_the_plan_goes_on(flown: Outcome) -> None:
         assert np.median(distance) == pytest.approx(2.0, abs=0.4)
 
 
+@pytest.mark.slow
 def test_everyone_keeps_apart_in_the_dark(flown: Outcome) -> None:
     assert nearest_m(at_grants(flown, (*PURSUERS, TARGET, TANKER))[:, 20:]) >= 0.6
 

@@ -50,6 +50,7 @@ def decide(folder: Path) -> subprocess.CompletedProcess[str]:
     return again
 
 
+@pytest.mark.slow
 def test_a_class_flies_as_the_module_that_a_scenario_names(tmp_path: Path) -> None:
     path = write(tmp_path, block(PAGE, "ring.yaml").replace("duration_s: 40", "duration_s: 13"))
     (tmp_path / "my_planner.py").write_text(block(PAGE, "my_planner.py"), encoding="utf-8")

@@ -8,6 +8,7 @@ import math
 from pathlib import Path
 
 import pymap3d
+import pytest
 import yaml
 from mission_tapes import AWAY_DEG, LAT_DEG, LON_DEG, VEHICLE, Tape, north
 from PIL import Image
@@ -141,6 +142,7 @@ def stands(page: Page, place_ne: tuple[float, float]) -> None:
     until(page, f"{corners}.some((k) => Math.hypot({x} - {place_ne[1]}, {z} + {place_ne[0]}) < 1.5)")
 
 
+@pytest.mark.slow
 def test_a_moved_obstacle_is_where_it_was_at_each_time(tmp_path: Path, browser: Browser) -> None:
     path = tmp_path / "scenario.yaml"
     path.write_text(yaml.safe_dump(SCENARIO), encoding="utf-8")

@@ -125,6 +125,7 @@ def seen_by(name: str, found: dict[int, Floats]) -> None:
         assert (apart <= MOST_ALIKE) if same else (apart >= LEAST_APART), (name, a, b, apart)
 
 
+@pytest.mark.slow
 def test_states_differ_in_shape_for_every_sight(browser: Browser) -> None:
     rows = states()
     members = session(rows)

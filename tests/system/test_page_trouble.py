@@ -49,6 +49,7 @@ def in_view(page: Page, selector: str) -> bool:
     return there
 
 
+@pytest.mark.slow
 def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_and_selects_them(
     browser: Browser,
 ) -> None:
@@ -111,7 +112,7 @@ def trouble_is_read(page: Page, width: int) -> None:
     assert len({dead, low, well}) == 3
 
 
-@pytest.mark.parametrize(("count", "link"), [(7, "view"), (254, "command")])
+@pytest.mark.parametrize(("count", "link"), [(7, "view"), pytest.param(254, "command", marks=pytest.mark.slow)])
 def test_trouble_is_read_on_every_screen_and_nothing_is_cut_off(browser: Browser, count: int, link: str) -> None:
     rows = fleet(count)
     with served(Script(session(rows), snapshot(1.0, rows))) as links:

@@ -26,6 +26,7 @@ def page_of(out: Path) -> str:
     return (out / "index.html").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_a_part_of_it_is_flown_measured_judged_and_drawn(tmp_path: Path) -> None:
     out = tmp_path / "page"
     done = paper("--out", str(out), "--only", PARTS)

@@ -121,6 +121,7 @@ def test_a_vehicle_that_stops_early_where_nobody_hears_it_is_not_run_into(tmp_pa
     assert nearest_m(at_grants(fly(content, tmp_path), range(1, 8))) > 0.63
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("planner", ["OnePoint", "Raises"])
 def test_a_planner_of_a_users_own_cannot_make_them_meet(tmp_path: Path, planner: str) -> None:
     (tmp_path / "bad.py").write_text(ONE_POINT, encoding="utf-8")
@@ -145,6 +146,7 @@ def test_who_hovers_gives_way_to_traffic(tmp_path: Path) -> None:
     assert {record["by"] for record in told} == {"traffic JET"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["turning", "cube", "forest"])
 def test_a_family_keeps_apart_and_away_from_traffic(name: str, tmp_path: Path) -> None:
     """The verdict is by the vehicles' truth."""

@@ -171,6 +171,7 @@ def flights(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Future[Flown]
         return {name: pool.submit(one, tmp_path_factory.mktemp("flight")) for name, one in FLIGHTS.items()}
 
 
+@pytest.mark.slow
 def test_external_vehicles_that_cross_keep_two_metres_apart_and_arrive(flights: dict[str, Future[Flown]]) -> None:
     outcome, truths = flights["across"].result()
     assert outcome.status == 0, outcome.stdout + outcome.stderr
@@ -180,6 +181,7 @@ def test_external_vehicles_that_cross_keep_two_metres_apart_and_arrive(flights: 
     assert outcome.summary["outcome"] == "met"
 
 
+@pytest.mark.slow
 def test_on_a_ring_among_obstacles_external_vehicles_have_clearance_to_spare(flights: dict[str, Future[Flown]]) -> None:
     ways = of_truths([read_truth(truth) for truth in flights["on a ring"].result().truths])[1]
     assert nearest_m(ways) > 2.0
@@ -188,6 +190,7 @@ def test_on_a_ring_among_obstacles_external_vehicles_have_clearance_to_spare(fli
     assert ways[:, -1, 0].min() > 5.0  # they followed their target past the obstacles
 
 
+@pytest.mark.slow
 def test_autopilots_that_fly_a_metre_off_their_set_points_keep_apart(flights: dict[str, Future[Flown]]) -> None:
     outcome = flights["off"].result().outcome
     told: dict[int, list[Any]] = {i: [] for i in range(1, 5)}

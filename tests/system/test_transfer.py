@@ -87,6 +87,7 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
     assert outcome.vehicle(201)["energy"]["given_j"] == service["energy_j"] + lost_j
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lost", ["first", "last"])
 def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_path: Path, lost: str) -> None:
     """The tanker's frames are dark around the transfer's start or end, as the undisturbed session shows them."""
@@ -101,6 +102,7 @@ def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_pa
     assert tanker[2] == receiver[1] + outcome.vehicle(201)["energy"]["lost_j"]
 
 
+@pytest.mark.slow
 def test_what_was_on_the_way_when_a_transfer_broke_off_comes_back(tmp_path: Path) -> None:
     """Over a slow radio transfers break off again and again, each with up to a second's energy on the way."""
     quick = {"goal": {"duration_s": 46.0, "refuelled_at_least": 0, "pursue": None}, "vehicles_per_process": 8}

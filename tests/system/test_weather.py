@@ -47,6 +47,7 @@ def test_the_wind_tilts_vehicles_into_it_and_drains_their_voltage(flown: Outcome
     assert min(volts) < volts[0] - 0.5
 
 
+@pytest.mark.slow
 def test_the_same_seed_is_the_same_session_and_another_seed_another(tmp_path: Path) -> None:
     brief = merged(windy(), {"goal": {"duration_s": 8.0}})
     outcomes = [fly(brief, tmp_path / str(k), "--plain", "--seed", seed) for k, seed in enumerate("112")]

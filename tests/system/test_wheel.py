@@ -69,6 +69,7 @@ def run(program: Path, *words: str, cwd: Path) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 def test_the_source_archive_has_all_that_is_kept(checkout: Path, tmp_path: Path) -> None:
     """The release's wheels are made of it alone."""
     command = [sys.executable, "setup.py", "--quiet", "sdist", "--dist-dir", tmp_path]
@@ -83,6 +84,7 @@ def test_the_source_archive_has_all_that_is_kept(checkout: Path, tmp_path: Path)
     assert not [name for name in held if name.endswith((".so", ".pyc", ".o"))]
 
 
+@pytest.mark.slow
 def test_what_is_compiled_is_in_it_and_nothing_that_only_a_build_reads(wheel: Path) -> None:
     names = ZipFile(wheel).namelist()
     compiled = {name.partition(".")[0] for name in names if name.endswith(".so")}
@@ -92,6 +94,7 @@ def test_what_is_compiled_is_in_it_and_nothing_that_only_a_build_reads(wheel: Pa
     assert {name.partition("/")[0] for name in names if ".dist-info" not in name} == set(PACKAGES)
 
 
+@pytest.mark.slow
 def test_programs_scenarios_schemas_and_types_are_in_it(installed: Path, tmp_path: Path) -> None:
     for name in ("demo", "paper/example1", "fleet"):
         assert run(installed / "gcs", "validate", name, "--quiet", cwd=tmp_path) == ""
@@ -142,6 +145,7 @@ def steps(listed: list[dict[str, Any]], environment: dict[str, str]) -> list[str
     return said
 
 
+@pytest.mark.slow
 def test_the_workflow_of_the_docs_flies_the_demo_in_another_repository_as_in_the_checkout(
     wheel: Path, runner: dict[str, str]
 ) -> None:
@@ -158,6 +162,7 @@ def test_the_workflow_of_the_docs_flies_the_demo_in_another_repository_as_in_the
     assert digest.startswith(f"sha256:{DIGESTS['demo']}")
 
 
+@pytest.mark.slow
 def test_the_actions_steps_fly_every_seed(wheel: Path, runner: dict[str, str], tmp_path: Path) -> None:
     """What a runner puts for the expressions in `env` is put here."""
     action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))

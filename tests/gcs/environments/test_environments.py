@@ -75,12 +75,14 @@ def fly(env: ParallelSessionEnv, seed: int | None = None) -> list[Any]:
     return given
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(900)  # it flies a dozen sessions
 def test_it_passes_pettingzoos_tests(make: Callable[..., ParallelSessionEnv]) -> None:
     parallel_api_test(make(), num_cycles=5)
     parallel_seed_test(make, num_cycles=5)
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(900)  # it flies a dozen sessions
 def test_it_passes_gymnasiums_test() -> None:
     env = gymnasium.make(ID, scenario=scenario(), agent=2)

@@ -165,6 +165,7 @@ def test_at_heights_of_their_own_they_keep_apart_though_nothing_is_received_any_
     assert swarm.least_m >= SEPARATION_M
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("from_s", "loss"), [(1.0, 0.3), (6.5, 0.0)])
 def test_two_groups_that_do_not_receive_each_other_keep_apart(from_s: float, loss: float) -> None:
     """Two stacks in which the lowest returns highest, so that each has to pass others, of its own group and of the

@@ -28,6 +28,7 @@ def case(figures, method, step_s, noise):
     return found
 
 
+@pytest.mark.slow
 def test_every_figure_is_there_twice_and_named(made):
     out, document = made
     assert document["schema"] == 1
@@ -115,6 +116,7 @@ def test_convergence_begins_the_first_second_within_the_bound():
     assert studies.convergence_time(t, 0.0 * error + 1.0, 0.1) is None
 
 
+@pytest.mark.slow
 def test_only_what_is_asked_for_is_made_and_the_same_twice(made, tmp_path):
     assert run_argv(["paper", "--out", str(tmp_path / "a"), "--only", "fig5"]) == 0
     assert sorted(path.name for path in (tmp_path / "a").iterdir()) == ["fig5.png", "fig5.svg", "vehicle.json"]

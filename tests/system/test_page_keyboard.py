@@ -17,8 +17,8 @@ NAMED = "((one) => one && (one.ariaLabel || one.textContent || one.placeholder |
 
 
 def rows(t_s: float) -> list[dict[str, Any]]:
-    """Five vehicles that climb, hasten, fall behind and use energy."""
-    more = {"height_m": 5.0 + 0.1 * t_s, "speed_m_s": 0.2 + 0.1 * t_s, "target_m": 2.0 + 0.1 * t_s}
+    """Five vehicles that hasten, fall behind and use energy, all at one height."""
+    more = {"height_m": 5.0, "speed_m_s": 0.2 + 0.1 * t_s, "target_m": 2.0 + 0.1 * t_s}
     return [row(sysid, t_s, role="pursuer", battery=0.8 - 0.01 * t_s, **more) for sysid in range(1, 6)]
 
 
@@ -101,6 +101,9 @@ def test_figures_are_zoomed_around_the_time_that_is_shown(showing: Showing) -> N
     assert end_s - begin_s == pytest.approx(page.evaluate("skytender.time.end_s") / 4, rel=0.2)
     page.keyboard.press("-")
     assert page.evaluate("skytender.time.zoom[1] - skytender.time.zoom[0]") > 1.5 * (end_s - begin_s)
+    for _ in range(60):
+        page.keyboard.press("+")
+    assert page.evaluate("skytender.time.zoom[1] - skytender.time.zoom[0]") == pytest.approx(0.1)
     page.keyboard.press("0")
     assert page.evaluate("skytender.time.zoom") is None
 

@@ -404,7 +404,7 @@ export class App {
     }
     if (snapshot && this.paneledFor !== this.selected) {
       this.paneledFor = this.selected;
-      this.table.show(snapshot, this.chosen, this.selected, true);
+      this.table.show(snapshot, this.chosen, this.selected);
       showVehicle(this.vehicleAt, snapshot, this.chosen, this.flight.session);
     }
     if (this.charts.length && now - this.charted_at > (this.flight.columns.size > MANY ? 2 : 1) * CHARTS_MS && this.charted !== this.flight.version) {

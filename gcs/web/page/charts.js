@@ -60,7 +60,7 @@ export class SharedTime {
 function zoomBy(time, by) {
   const [begin_s, end_s] = time.range;
   const [least_s, most_s] = [time.begin_s, Math.max(time.end_s, time.begin_s + 1e-3)];
-  const span_s = by * (end_s - begin_s);
+  const span_s = Math.max(by * (end_s - begin_s), SECONDS[0]);
   if (span_s >= most_s - least_s) return time.setZoom(null);
   const middle_s = time.now_s >= begin_s && time.now_s <= end_s ? time.now_s : (begin_s + end_s) / 2;
   const from_s = Math.min(Math.max(middle_s - span_s / 2, least_s), most_s - span_s);
@@ -81,6 +81,8 @@ export class TimeChart {
     /** @type {uPlot[]} */
     this.plots = [];
     this.key = "";
+    /** @type {{min: number, max: number}[]} what each plot shows of its values, whatever the zoom */
+    this.ranges = [];
     /** @type {Figure | null} */
     this.figure = null;
     /** @type {HTMLElement[]} */
@@ -104,14 +106,12 @@ export class TimeChart {
     this.figure = figure;
     const made = figure.panels.map((panel) => this.#content(panel, chosen));
     const key = JSON.stringify([width, look().dark, look().paper, made.map((one) => one.series.map((s) => [s.label, s.stroke, s.dash]))]);
+    this.ranges = made.map((one) => one.range);
     if (key !== this.key) this.#build(made, key, width);
     this.plots.forEach((plot, k) => {
       plot.setData(/** @type {any} */ (made[k].data), false);
       const [min, max] = this.time.range;
-      plot.batch(() => {
-        plot.setScale("y", made[k].range());
-        plot.setScale("x", { min, max });
-      });
+      plot.setScale("x", { min, max });
     });
     this.div.dataset.lines = String(made.reduce((sum, one) => sum + one.series.length - 1, 0));
     this.showNow();
@@ -156,8 +156,7 @@ export class TimeChart {
     if (panel.zero) low = Math.min(low, 0);
     if (low > high) [low, high] = [0, 1];
     const room = Math.max((high - low) * 0.06, 10 ** -panel.digits);
-    /** @returns {{min: number, max: number}} */
-    const range = () => (panel.range ? { min: panel.range[0], max: panel.range[1] } : { min: panel.zero && low >= 0 ? 0 : low - room, max: high + room });
+    const range = panel.range ? { min: panel.range[0], max: panel.range[1] } : { min: panel.zero && low >= 0 ? 0 : low - room, max: high + room };
     return { panel, series, data, range };
   }
 
@@ -178,7 +177,7 @@ export class TimeChart {
       const plot = new uPlot({
         width, height: PANEL_PX + (foot ? 18 : 0), series, legend: { show: false },
         padding: [6, 10, 0, 0],
-        scales: { x: { time: false, range: (_, min, max) => [min, max] }, y: { range: (_, min, max) => [min, max] } },
+        scales: { x: { time: false, range: (_, min, max) => [min, max] }, y: { range: () => [this.ranges[k].min, this.ranges[k].max] } },
         axes: [
           { stroke: soft, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, incrs: SECONDS, size: 22,
             label: foot ? "session time (s)" : undefined, labelFont: font, labelSize: 18, labelGap: 0 },

@@ -9,7 +9,6 @@ import { rank } from "./strip.js";
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 
 const BINS = 10;
-const MANY = 40;
 
 /**
  * `folds`: where the table is narrow its text stands in the second column, under the trouble.
@@ -39,7 +38,6 @@ export class FleetTable {
     this.down = false;
     /** @type {Map<number, {row: HTMLTableRowElement, texts: HTMLElement[], sign: HTMLElement, folded: HTMLElement, swatch: HTMLElement, colour: string}>} */
     this.rows = new Map();
-    this.shown_at = 0;
     this.filter = h("input", { type: "search", placeholder: "filter, e.g. tanker, served, 12", "aria-label": "filter vehicles", oninput: () => this.again() });
     this.goto = h("input", { type: "text", inputmode: "numeric", size: 4, placeholder: "id", "aria-label": "go to vehicle" });
     const form = h("form", { class: "goto", onsubmit: (/** @type {Event} */ event) => {
@@ -77,16 +75,13 @@ export class FleetTable {
   }
 
   again() {
-    if (this.last) this.show(this.last.snapshot, this.last.chosen, this.last.picked, true);
+    if (this.last) this.show(this.last.snapshot, this.last.chosen, this.last.picked);
   }
 
   /** @param {Snapshot} snapshot @param {number | null} chosen @param {Set<number>} picked */
-  show(snapshot, chosen, picked, now = false) {
+  show(snapshot, chosen, picked) {
     const changed = this.last?.picked !== picked;
     this.last = { snapshot, chosen, picked };
-    const pause_ms = snapshot.vehicles.length > MANY ? 500 : 180;
-    if (!now && !changed && performance.now() - this.shown_at < pause_ms) return;
-    this.shown_at = performance.now();
     const wanted = this.filter.value.trim().toLowerCase();
     const column = COLUMNS.find((one) => one.key === this.by) ?? COLUMNS[0];
     const rows = [...snapshot.vehicles].sort((a, b) => {

@@ -18,7 +18,7 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Frame, Message, message
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.planner.mission_holds import CLEAR_S, FOREIGN, OURS, MissionVerdict, OnMission, Other, judge
+from gcs.planner.mission_holds import CLEAR_S, FOREIGN, NOWHERE, OURS, MissionVerdict, OnMission, Other, braking, judge
 from gcs.scenario.model import Pursuer, Scenario
 from gcs.scenario.parts.mission import FlownItem, items_of
 from gcs.supervisor.arming import ArmingSequence, Mission, Stage
@@ -60,6 +60,8 @@ class MissionFlight:
         self.holds, self.held_s = 0, 0.0
         self.cruise_m_s = 0.0
         """its greatest speed so far"""
+        self.held_ned = NOWHERE
+        """(k, 3) m NED where it may come back to while it holds"""
 
     def listen(self, first: int) -> None:
         """Take in what it has said; `first` is its number of the first item."""
@@ -150,18 +152,21 @@ class MissionWatch:
         verdicts = judge(flying, _others(snapshot, {one.sysid for one in flying}), self._separation_m)
         self.claims = {sysid: verdict.claim_ned for sysid, verdict in verdicts.items() if len(verdict.claim_ned)}
         messages = {}
-        for sysid, verdict in verdicts.items():
-            self._turn(self.flights[sysid], verdict, snapshot.time_s, may_begin=may_begin)
+        for one, (sysid, verdict) in zip(flying, verdicts.items(), strict=True):
+            self._turn(self.flights[sysid], one, verdict, snapshot.time_s, may_begin=may_begin)
             if may_begin and not verdict.waits_for and not self.flights[sysid].begun:
                 messages[sysid] = self._begin(self.flights[sysid], snapshot.vehicle(sysid), snapshot.time_s)
         return messages
 
-    def _turn(self, flight: MissionFlight, verdict: MissionVerdict, now_s: float, *, may_begin: bool) -> None:
+    def _turn(
+        self, flight: MissionFlight, one: OnMission, verdict: MissionVerdict, now_s: float, *, may_begin: bool
+    ) -> None:
         """Let one that has begun hold, step aside or go on."""
         mission = self._arming[flight.sysid].mission
         if verdict.waits_for and flight.begun and mission == "fly":
             flight.holds, flight.held_since_s = flight.holds + 1, now_s
             self._order(flight, "hold", "held", now_s, verdict.waits_for)
+            flight.held_ned = braking(one)
         elif verdict.waits_for and mission == "hold" and verdict.aside:
             self._order(flight, "", "steps aside", now_s, verdict.waits_for)
         if verdict.waits_for or mission == "fly":
@@ -199,6 +204,7 @@ class MissionWatch:
 
     def _order(self, flight: MissionFlight, mission: Mission, state: str, now_s: float, waits_for: str = "") -> None:
         self._arming[flight.sysid].go_on_mission(mission)
+        flight.held_ned = NOWHERE
         self.turned.append(flight.sysid)
         item = min(flight.index, len(flight.items) - 1) + 1
         why = {"by": waits_for} if waits_for else {}
@@ -213,7 +219,8 @@ def _on_mission(flight: MissionFlight, view: VehicleView, arming: ArmingSequence
     if goes:
         flight.cruise_m_s = max(flight.cruise_m_s, elementary.norm(view.v_ned))
     place, ahead = view.p_now_ned(), flight.ahead(view)
-    return OnMission(view.sysid, view.label, place, view.v_ned, ahead, goes, led, flight.stopping, flight.cruise_m_s)
+    reckoned = flight.stopping, flight.cruise_m_s, flight.held_ned
+    return OnMission(view.sysid, view.label, place, view.v_ned, ahead, goes, led, *reckoned)
 
 
 def _others(snapshot: FleetSnapshot, on_missions: Container[int]) -> list[Other]:

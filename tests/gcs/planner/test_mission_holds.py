@@ -78,6 +78,20 @@ def test_of_ways_side_by_side_that_of_the_first_is_kept_free_and_one_far_away_to
     assert [len(verdicts[k].claim_ned) > 0 for k in (1, 2, 3, 4)] == [True, False, False, True]
 
 
+def test_of_two_that_could_set_out_for_one_place_the_first_does() -> None:
+    stands = (0.0, 0.0, 0.0)
+    both = [flier(k, (0.0, 4.0 * k, -4.0), stands, (0.0, 6.0, -4.0), goes=False, led=True) for k in (1, 2)]
+    verdicts = judge(both, [], WANTED_M)
+    assert (verdicts[1].waits_for, verdicts[2].waits_for) == ("", "pursuer 1")
+
+
+def test_the_place_to_which_one_that_holds_may_come_back_is_kept_clear() -> None:
+    evades = flier(2, (4.0, 2.5, -4.0), (0.0, 0.0, 0.0), (0.0, 50.0, -4.0), goes=False)
+    assert judge([EAST, evades], [], WANTED_M)[1].waits_for == ""
+    back = dataclasses.replace(evades, held_ned=np.array([(0.0, 2.5, -4.0)]))
+    assert judge([EAST, back], [], WANTED_M)[1].waits_for == "pursuer 2"
+
+
 def test_one_that_still_brakes_does_not_step_aside_yet() -> None:
     other = flier(2, (0.0, 9.0, -4.0), (0.0, -1.0, 0.0), (0.0, -20.0, -4.0), goes=False)
     assert not judge([EAST, other], [], WANTED_M)[2].aside

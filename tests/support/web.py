@@ -192,7 +192,7 @@ class Watched:
         self.page.on("request", lambda request: self.asked.append(request.url))
 
     def well(self) -> None:
-        """Nothing has gone wrong, and the page shuts nobody out, as far as axe-core can say."""
+        """Nothing has gone wrong, and axe-core finds nothing on the page that keeps a person from using it."""
         assert barriers(self.page) == []
         assert self.wrong == []
 

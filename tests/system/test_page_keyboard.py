@@ -23,7 +23,7 @@ def rows(t_s: float) -> list[dict[str, Any]]:
 
 
 class Showing(NamedTuple):
-    """What is told, and the page that shows it."""
+    """What a source sends, and the page that shows it."""
 
     source: Script
     page: Page

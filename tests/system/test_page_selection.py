@@ -40,7 +40,7 @@ def fleet() -> list[dict[str, Any]]:
 
 
 class Showing(NamedTuple):
-    """What is told, and the page that shows it."""
+    """What a source sends, and the page that shows it."""
 
     source: Refusing
     watched: Watched

@@ -55,9 +55,11 @@ def launched(
     return kind(wanted, plant, connection), connection
 
 
-def said_in_flight(booted: AutopilotUnit, connection: Connection, streamed: int) -> dict[str, list[Any]]:
+def said_in_flight(
+    booted: AutopilotUnit, connection: Connection, streamed: int, *, within_mv: int
+) -> dict[str, list[Any]]:
     """What it says by kind in its first 3 s, asked for a message every 100 ms: nothing of its boot, no clock, and of
-    its battery what SYS_STATUS says too."""
+    its battery what SYS_STATUS says too, its voltage within so much."""
     assert connection.frames() == []
     booted.start_clock(5000, 0)
     order(booted, connection, LAUNCHED, common.MAV_CMD_SET_MESSAGE_INTERVAL, streamed, 1e5)
@@ -68,7 +70,7 @@ def said_in_flight(booted: AutopilotUnit, connection: Connection, streamed: int)
     assert {"HEARTBEAT", "SYS_STATUS", "BATTERY_STATUS", "COMMAND_ACK", "NAMED_VALUE_INT"} <= said.keys()
     assert not said.keys() & {"SYSTEM_TIME", "PARAM_VALUE"}
     status, battery = said["SYS_STATUS"][-1], said["BATTERY_STATUS"][-1]
-    assert abs(status.voltage_battery - sum(battery.voltages[:4])) < 60  # mV; an ArduPilot is given it once a second
+    assert abs(status.voltage_battery - sum(battery.voltages[:4])) <= within_mv
     assert status.battery_remaining == battery.battery_remaining == 50
     return said
 

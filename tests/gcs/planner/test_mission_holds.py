@@ -92,6 +92,16 @@ def test_the_place_to_which_one_that_holds_may_come_back_is_kept_clear() -> None
     assert judge([EAST, back], [], WANTED_M)[1].waits_for == "pursuer 2"
 
 
+def test_one_that_stands_in_a_way_that_is_kept_free_is_driven_forward_alone() -> None:
+    stands = (0.0, 0.0, 0.0)
+    waits = dataclasses.replace(flier(1, (0.0, 0.0, -4.0), stands, (0.0, 20.0, -4.0), goes=False), cruise_m_s=4.0)
+    behind = Other("pursuer 9", (0.1, 3.0, -4.0), stands)
+    east_m = judge([waits], [behind], WANTED_M)[1].claim_ned[:, 1]
+    assert 2.0 < east_m.max() < 3.0
+    beside = judge([waits], [dataclasses.replace(behind, p_ned=(0.9, 3.0, -4.0))], WANTED_M)[1].claim_ned[:, 1]
+    assert beside.max() > 6.0
+
+
 def test_one_that_still_brakes_does_not_step_aside_yet() -> None:
     other = flier(2, (0.0, 9.0, -4.0), (0.0, -1.0, 0.0), (0.0, -20.0, -4.0), goes=False)
     assert not judge([EAST, other], [], WANTED_M)[2].aside

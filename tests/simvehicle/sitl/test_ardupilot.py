@@ -28,7 +28,8 @@ def unit(
 def test_it_boots_before_the_session_and_its_battery_is_ours(tmp_path: Path) -> None:
     booted, connection = unit(tmp_path)
     with booted:
-        said = said_in_flight(booted, connection, common.MAVLINK_MSG_ID_SYS_STATUS)
+        streamed = common.MAVLINK_MSG_ID_SYS_STATUS
+        said = said_in_flight(booted, connection, streamed, within_mv=60)  # it is given its voltage once a second
     assert {m.custom_mode for m in said["HEARTBEAT"]} == {4}
 
 

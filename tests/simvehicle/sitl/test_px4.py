@@ -37,7 +37,7 @@ def build(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> None:
     booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
-        said = said_in_flight(booted, connection, common.MAVLINK_MSG_ID_ATTITUDE)
+        said = said_in_flight(booted, connection, common.MAVLINK_MSG_ID_ATTITUDE, within_mv=30)
     assert {(m.autopilot, m.custom_mode) for m in said["HEARTBEAT"]} == {(12, 0x03040000)}
     attitudes, place = said["ATTITUDE"], said["LOCAL_POSITION_NED"][-1]
     assert len(attitudes) == pytest.approx(30, abs=1)

@@ -37,9 +37,26 @@ def test_the_winner_settles_at_tau_to_the_1_over_p(p: float, n: int) -> None:
     assert np.delete(settled, winner) == pytest.approx(np.zeros(n - 1), abs=1e-12)
 
 
+@pytest.mark.parametrize("p", [1.1, 2.0, 10.0])
+def test_the_ratio_of_two_grows_at_the_gap_of_their_taus_whatever_p(p: float) -> None:
+    v, tau = draw(8)
+    for t in (0.001, 1.0, 20.0):
+        after = winner_take_all.advance(v, tau, t, p=p, rate=2.0)
+        ratio = np.log(after / after[0]) - np.log(v / v[0])
+        assert ratio == pytest.approx(2.0 * (tau - tau[0]) * t, abs=1e-11)
+
+
+def test_two_half_steps_are_one_step() -> None:
+    v, tau = draw(40)
+    half = winner_take_all.advance(v, tau, 1.5, p=2, rate=5)
+    assert winner_take_all.advance(half, tau, 1.5, p=2, rate=5) == pytest.approx(
+        winner_take_all.advance(v, tau, 3.0, p=2, rate=5), rel=1e-12
+    )
+
+
 @pytest.mark.parametrize(("p", "n"), EXTREMES)
-@pytest.mark.parametrize("smallest", [1e-300, 1e3])
-@pytest.mark.parametrize("dt_s", [0.0, 1e-300, 0.1, 1e6])
+@pytest.mark.parametrize("smallest", [1e-300, 1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("dt_s", [0.0, 1e-300, 1e-9, 0.1, 1e3, 1e6])
 def test_extremes_stay_finite_and_bounded(p: float, n: int, smallest: float, dt_s: float) -> None:
     _, tau = draw(n)
     with np.errstate(over="raise", invalid="raise"):
@@ -49,7 +66,7 @@ def test_extremes_stay_finite_and_bounded(p: float, n: int, smallest: float, dt_
     assert after.max() <= max(1.0, smallest) * (1 + 1e-9)
 
 
-@settings(max_examples=80)
+@settings(max_examples=300)
 @given(
     st.floats(1.1, 10.0),
     st.one_of(st.integers(1, 12), st.just(1000)),
@@ -73,6 +90,11 @@ def test_any_competition_stays_finite_ordered_and_bounded(
     gain = np.log(after[kept] / v[kept])
     size = 1.0 + abs(10.0**lg_t) + abs(lg_v)
     assert gain - gain[0] == pytest.approx((tau[kept] - tau[kept[0]]) * 10.0**lg_t, abs=1e-11 * size)
+
+
+def test_from_the_smallest_floats_it_grows_as_the_linear_law_says() -> None:
+    after = winner_take_all.advance([1e-300, 2e-300], [1.0, 0.5], 100.0, p=2, rate=1.0)
+    assert after == pytest.approx([1e-300 * math.exp(100), 2e-300 * math.exp(50)], rel=1e-10)
 
 
 def test_zero_never_moves_and_does_not_disturb_the_others() -> None:

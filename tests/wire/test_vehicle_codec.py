@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracle import made, peer_frame, same, values_of, with_crc
+from oracle import peer_frame, same, with_crc
 from pymavlink.dialects.v20 import common
 
 from simvehicle.mavlink import codec
@@ -27,8 +27,12 @@ ANSWERS = (
     common.MAVLINK_MSG_ID_MISSION_ITEM_REACHED,
 )
 SPOKEN = sorted({stream.msgid for stream in TELEMETRY} | UNDERSTOOD | set(ANSWERS))
-RANGES = {f"int{bits}_t": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)}
-RANGES |= {f"uint{bits}_t": (0, 2**bits - 1) for bits in (8, 16, 32, 64)}
+RANGES = {"b": (-128, 127), "B": (0, 255), "h": (-(2**15), 2**15 - 1), "H": (0, 2**16 - 1)} | {
+    "i": (-(2**31), 2**31 - 1),
+    "I": (0, 2**32 - 1),
+    "q": (-(2**63), 2**63 - 1),
+    "Q": (0, 2**64 - 1),
+}
 
 
 def name_of(msgid: int) -> str:
@@ -57,30 +61,50 @@ def assert_reads_like_pymavlink(raw: bytes) -> None:
         assert same(getattr(ours, field), value), field
 
 
-def extremes(cls: Any, end: int) -> dict[str, Any]:
-    """The least (0) or the greatest (1) value that each whole number of a message holds, and what the others hold."""
-    values = values_of(cls)
-    for field, kind, length in zip(cls.fieldnames, cls.fieldtypes, lengths_of(cls), strict=True):
-        if kind in RANGES:
-            values[field] = [RANGES[kind][end]] * length if length else RANGES[kind][end]
-    return values
-
-
-def lengths_of(cls: Any) -> list[int]:
-    return [cls.array_lengths[cls.orders[index]] for index in range(len(cls.fieldnames))]
-
-
-@pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-def test_message_is_written_and_read_like_pymavlinks(msgid: int) -> None:
+def field_values(msgid: int) -> st.SearchStrategy[dict[str, Any]]:
+    """Values that the fields of a message hold, by name."""
     cls = CLASSES[msgid]
-    for values in (values_of(cls), extremes(cls, 0), extremes(cls, 1)):
-        raw = codec.encode(codec.message(name_of(msgid))(**values), seq=7, sysid=3, compid=1)
-        assert raw == bytes(made(cls, values).pack(peer()))
-        assert_reads_like_pymavlink(raw)
+    formats = cls.unpacker.format[1:]
+    letters: list[str] = []
+    count = ""
+    for letter in formats:
+        if letter.isdigit():
+            count += letter
+            continue
+        letters.extend([letter] if letter == "s" else [letter] * int(count or 1))
+        count = ""
+    strategies: dict[str, st.SearchStrategy[Any]] = {}
+    at = 0
+    for name, length in zip(cls.ordered_fieldnames, cls.array_lengths, strict=True):
+        letter = letters[at]
+        if letter == "s":
+            strategies[name] = st.text(st.characters(min_codepoint=32, max_codepoint=126), max_size=length)
+            at += 1
+            continue
+        one: st.SearchStrategy[Any] = st.integers(*RANGES[letter]) if letter in RANGES else st.floats(width=64)
+        if letter == "f":
+            one = st.floats(width=32)
+        strategies[name] = st.tuples(*[one] * length) if length else one
+        at += length or 1
+    return st.fixed_dictionaries(strategies)
 
 
 @pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-@settings(max_examples=6)
+@settings(max_examples=25)
+@given(data=st.data())
+def test_message_with_any_values_is_written_and_read_like_pymavlinks(msgid: int, data: st.DataObject) -> None:
+    values = data.draw(field_values(msgid))
+    raw = codec.encode(codec.message(name_of(msgid))(**values), seq=7, sysid=3, compid=1)
+    cls = CLASSES[msgid]
+    theirs = cls(**{k: v.encode() if isinstance(v, str) else v for k, v in values.items()})
+    assert raw == bytes(theirs.pack(peer()))
+    (frame,) = codec.split(raw)
+    ours: Any = codec.decode(frame)
+    assert same(tuple(ours), tuple(values[field] for field in cls.ordered_fieldnames))
+
+
+@pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
+@settings(max_examples=25)
 @given(data=st.data())
 def test_message_with_any_payload_of_any_length_is_read_like_pymavlink(msgid: int, data: st.DataObject) -> None:
     size = CLASSES[msgid].unpacker.size
@@ -112,13 +136,42 @@ def test_frame_with_an_unknown_incompatibility_flag_is_passed_over(flags: int) -
     assert list(codec.split(with_crc(plain[:2] + bytes([flags]) + plain[3:-2], CLASSES[0].crc_extra))) == []
 
 
-@settings(max_examples=80)
+def test_mavlink_1_is_passed_over() -> None:
+    old = bytes(common.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(peer(), force_mavlink1=True))
+    assert [frame.seq for frame in codec.split(old + heartbeat(9) + old)] == [9]
+
+
+@pytest.mark.parametrize("at", range(len(heartbeat())))
+def test_any_single_wrong_byte_keeps_the_frame_out(at: int) -> None:
+    good = heartbeat()
+    for flip in (1, 0x80, 0xFF):
+        assert list(codec.split(good[:at] + bytes([good[at] ^ flip]) + good[at + 1 :])) == []
+
+
+@pytest.mark.parametrize("msgid", [8, 380, 11030, 0xFFFFFF])
+def test_unknown_id_is_passed_over_and_its_neighbours_are_read(msgid: int) -> None:
+    assert msgid not in common.mavlink_map
+    head = struct.pack("<BBBBBBBHB", 0xFD, 3, 0, 0, 5, 1, 1, msgid & 0xFFFF, msgid >> 16)
+    stranger = with_crc(head + b"\x01\x02\x03", 99)
+    assert [frame.seq for frame in codec.split(heartbeat(1) + stranger + heartbeat(2))] == [1, 2]
+    assert codec.decode(codec.ReceivedFrame(1, 1, 0, msgid, b"", b"")) is None
+
+
+@settings(max_examples=300)
 @given(st.lists(st.one_of(st.binary(max_size=40), st.just(b"\xfd"), st.just(heartbeat()))))
 def test_garbage_raises_nothing_invents_nothing_and_hides_no_frame(pieces: list[bytes]) -> None:
     datagram = b"".join(pieces)
     frames = list(codec.split(datagram))
     assert all(frame.raw == heartbeat() for frame in frames)
     assert len(frames) == datagram.count(heartbeat())
+
+
+@settings(max_examples=100)
+@given(st.integers(0, 100), st.integers(1, 5))
+def test_truncated_datagram_gives_its_whole_frames(cut: int, count: int) -> None:
+    datagram = b"".join(heartbeat(seq) for seq in range(count))
+    datagram = datagram[: max(len(datagram) - cut, 0)]
+    assert [frame.seq for frame in codec.split(datagram)] == list(range(len(datagram) // len(heartbeat())))
 
 
 @pytest.mark.parametrize("decoy", [b"\xfd", b"\xfd\xff\0\0\0\1\1\0\0\0"])

@@ -12,29 +12,30 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # mavutil's own imports warn
     from pymavlink import mavutil
 
-PX4_MODES = {
-    "TAKEOFF": FlightMode.TAKEOFF, "LOITER": FlightMode.HOLD, "RTL": FlightMode.RETURN, "LAND": FlightMode.LAND,
-    "OFFBOARD": FlightMode.OFFBOARD, "MANUAL": FlightMode.MANUAL, "POSCTL": FlightMode.MANUAL,
-    "MISSION": FlightMode.MISSION,
-}  # fmt: skip
-COPTER_MODES = {
-    "GUIDED": FlightMode.OFFBOARD, "LOITER": FlightMode.HOLD, "BRAKE": FlightMode.HOLD, "RTL": FlightMode.RETURN,
-    "LAND": FlightMode.LAND, "STABILIZE": FlightMode.MANUAL, "POSHOLD": FlightMode.MANUAL, "AUTO": FlightMode.MISSION,
-}  # fmt: skip
+MODES = [
+    ("TAKEOFF", FlightMode.TAKEOFF), ("LOITER", FlightMode.HOLD), ("RTL", FlightMode.RETURN),
+    ("LAND", FlightMode.LAND), ("OFFBOARD", FlightMode.OFFBOARD),
+    ("MANUAL", FlightMode.MANUAL), ("POSCTL", FlightMode.MANUAL), ("MISSION", FlightMode.MISSION),
+]  # fmt: skip
 
 
-def custom_mode(profile: Profile, params: tuple[float, ...]) -> int:
-    """What a HEARTBEAT says once these parameters of DO_SET_MODE were obeyed."""
-    flag, main, sub = map(int, params)
-    assert flag == 1  # MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-    return main if profile is ARDUCOPTER else main << 16 | sub << 24
+@pytest.mark.parametrize(("name", "mode"), MODES)
+def test_px4_modes_are_mavutils(name: str, mode: FlightMode) -> None:
+    _, main, sub = mavutil.px4_map[name]
+    assert PX4.mode(main << 16 | sub << 24) is mode
 
 
-def test_modes_are_mavutils() -> None:
-    px4 = {name: PX4.mode(custom_mode(PX4, (1, *mavutil.px4_map[name][1:]))) for name in PX4_MODES}
-    assert px4 == PX4_MODES
+@pytest.mark.parametrize(
+    ("name", "mode"),
+    [
+        ("GUIDED", FlightMode.OFFBOARD), ("LOITER", FlightMode.HOLD), ("BRAKE", FlightMode.HOLD),
+        ("RTL", FlightMode.RETURN), ("LAND", FlightMode.LAND),
+        ("STABILIZE", FlightMode.MANUAL), ("POSHOLD", FlightMode.MANUAL), ("AUTO", FlightMode.MISSION),
+    ],
+)  # fmt: skip
+def test_arducopter_modes_are_mavutils(name: str, mode: FlightMode) -> None:
     numbers = {name: number for number, name in mavutil.mode_mapping_acm.items()}
-    assert {name: ARDUCOPTER.mode(numbers[name]) for name in COPTER_MODES} == COPTER_MODES
+    assert ARDUCOPTER.mode(numbers[name]) is mode
 
 
 WORDS = {
@@ -81,10 +82,21 @@ def test_offboard_is_named_as_the_autopilots_people_do() -> None:
 
 
 @pytest.mark.parametrize("profile", [PX4, GENERIC, ARDUCOPTER])
+def test_the_command_for_offboard_asks_for_the_mode_that_reads_as_offboard(profile: Profile) -> None:
+    flag, main, sub = profile.offboard
+    assert flag == 1  # MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
+    custom = int(main) if profile is ARDUCOPTER else int(main) << 16 | int(sub) << 24
+    assert profile.mode(custom) is FlightMode.OFFBOARD
+
+
+@pytest.mark.parametrize("profile", [PX4, GENERIC, ARDUCOPTER])
 def test_the_modes_that_are_asked_for_read_as_what_they_are_asked_for(profile: Profile) -> None:
-    assert profile.mode(custom_mode(profile, profile.offboard)) is FlightMode.OFFBOARD
-    assert profile.mode(custom_mode(profile, profile.hold)) is FlightMode.HOLD
-    assert profile.mode(custom_mode(profile, profile.arming)) in profile.arms_in
+    def read(params: tuple[float, ...]) -> FlightMode:
+        _, main, sub = map(int, params)
+        return profile.mode(main if profile is ARDUCOPTER else main << 16 | sub << 24)
+
+    assert read(profile.hold) is FlightMode.HOLD
+    assert read(profile.arming) in profile.arms_in
 
 
 @pytest.mark.parametrize("profile", [PX4, ARDUCOPTER])

@@ -56,13 +56,28 @@ def scikit_fuzzy_system() -> control.ControlSystemSimulation:
 def test_strength_agrees_with_scikit_fuzzy() -> None:
     system = scikit_fuzzy_system()
     rng = np.random.default_rng(7)
-    for phi, df in zip(rng.uniform(-np.pi, np.pi, 25), rng.uniform(-1, 1, 25), strict=True):
+    for phi, df in zip(rng.uniform(-np.pi, np.pi, 60), rng.uniform(-1, 1, 60), strict=True):
         system.input["phi"], system.input["df"] = phi, df
         with warnings.catch_warnings():
             # scikit-fuzzy 0.5 passes np.maximum its output by position, which numpy 2.4 deprecates.
             warnings.simplefilter("ignore", DeprecationWarning)
             system.compute()
         assert fuzzy_escape.escape_strength(phi, df) == pytest.approx(system.output["f"], abs=2e-5)
+
+
+def test_at_the_peaks_the_output_is_the_tables_term() -> None:
+    value = dict(zip(TERMS, (-1, -0.5, 0, 0.5, 1), strict=True))
+    for row, outputs in RULES.items():
+        for column, output in zip(TERMS, outputs.split(), strict=True):
+            got = fuzzy_escape.escape_strength(value[row] * np.pi, value[column])
+            assert got == pytest.approx(value[output], abs=1e-12)
+
+
+def test_strength_is_odd_in_the_angle_and_within_one() -> None:
+    for phi, df in np.random.default_rng(5).uniform((-4, -1.5), (4, 1.5), (300, 2)):
+        f = fuzzy_escape.escape_strength(phi, df)
+        assert -1 <= f <= 1
+        assert f == pytest.approx(-fuzzy_escape.escape_strength(-phi, df), abs=1e-12)
 
 
 def walk(points: object, *, escapes: bool, full_steps: bool, limit: int = 400) -> tuple[bool, int, np.ndarray]:

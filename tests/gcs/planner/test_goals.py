@@ -37,6 +37,17 @@ def test_slots_are_the_brute_force_optimum(seed: int) -> None:
     assert assign(here, slots) == dict(zip(sorted(here), best, strict=True))
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_ways_into_the_slots_do_not_cross(seed: int) -> None:
+    """Least squared distances: for any two, (a - b)·(slot a - slot b) >= 0, so they never change sides."""
+    rng = np.random.default_rng(seed)
+    here = {sysid: tuple(rng.uniform(-5, 5, 3)) for sysid in range(1, 9)}
+    slots = ring_offsets(8, 2.0, 0.0)
+    slot_of = assign(here, slots)
+    for a, b in itertools.combinations(here, 2):
+        assert np.dot(np.subtract(here[a], here[b]), slots[slot_of[a]] - slots[slot_of[b]]) >= -1e-9
+
+
 def test_a_closed_path_goes_round_the_square() -> None:
     path = ConstantSpeedPath(SQUARE, closed=True, laps=3)
     assert path.length_m == 48.0

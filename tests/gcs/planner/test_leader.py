@@ -65,7 +65,7 @@ def circle(speed: float) -> Path:
     return lambda t: 3 * np.array([math.cos(speed / 3 * t), math.sin(speed / 3 * t), 0])
 
 
-@pytest.mark.parametrize("speed", [0.3, 7.0])
+@pytest.mark.parametrize("speed", [0.3, 1.0, 2.5, 7.0])
 def test_towards_a_far_goal_it_flies_at_its_speed(speed: float) -> None:
     q, _, v = one((0, 0, 0), (30, 40, 0), speed_m_s=[speed])
     assert v[0] == pytest.approx([0.6 * speed, 0.8 * speed, 0])
@@ -97,7 +97,7 @@ def test_example_1_is_flown_at_the_published_length_and_clearance() -> None:
     assert geometry.clearance(table, path).min() > 0.451
 
 
-@pytest.mark.parametrize("speed", [0.5, 3.0])
+@pytest.mark.parametrize("speed", [0.5, 1.0, 3.0])
 def test_the_escape_takes_it_past_an_obstacle_exactly_on_its_line(speed: float) -> None:
     """The minimum is a saddle: only exactly on the axis does the plain field stop; 1e-9 m beside it would free it."""
     ticks = round(30 / speed / 0.1)
@@ -115,7 +115,7 @@ def test_the_escape_takes_it_past_an_obstacle_exactly_on_its_line(speed: float) 
             assert np.linalg.norm(v) < 1e-6
 
 
-@pytest.mark.parametrize("speed", [0.4, 1.9])
+@pytest.mark.parametrize("speed", [0.4, 0.8, 1.9])
 def test_a_moving_goal_is_followed_without_lag_when_the_field_is_free(speed: float) -> None:
     path, _ = straight((0, 0, 0), (30, 40, 0), speed)
     assert follow(path, 10)[1].max() < 1e-6
@@ -231,13 +231,16 @@ def test_no_leader_is_no_work() -> None:
         ({"moving": [(1, math.nan, 0)]}, "moving"),
         ({"moving": [(1, 0, 0)], "ranges_m": []}, "ranges_m"),
         ({"repulsors": np.zeros((1, 3))}, "repulsors"),
-        ({"goal": (math.nan, 0, 0)}, "goals"),
-        ({"attractors": [(0, 3, 0)], "attraction_ranges_m": [1.0], "drawn": [[True], [True]]}, "drawn"),
     ],
 )
 def test_a_wrong_argument_is_refused_by_name(changed: dict[str, object], says: str) -> None:
     with pytest.raises(ValueError, match=says):
-        one((0, 0, 0), **({"goal": (1, 0, 0)} | changed))
+        one((0, 0, 0), (1, 0, 0), **changed)
+
+
+def test_a_goal_that_is_not_a_number_is_refused() -> None:
+    with pytest.raises(ValueError, match="goals"):
+        one((0, 0, 0), (math.nan, 0, 0))
 
 
 def test_an_attractor_draws_within_its_range_and_only_whom_it_is_to_draw() -> None:
@@ -248,6 +251,11 @@ def test_an_attractor_draws_within_its_range_and_only_whom_it_is_to_draw() -> No
     assert near == pytest.approx(np.array([(0.5**0.5, 0.5**0.5, 0), (0.5**0.5, 0.5**0.5, 0), (1, 0, 0)]))
     far = tick([(0, 0, 0)] * 3, fuzzy_escape.new_memory(3), goals, still, attraction_ranges_m=[2.5], **how)[2]
     assert far == pytest.approx(np.array([(1, 0, 0)] * 3))
+
+
+def test_attractors_for_nobody_are_refused() -> None:
+    with pytest.raises(ValueError, match="drawn"):
+        one((0, 0, 0), (1, 0, 0), attractors=[(0, 3, 0)], attraction_ranges_m=[1.0], drawn=[[True], [True]])
 
 
 def test_full_steps_neither_shrink_before_a_way_point_nor_pass_the_goal() -> None:
@@ -270,6 +278,43 @@ def test_full_steps_neither_shrink_before_a_way_point_nor_pass_the_goal() -> Non
     assert resting[0] == pytest.approx(course[1])
     beside, *_ = one(course[1] + (0.03, 0.0, 0.0), course[1], field=replace(FIELD, full_steps=True), speed_m_s=[1.0])
     assert beside[0] == pytest.approx(course[1])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_cannot_come_into_range_adds_nothing_to_the_last_bit(seed: int) -> None:
+    """Also one whose range ends where a leader's way may end, a rounding before it or beyond."""
+    rng = np.random.default_rng(seed)
+    n, speed, period_s = 40, 3.0, 0.1
+    q, goals = rng.uniform(-10, 10, (n, 3)), rng.uniform(-10, 10, (n, 3))
+    memory, velocity = fuzzy_escape.new_memory(n), rng.uniform(-1, 1, (n, 3))
+
+    def moved(at: np.ndarray, radii: np.ndarray, ranges: np.ndarray) -> tuple[np.ndarray, ...]:
+        return tick(
+            q, memory, goals, velocity, moving=at, radii_m=radii, ranges_m=ranges,
+            speed_m_s=np.full(n, speed), period_s=period_s,
+        )  # fmt: skip
+
+    at, radii, ranges = rng.uniform(-12, 12, (60, 3)), rng.uniform(0, 0.5, 60), rng.uniform(0.2, 1.5, 60)
+    edge = rng.normal(size=(n, 3))
+    edge = q + edge / np.linalg.norm(edge, axis=1)[:, None] * (
+        1.0 + speed * period_s + rng.uniform(-1e-9, 1e-9, (n, 1))
+    )
+    at, radii, ranges = np.vstack([at, edge]), np.append(radii, np.zeros(n)), np.append(ranges, np.ones(n))
+    apart_m = np.linalg.norm(q[:, None] - at, axis=2) - (radii + ranges + speed * period_s)
+    near = (apart_m <= 1e-7).any(axis=0)
+    assert 0 < np.count_nonzero(~near) < len(at)
+    every, some, none = (moved(at[k], radii[k], ranges[k]) for k in (near | True, near, near & False))
+    assert [x.tobytes() for x in every] == [x.tobytes() for x in some]
+    assert every[0].tobytes() != none[0].tobytes()
+    alone = [
+        advance(
+            q[i : i + 1], memory[i : i + 1], goals[i : i + 1], velocity[i : i + 1], repulsors=NO_OBSTACLE, moving=at,
+            radii_m=radii, ranges_m=ranges, owner=np.full(len(at), -1), field=FIELD, speed_m_s=speed,
+            period_s=period_s, escape=True, exempt=(apart_m[i : i + 1] > 1e-7),
+        )[0][0]
+        for i in range(n)
+    ]  # fmt: skip
+    assert np.array(alone).tobytes() == every[0].tobytes()
 
 
 @pytest.mark.parametrize(("ahead_m", "felt"), [(1.19, True), (1.21, False)])

@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 import pytest
 from field import surface
-from views import view
 
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.goals import assign, ring_offsets
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.scenario.model import Obstacle, Scenario
-from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3
+from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender import geometry
 
 PERIOD_S = 0.1
@@ -64,9 +64,7 @@ class World:
         self._past: dict[int, deque[tuple[float, Vec3, Vec3]]] = {sysid: deque(maxlen=8) for sysid in self.at}
 
     def snapshot(self) -> FleetSnapshot:
-        views = [
-            view(v.sysid, v.role, p_ned=self.at[v.sysid], v_ned=self.v[v.sysid]) for v in self.scenario.vehicles.all
-        ]
+        views = [view(v.sysid, v.role, self.at[v.sysid], self.v[v.sysid]) for v in self.scenario.vehicles.all]
         return FleetSnapshot(self.time_s, tuple(views), tuple(self.traffic(self.time_s)))
 
     def tick(
@@ -96,6 +94,16 @@ class World:
             self.tick(**how)
             trail.append(dict(self.at))
         return trail
+
+
+def view(sysid: int, role: str, p_ned: Vec3 | None, v_ned: Vec3 = (0.0, 0.0, 0.0)) -> VehicleView:
+    return VehicleView(
+        sysid=sysid, role=role, label=f"{role} {sysid}", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
+        landed=False, last_received_s=0.0, p_ned=p_ned, v_ned=v_ned, age_s=0.0, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=10.0, energy_source="energy_consumed",
+        control_effort=0.0,
+    )  # fmt: skip
 
 
 FIVE = [pursuer(k, 3.0 * math.cos(1.3 * k), 3.0 * math.sin(1.3 * k), -4.0) for k in range(1, 6)]
@@ -223,7 +231,8 @@ def crossing(speed: float, side_m: float) -> Callable[[float], list[TrafficView]
     return at
 
 
-@pytest.mark.parametrize(("speed", "side_m"), [(0.6, 8.0), (1.5, 5.0)])
+@pytest.mark.parametrize("speed", [0.6, 1.0, 1.5])
+@pytest.mark.parametrize("side_m", [5.0, 8.0])
 def test_crossing_traffic_never_comes_within_0_3_m_of_the_vehicle(speed: float, side_m: float) -> None:
     content = {"pursuers": [pursuer(1, 0, 0, -4)], "targets": [target(101, (14, 0.02, -4))]}
     mover = crossing(speed, side_m)
@@ -240,7 +249,7 @@ def test_crossing_traffic_never_comes_within_0_3_m_of_the_vehicle(speed: float, 
     assert math.dist(world.at[1], (14, 0, -4)) < 1.5
 
 
-@pytest.mark.parametrize("separation_m", [0.3, 2.0])
+@pytest.mark.parametrize("separation_m", [0.3, 0.6, 1.0, 2.0])
 def test_vehicles_on_opposite_courses_keep_the_separation(separation_m: float) -> None:
     """Head-on, 3 m/s."""
     content = {
@@ -291,6 +300,20 @@ def test_unknown_places_are_not_planned_for_and_a_vehicle_given_back_starts_wher
     assert world.planner.plan(PlanRequest(moved, frozenset({1}), **how))[0].p_ned == (9.0, 9.0, -9.0)
     blind = replace(snapshot, vehicles=tuple(v._replace(p_ned=None) for v in snapshot.vehicles))
     assert world.planner.plan(PlanRequest(blind, frozenset({1, 2, 101}), **how)) == []
+
+
+def test_the_same_world_is_planned_the_same_to_the_last_bit() -> None:
+    def flown() -> list[list[SetPoint]]:
+        content = {"pursuers": FIVE, "targets": [target(101, (0, 0, -4), (9, 5, -4))], "tankers": [TANKER]}
+        rocks = [{"point_m": (4.0, 2.0, -4.0)}, {"sphere_m": (7.0, 3.0, -4.0), "radius_m": 0.4}]
+        world = World(scenario(vehicles=content, formation=RING, obstacles=rocks), traffic=crossing(1.0, 5.0))
+        plans = []
+        for _ in range(100):
+            world.tick(rendezvous={201: 2})
+            plans.append(world.plan)
+        return plans
+
+    assert flown() == flown()
 
 
 def test_obstacles_keep_their_shapes() -> None:

@@ -31,6 +31,22 @@ def attraction_at(q: object, goal: object, field: FieldConstants = FIELD) -> np.
     return force(q, tracked=[goal], waypoints=[], repulsors=geometry.table([]), ranges_m=[], field=field)[0]
 
 
+@pytest.mark.parametrize("rho", [0.005, 0.05, 0.2, 0.4, 0.49, 0.51, 0.7, 0.95, 1.2])
+def test_repulsion_is_minus_the_gradient_of_its_potential(rho: float) -> None:
+    h = 1e-6
+    slope = (repulsion_potential(rho + h, 1.0, FIELD) - repulsion_potential(rho - h, 1.0, FIELD)) / (2 * h)
+    got = repulsion_at((rho, 0, 0), geometry.points([(0, 0, 0)]))
+    assert got == pytest.approx([-slope, 0, 0], rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize("cap_m", [1.0, math.inf])
+@pytest.mark.parametrize("rho", [0.1, 0.9, 1.1, 30.0])
+def test_attraction_is_minus_the_gradient_of_its_potential(rho: float, cap_m: float) -> None:
+    field, h = FieldConstants(cap_m=cap_m), 1e-6
+    slope = (attraction_potential(rho + h, field) - attraction_potential(rho - h, field)) / (2 * h)
+    assert attraction_at((0, rho, 0), (0, 0, 0), field) == pytest.approx([0, -slope, 0], rel=1e-6)
+
+
 def test_gradient_in_space_of_several_shapes() -> None:
     table = geometry.table(
         [geometry.sphere((1, 0, 0), 0.6), geometry.box((-2, -1, -1), (-0.5, 1, 1)), geometry.point((0, 0.8, 0.1))]
@@ -45,6 +61,15 @@ def test_gradient_in_space_of_several_shapes() -> None:
         assert repulsion_at(q, table) == pytest.approx(-np.array(gradient), rel=1e-5, abs=1e-5)
 
 
+@pytest.mark.parametrize("edge", [1.0, 0.5])
+def test_repulsion_and_its_potential_are_continuous_at_both_edges(edge: float) -> None:
+    table, d = geometry.points([(0, 0, 0)]), 1e-9
+    assert repulsion_potential(edge - d, 1.0, FIELD) == pytest.approx(
+        repulsion_potential(edge + d, 1.0, FIELD), abs=1e-6
+    )
+    assert repulsion_at((edge - d, 0, 0), table) == pytest.approx(repulsion_at((edge + d, 0, 0), table), abs=1e-6)
+
+
 fields = st.builds(
     FieldConstants,
     k0=st.floats(0.1, 100.0),
@@ -57,7 +82,7 @@ fields = st.builds(
 away = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda d: math.hypot(*d) > 0.1)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=300, deadline=None)
 @given(fields, away, st.floats(0.03, 6.0))
 def test_any_field_is_minus_the_gradient_in_space(
     field: FieldConstants, direction: tuple[float, ...], rho: float
@@ -81,7 +106,7 @@ def test_any_field_is_minus_the_gradient_in_space(
     assert attraction_at(q, (0, 0, 0), field) == pytest.approx(attraction, rel=1e-5, abs=near_edge * size)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(fields, st.booleans())
 def test_any_repulsion_is_c1_at_both_edges(field: FieldConstants, inner: bool) -> None:
     edge = field.repulsion_range_m * (field.b if inner else 1.0)
@@ -91,6 +116,11 @@ def test_any_repulsion_is_c1_at_both_edges(field: FieldConstants, inner: bool) -
     assert below == pytest.approx(above, abs=10 * d * steepest)
     potentials = [repulsion_potential(edge + s * d, field.repulsion_range_m, field) for s in (-1, 1)]
     assert potentials[0] == pytest.approx(potentials[1], abs=4 * d * max(abs(below), abs(above)) + 1e-12 * field.k1)
+
+
+def test_potential_has_the_closed_value() -> None:
+    # rho = 1/4: ½·2·(4 - 1)² + ½·½·2·(4 - 2)² = 9 + 2
+    assert repulsion_potential(0.25, 1.0, FIELD) == pytest.approx(11)
 
 
 def test_beyond_its_range_nothing_repels() -> None:

@@ -37,6 +37,44 @@ def test_distance_and_direction_are_the_hand_computed(case: str) -> None:
     assert got_direction[0] == pytest.approx(direction, abs=1e-12)
 
 
+def sampled_box(rng: np.random.Generator) -> np.ndarray:
+    """Points on the box (-1,-2,-3)..(1,2,3)."""
+    half = np.array([1.0, 2.0, 3.0])
+    p = rng.uniform(-half, half, (60_000, 3))
+    axis = rng.integers(0, 3, len(p))
+    rows = np.arange(len(p))
+    p[rows, axis] = half[axis] * rng.choice([-1, 1], len(p))
+    return p
+
+
+def sampled_cylinder(rng: np.random.Generator) -> np.ndarray:
+    """Points on the cylinder of radius 1.5 and height 4 about the origin."""
+    angle, r = rng.uniform(0, 2 * np.pi, 60_000), 1.5 * np.sqrt(rng.uniform(0, 1, 60_000))
+    down, wall = rng.uniform(-2, 2, 60_000), rng.random(60_000) < 0.5
+    r[wall], down[~wall] = 1.5, 2 * np.sign(down[~wall])
+    return np.stack([r * np.cos(angle), r * np.sin(angle), down], axis=1)
+
+
+@pytest.mark.parametrize(
+    ("row", "sample"),
+    [
+        (geometry.box((-1, -2, -3), (1, 2, 3)), sampled_box),
+        (geometry.cylinder((0, 0, 0), 1.5, 4), sampled_cylinder),
+    ],
+    ids=["box", "cylinder"],
+)
+def test_distance_is_that_of_the_nearest_sampled_surface_point(row: np.ndarray, sample: object) -> None:
+    rng = np.random.default_rng(3)
+    on_surface = sample(rng)  # type: ignore[operator]
+    table = geometry.table([row])
+    for q in rng.uniform(-4, 4, (40, 3)):
+        distance, direction = surface(table, q)
+        assert abs(distance[0]) == pytest.approx(np.linalg.norm(on_surface - q, axis=1).min(), abs=0.06)
+        assert np.linalg.norm(direction[0]) == pytest.approx(1, abs=1e-12)
+        foot, _ = surface(table, q - distance[0] * direction[0])
+        assert foot[0] == pytest.approx(0, abs=1e-9)
+
+
 def test_clearance_is_the_least_distance_to_any_shape() -> None:
     table = geometry.table([geometry.point((0, 0, 0)), geometry.sphere((10, 0, 0), 2)])
     assert geometry.clearance(table, [(3, 0, 0), (7, 0, 0), (9, 0, 0)]) == pytest.approx([3, 1, -1])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import random
 from typing import Any
 
@@ -15,7 +16,7 @@ from pymavlink.dialects.v20 import common as mav
 from gcs.mavlink import battery, codec
 from gcs.mavlink.battery import BatteryReport, BatteryReports
 from gcs.telemetry.battery_account import GIVEN, RECEIVED, BatteryAccount, Fact
-from gcs.telemetry.energy import GAP_S, EnergySource
+from gcs.telemetry.energy import GAP_S, MOST_HISTORY, SOURCES, EnergySource
 
 CAPACITY_J = 100_000.0
 CELLS = [65535] * 10
@@ -71,25 +72,33 @@ def test_a_battery_status_is_read_in_si() -> None:
     assert report.remaining == pytest.approx(0.64)
 
 
+def test_fourteen_cells_are_summed() -> None:
+    assert status(voltages=[4000] * 10, voltages_ext=[4000] * 4, current_battery=100).power_w == pytest.approx(56.0)
+
+
+def test_more_cells_count_only_after_ten() -> None:
+    report = status(voltages=[4000] * 3 + [65535] * 7, voltages_ext=[4000] * 4, current_battery=100)
+    assert report.power_w == pytest.approx(12.0)
+
+
+def test_further_cells_that_an_older_firmware_marks_as_missing_are_none() -> None:
+    """PX4 filled all fields with UINT16_MAX before it knew the extension's meaning of 0."""
+    report = status(voltages=[4000] * 10, voltages_ext=[4000, 65535, 65535, 65535], current_battery=100)
+    assert report.power_w == pytest.approx(44.0)
+
+
+def test_a_pack_above_65_v_spreads_over_two_cells() -> None:
+    """The message's definition: cell 0 at 65534 mV, the rest in cell 1."""
+    assert status(voltages=[65534, 4466] + [65535] * 8, current_battery=100).power_w == pytest.approx(70.0)
+
+
 @pytest.mark.parametrize(
-    ("voltages", "further", "current", "power_w"),
-    [
-        ([4000] * 10, [4000] * 4, 100, 56.0),  # fourteen cells
-        ([4000] * 3 + [65535] * 7, [4000] * 4, 100, 12.0),  # more cells count only after ten
-        # PX4 filled all fields with UINT16_MAX before it knew the extension's meaning of 0.
-        ([4000] * 10, [4000, 65535, 65535, 65535], 100, 44.0),
-        ([65534, 4466] + [65535] * 8, [0] * 4, 100, 70.0),  # above 65 V: cell 0 at 65534 mV, the rest in cell 1
-        ([16000, *CELLS[1:]], [0] * 4, -1, None),
-        ([16000, *CELLS[1:]], [0] * 4, -100, None),
-        (CELLS, [0] * 4, 1000, None),
-        ([0] * 10, [0] * 4, 1000, None),
-    ],
+    "unknown", [{"current_battery": -1}, {"current_battery": -100}, {"voltages": CELLS}, {"voltages": [0] * 10}]
 )
-def test_power_is_current_times_the_sum_of_the_cells_or_unknown(
-    voltages: list[int], further: list[int], current: int, power_w: float | None
-) -> None:
-    report = status(voltages=voltages, voltages_ext=further, current_battery=current)
-    assert report.power_w == (None if power_w is None else pytest.approx(power_w))
+def test_power_is_unknown_without_current_or_voltage(unknown: dict[str, Any]) -> None:
+    full = {"voltages": [16000, *CELLS[1:]], "current_battery": 1000}
+    assert status(**full).power_w == pytest.approx(160.0)
+    assert status(**(full | unknown)).power_w is None
 
 
 @pytest.mark.parametrize(("percent", "expected"), [(-1, None), (0, 0.0), (100, 1.0), (101, None), (-128, None)])
@@ -119,6 +128,14 @@ def test_a_ramp_is_integrated_exactly_whatever_the_spacing() -> None:
     assert account.drawn_j == pytest.approx(2000.0 + 1400.0, rel=1e-12)
     assert account.source == "current_voltage"
     assert not facts
+
+
+def test_a_sine_is_integrated_within_the_trapezoid_rules_bound() -> None:
+    """∫ 200 + 100 sin t over 0..2π is 400π; the rule is off by at most (b-a) h²/12 max|f''|."""
+    n = 200
+    h = 2.0 * math.pi / n
+    account, _ = heard(*(power(h * k, 200.0 + 100.0 * math.sin(h * k)) for k in range(n + 1)))
+    assert abs(account.drawn_j - 400.0 * math.pi) <= 2.0 * math.pi * h * h / 12.0 * 100.0
 
 
 def test_a_gap_is_bridged_by_the_mean_of_both_ends_and_told() -> None:
@@ -152,6 +169,35 @@ def test_a_share_is_what_is_left_where_nothing_else_is_told() -> None:
     assert account.source == "battery_remaining"
     assert account.drawn_j == pytest.approx(0.10 * CAPACITY_J)
     assert account.power_w == pytest.approx(100.0)  # 1 % of 100 kJ every 10 s
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_power_is_the_mean_of_the_last_while(seed: int) -> None:
+    """Held against a list of what had been drawn when, with sources that come and go."""
+    rng = random.Random(seed)
+    account, history, source, power_w = new(), list[tuple[float, float]](), "none", 0.0
+    every_s, t_s, total_j, left = rng.choice([0.01, 0.5, 3.0]), 0.0, 0.0, 0.9
+    for k in range(1500):
+        t_s += every_s * rng.choice([1.0, 1.0, 1.0, 0.0, 2.0])
+        total_j += rng.choice([0.0, 10.0, 25.0])
+        left -= rng.choice([0.0, 0.0, 0.0, 0.0002])
+        told = BatteryReport(t_s, *((total_j, None, None), (None, 300.0, None), (None, None, left))[k // 200 % 3])
+        before_j = account.drawn_j
+        account.report(told, armed=True)
+        word = ("energy_consumed", "current_voltage", "battery_remaining")[k // 200 % 3]
+        assert account.drawn_j >= before_j
+        if account.account["source"][0] == SOURCES.index(EnergySource(word)):  # its word was among the report's
+            if word != source:
+                source, history = word, []
+            steps = word == "battery_remaining"
+            if not (steps and history and history[-1][1] == account.drawn_j):
+                history = [*history, (t_s, account.drawn_j)][-MOST_HISTORY:]
+                while len(history) > 2 and t_s - history[1][0] >= (120.0 if steps else 5.0):
+                    history.pop(0)
+                if t_s > history[0][0]:
+                    power_w = (account.drawn_j - history[0][1]) / (t_s - history[0][0])
+        assert (account.source, account.power_w) == (source, power_w)
+    assert power_w > 0.0
 
 
 def test_nothing_told_is_no_source() -> None:
@@ -190,6 +236,21 @@ def test_sys_status_counts_only_while_battery_status_is_silent() -> None:
     alone, _ = heard(*(second_hand(float(t), 50.0) for t in range(21)))
     assert alone.source == "current_voltage"
     assert alone.drawn_j == pytest.approx(50.0 * (20.0 - (GAP_S + 1.0)))  # it is waited for first
+
+
+def test_energy_drawn_never_falls_whatever_is_reported() -> None:
+    rng = random.Random(11)
+    account, before_j = new(), 0.0
+    for k in range(2000):
+        total_j, power_w, left = (
+            rng.choice([None, value]) for value in (rng.uniform(0, 1e5), rng.uniform(-500, 500), rng.random())
+        )
+        account.counter(rng.choice([RECEIVED, GIVEN]), rng.randint(0, 900), 0.7 * k)
+        account.book(3)
+        report = BatteryReport(0.7 * k + rng.uniform(-3, 9), total_j, power_w, left, second_hand=rng.random() < 0.3)
+        account.report(report, armed=rng.random() < 0.5)
+        assert account.drawn_j >= before_j
+        before_j = account.drawn_j
 
 
 # restarts, swaps, bases

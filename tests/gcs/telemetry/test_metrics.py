@@ -1,10 +1,14 @@
 """Figures of hand-made flights: distances, paths, pursuit and tracking that are known beforehand."""
 
+import itertools
+import math
 from typing import Any
 
+import numpy as np
 import pytest
-import views as base
+from changing import ChangingFleet
 
+from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.mavlink.setpoints import SetPoint
 from gcs.scenario.model import Scenario
 from gcs.telemetry.metrics import PLAN_MEMORY, Metrics
@@ -28,7 +32,13 @@ def metrics(within_m: float = 3.0, **more_of_it: Any) -> Metrics:
 
 
 def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False) -> VehicleView:
-    return base.view(sysid, p_ned=at, v_ned=v, age_s=age_s, landed=landed)
+    return VehicleView(
+        sysid=sysid, role="pursuer", label="", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
+        landed=landed, last_received_s=0.0, p_ned=at, v_ned=v, age_s=age_s, heading_rad=0.0,
+        origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
+        drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0, energy_source="none",
+        control_effort=0.0,
+    )  # fmt: skip
 
 
 def update(m: Metrics, t_s: float, *views: VehicleView, points: Any = ()) -> None:
@@ -96,3 +106,52 @@ def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() ->
         m.update(FleetSnapshot(k / 10, (*views, view(101, (0.0, 0.0, 0.0))), ()), [], chosen)
         assert m.target_of == chosen
     assert m._pursuit.held_s == pytest.approx({101: 4.9})
+
+
+def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> None:
+    fleet, m, memory = ChangingFleet((1, 2, 101), seed=2), metrics(100.0), 20
+    last: dict[int, Vec3] = {}
+    lengths_m: dict[int, float] = {}
+    errors_m: dict[int, float] = {}
+    plans: dict[int, list[Vec3]] = {1: [], 2: [], 101: []}
+    since_s: dict[int, float] = {}
+    held_s = {1: 0.0, 2: 0.0}
+    steered = {1, 2, 101}
+    for _ in range(1500):
+        stamped, _ = fleet.tick()
+        if fleet.chance.random() < 0.02:
+            steered ^= {fleet.chance.choice((1, 2, 101))}
+        points = [
+            SetPoint(view.sysid, tuple(x + fleet.chance.gauss(0.0, 0.1) for x in view.p_ned), view.v_ned)  # type: ignore
+            for view in stamped.vehicles
+            if view.sysid in steered and view.p_ned is not None
+        ]
+        m.update(stamped, points)
+        here = {view.sysid: view.p_now_ned() for view in stamped.vehicles if view.flying and view.fresh}
+        for sysid in here.keys() & last.keys():
+            lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(here[sysid], last[sysid])
+        last = here
+        planned = {point.sysid: point.p_ned for point in points}
+        for sysid, plan in plans.items():
+            plans[sysid] = [*plan, planned[sysid]][-memory:] if sysid in planned else []
+            if len(plans[sysid]) == memory and sysid in here:
+                errors_m[sysid] = max(errors_m.get(sysid, 0.0), _off_m(here[sysid], plans[sysid]))
+        for sysid in (1, 2):
+            near = sysid in here and 101 in here and math.dist(here[sysid], here[101]) <= 100.0
+            begun_s = since_s.setdefault(sysid, fleet.time_s) if near else since_s.pop(sysid, None)
+            if near and begun_s is not None:
+                held_s[sysid] = max(held_s[sysid], fleet.time_s - begun_s)
+    assert m.path_length_m == pytest.approx(lengths_m, rel=1e-12)
+    assert m.max_tracking_error_m == pytest.approx(errors_m, rel=1e-9)
+    assert m._pursuit.held_s == pytest.approx(held_s, abs=1e-9)
+    assert min(*lengths_m.values(), *errors_m.values(), *held_s.values()) > 0.0
+
+
+def _off_m(place: Vec3, line: list[Vec3]) -> float:
+    """Distance of a point to a polyline, by the perpendicular of each of its pieces."""
+    at = np.array(place)
+    off = []
+    for a, b in itertools.pairwise(map(np.array, line)):
+        share = np.clip((at - a) @ (b - a) / ((b - a) @ (b - a)), 0.0, 1.0)
+        off.append(float(np.linalg.norm(a + share * (b - a) - at)))
+    return min(off)

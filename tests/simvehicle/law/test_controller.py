@@ -67,10 +67,15 @@ def test_attitude_errors_follow_the_closed_form(rate, angle):
     assert np.abs(np.array(flown) - truth[:, np.newaxis]).max() < 2e-3
 
 
+def test_yaw_turns_the_shorter_way():
+    _, tau, _ = control(attitude=[[0.0, 0.0, 3.0]], yaw=-3.0)
+    assert tau[0, 2] == pytest.approx(1.5 * (2.0 * math.pi - 6.0))
+
+
 velocity = st.floats(-1e12, 1e12)
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=300, deadline=None)
 @given(st.tuples(velocity, velocity, velocity), st.tuples(velocity, velocity, velocity), st.floats(-4.0, 4.0))
 def test_limits_hold_whatever_is_asked(v_d, a_d, yaw):
     u1, tau, memory = control(v_d=[v_d], a_d=[a_d], attitude=[[0.0, 0.0, yaw]], vehicle=DEFAULT)
@@ -89,6 +94,11 @@ def test_lift_is_kept_when_thrust_runs_out():
         0.0, 0.0, 0.0, 0.0, 50.0, 0.0, 1.0, 0.0, 0.0, 0.0, 3.0, 0.05, 9.8, DEFAULT.limits.tilt_slope, 19.6
     )
     assert u1[0] * math.cos(roll) * math.cos(pitch) == pytest.approx(9.8 + 3.0)
+
+
+def test_a_wish_to_fall_keeps_three_tenths_of_the_weight():
+    u1, _, _ = control(v_d=[[0.0, 0.0, -100.0]])
+    assert u1[0] == pytest.approx(0.3 * 9.8)
 
 
 def test_remark_1_of_the_paper_is_required():
@@ -135,6 +145,13 @@ def test_the_literal_form_gives_every_acceleration_that_is_asked_up_and_down(a_d
     state = np.array([[*(0.0,) * 6, roll, pitch, yaw, *(0.0,) * 3]])
     felt = dynamics.derivative(state, [[u1, 0.0, 0.0, 0.0]], airframe=AIRFRAME)[0, 3:6]
     assert felt == pytest.approx(asked, rel=1e-9, abs=1e-7)
+
+
+def test_the_literal_form_is_the_floored_one_where_there_is_lift_to_spare():
+    for v_d in ((1.0, -2.0, 0.5), (0.0, 0.0, 0.0), (-3.0, 1.0, -1.0)):
+        arguments = (0.3, -0.2, 0.1, 0.7, *v_d, 0.1, 0.2, 0.3, 3.0, 0.05, 9.8)
+        floored = controller.outer(*arguments, math.inf, math.inf)
+        assert controller.outer_literal(*arguments) == pytest.approx(floored, rel=1e-12)
 
 
 @pytest.mark.parametrize("limits", [Limits(tilt_rad=0.6), Limits(thrust_m_s2=20.0)])

@@ -47,11 +47,24 @@ def test_a_rotor_disc_that_carries_the_weight_level_hovers():
     assert not fly(np.zeros((1, 12)), HOVER, 0.004, 1.0).any()
 
 
+def test_rotation_decays_by_its_own_drag():
+    spin = np.zeros((1, 12))
+    spin[0, 9:12] = (1.0, -2.0, 3.0)
+    airframe = Airframe(rotational_drag=2.0)
+    decay = math.exp(-0.2 * 2.0 / 1.25 * 3.0)
+    assert fly(spin, HOVER, 0.004, 3.0, airframe)[0, 9:12] == pytest.approx(decay * spin[0, 9:12], rel=1e-11)
+
+
 def test_halving_the_step_divides_the_error_by_sixteen():
     truth = exact(TURNING, TURNING_INPUTS, 1.6)
     errors = [np.abs(fly(TURNING, TURNING_INPUTS, h, 1.6)[0] - truth).max() for h in (0.08, 0.04, 0.02)]
     orders = np.log2(np.divide(errors[:-1], errors[1:]))
     assert orders == pytest.approx([4.0, 4.0], abs=0.3)
+
+
+def test_a_turning_flight_at_four_milliseconds_is_exact_to_ten_nanometres():
+    truth = exact(TURNING, TURNING_INPUTS, 2.0)
+    assert np.abs(fly(TURNING, TURNING_INPUTS, 0.004, 2.0)[0] - truth).max() < 1e-8
 
 
 def test_thrust_points_the_same_way_in_nwu_and_in_ned():
@@ -86,12 +99,16 @@ def test_ned_is_a_proper_rotation_of_nwu():
     assert dynamics.nwu_from_ned([1.0, -2.0, -3.0]) == (1.0, 2.0, 3.0)
 
 
-@given(st.floats(allow_nan=False, allow_infinity=False))
-def test_any_finite_angle_wraps_to_its_direction(angle):
+@given(st.floats(-1e6, 1e6))
+def test_a_wrapped_angle_is_the_same_direction(angle):
     wrapped = dynamics.wrap_angle(angle)
     assert abs(wrapped) <= math.pi
-    if abs(angle) <= 1e6:
-        assert math.cos(wrapped - angle) == pytest.approx(1.0, abs=1e-9)
+    assert math.cos(wrapped - angle) == pytest.approx(1.0, abs=1e-9)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_any_finite_angle_wraps(angle):
+    assert abs(dynamics.wrap_angle(angle)) <= math.pi
 
 
 @pytest.mark.parametrize(("state", "inputs"), [((12,), (4,)), ((2, 12), (1, 4)), ((1, 11), (1, 4))])

@@ -17,6 +17,12 @@ def flown(params, seconds, *, motors=1.0, ground=0.0):
     return step.advance(state, command, pack(params)[np.newaxis], time_s=0.0, steps=round(seconds / 0.004))
 
 
+def test_hover_draws_hover_power_and_avionics():
+    state, thrust = flown(NAMED["default"], 60.0)
+    assert thrust == pytest.approx(9.8)
+    assert state[0, rows.DRAWN_J] == pytest.approx((200.0 + 10.0) * 60.0, rel=1e-12)
+
+
 def test_power_grows_with_thrust_to_three_halves():
     drawn_w = [power.power(u1, 9.8, 200.0, 10.0) for u1 in (0.0, 9.8, 4.0 * 9.8)]
     assert drawn_w == pytest.approx([10.0, 210.0, 8.0 * 200.0 + 10.0])
@@ -27,6 +33,11 @@ def test_a_vehicle_at_rest_draws_its_avionics_alone():
     assert not thrust.any()
     assert state[0, rows.DRAWN_J] == pytest.approx(10.0 * 10.0)
     assert state[0, rows.EFFORT] == 0.0
+
+
+def test_control_effort_of_a_hover_is_the_weight_times_time():
+    state, _ = flown(NAMED["default"], 10.0)
+    assert state[0, rows.EFFORT] == pytest.approx(9.8 * 10.0)
 
 
 def test_an_empty_battery_stops_motors_and_draws_no_more_than_it_had():
@@ -40,6 +51,11 @@ def test_an_empty_battery_stops_motors_and_draws_no_more_than_it_had():
     assert state[0, rows.EFFORT] == pytest.approx(9.8 * 1251 * 0.004)
     fall_s = 10.0 - 1251 * 0.004
     assert state[0, rows.VELOCITY][2] == pytest.approx(-9.8 / 0.05 * (1.0 - math.exp(-0.05 * fall_s)), rel=1e-9)
+
+
+def test_a_battery_is_full_unless_told_otherwise():
+    assert BatteryParams(capacity_j=5.0).initial_j == 5.0
+    assert BatteryParams(capacity_j=5.0, initial_j=0.0).initial_j == 0.0
 
 
 @pytest.mark.parametrize(

@@ -3,21 +3,30 @@
 from __future__ import annotations
 
 import pytest
-from rotor_vehicles import on_rotors
 
 from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.maneuvers import OffboardSetPoint
 from simvehicle.autopilot.modes import Mode, Trigger
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law import rotor_flight, rows
 from simvehicle.law.params import NAMED
+from simvehicle.law.plants import RotorPlant
 from simvehicle.world import airframes
 from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
+
+
+def vehicle(name: str = "iris", *, yaw_ned: float = 0.0, **params: float) -> Vehicle:
+    start, plant = Start(attitude_ned_rad=(0.0, 0.0, yaw_ned)), RotorPlant(WorldVehicle(AIRFRAMES[name]))
+    return Vehicle(IDENTITIES["px4"], Parameters(params), LocalFrame(47.0, 8.0, 0.0), start, plant)
 
 
 @pytest.mark.parametrize("name", AIRFRAMES)
 def test_the_law_takes_rotors_to_a_place_and_stays(name: str) -> None:
-    start = Start(attitude_ned_rad=(0.0, 0.0, -0.5))
-    first, second = (on_rotors(name, start=start, COM_OF_LOSS_T=60.0) for _ in range(2))
+    first, second = (vehicle(name, yaw_ned=-0.5, COM_OF_LOSS_T=60.0) for _ in range(2))
     for one in (first, second):
         one.armed, one.mode = True, Mode.OFFBOARD
         one.set_point(OffboardSetPoint((10.0, 4.0, -5.0), (0.0, 0.0, 0.0), (True, True, True), None, 0.0))
@@ -31,7 +40,7 @@ def test_the_law_takes_rotors_to_a_place_and_stays(name: str) -> None:
 
 
 def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:
-    one = on_rotors(start=Start())
+    one = vehicle()
     one.armed = True
     assert one.landed
     assert one.take_off(3.0)
@@ -50,7 +59,15 @@ def test_a_vehicle_on_rotors_takes_off_and_lands() -> None:
 
 
 def test_its_ledger_closes_and_an_empty_battery_stops_its_rotors() -> None:
-    one = on_rotors(start=Start((0.0, 0.0, -500.0), airborne=True), SIM_BAT_CAP_J=1000.0)
+    start = Start((0.0, 0.0, -500.0), airborne=True)
+    given = {"SIM_BAT_CAP_J": 1000.0}
+    one = Vehicle(
+        IDENTITIES["px4"],
+        Parameters(given),
+        LocalFrame(0.0, 0.0, 0.0),
+        start,
+        RotorPlant(WorldVehicle(AIRFRAMES["iris"])),
+    )
     one.advance(10_000)
     assert one.drawn_j + one.remaining_j == pytest.approx(1000.0, abs=1e-9)
     assert one.remaining_j == 0.0

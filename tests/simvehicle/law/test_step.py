@@ -30,9 +30,11 @@ def order(position=REST, velocity=REST, *, time_s=0.0, ground=False, motors=True
     return command
 
 
-def fly(params, state, command, seconds, *, time_s=0.0):
+def fly(params, state, command, seconds, *, time_s=0.0, tolerance=None):
     """State after every step, the first included: (steps + 1, STATE_SIZE)."""
     packed = pack(params)[np.newaxis]
+    if tolerance is not None:
+        packed[0, rows.PARAMETERS["tolerance"]] = tolerance
     path = [state[0]]
     for k in range(round(seconds / H)):
         state, _ = step.advance(state, command, packed, time_s=time_s + k * H, steps=1)
@@ -40,14 +42,14 @@ def fly(params, state, command, seconds, *, time_s=0.0):
     return np.array(path)
 
 
-def fly_path(params, path, seconds, state):
+def fly_path(params, path, seconds, state, **options):
     """Fly set points given at 10 Hz by path(t) → position, velocity."""
     flown = [state]
     for k in range(round(seconds * 10)):
         time_s = k / 10
         position, velocity = path(time_s)
         command = order(position, velocity, time_s=time_s)
-        flown.append(fly(params, flown[-1][-1:], command, 0.1, time_s=time_s)[1:])
+        flown.append(fly(params, flown[-1][-1:], command, 0.1, time_s=time_s, **options)[1:])
     return np.concatenate(flown)
 
 
@@ -104,6 +106,20 @@ def test_with_signed_thrust_and_no_floor_the_paper_s_five_starts_reach_their_spe
     assert flown[0, rows.DRAWN_J] == pytest.approx(drawn_w.sum() * H)
 
 
+def test_torque_rests_in_steady_flight():
+    for params in (PAPER, DEFAULT):
+        path = fly(params, start(params, REST, (1.0, 1.0, 0.2)), order(velocity=(1.0, 1.0, 0.2)), 40.0)
+        assert np.sqrt(np.mean(torque(path[-2500:]) ** 2)) < 4e-8
+
+
+def test_tightening_the_solve_does_not_change_the_flight():
+    path, _ = rounded_corner(3.0)
+    for params in (DEFAULT, PAPER):
+        state = start(params, (0.0, 0.0, 5.0), (3.0, 0.0, 0.0))
+        usual, tight = (fly_path(params, path, 12.0, state, tolerance=t) for t in (None, 1e-14))
+        assert np.abs(usual[:, :6] - tight[:, :6]).max() < 1e-9
+
+
 @pytest.mark.parametrize("params", GAIN_SETS)
 def test_a_ten_metre_step_takes_three_and_a_half_seconds_and_does_not_overshoot(params):
     path = fly(params, start(params), order((10.0, 0.0, 0.0)), 8.0)
@@ -122,6 +138,16 @@ def test_a_curved_path_is_held(params, speed, cross_track, peak):
     assert distance(settled).max() < cross_track
     assert np.abs(torque(settled)).max() < peak
     assert np.abs(flown[:, 2] - 5.0).max() < 0.02
+
+
+def test_limits_hold_in_flight():
+    rng = np.random.default_rng(5)
+    state = start(DEFAULT, (0.0, 0.0, 50.0), (3.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+    for k in range(40):
+        command = order(rng.uniform(-50, 50, 3), rng.uniform(-5, 5, 3), time_s=0.5 * k, yaw=rng.uniform(-3, 3))
+        path = fly(DEFAULT, state, command, 0.5, time_s=0.5 * k)
+        state = path[-1:]
+        assert np.abs(torque(path)).max() < 30.0 + 1e-6
 
 
 def test_the_linear_reference_goes_from_set_point_to_set_point():
@@ -196,6 +222,22 @@ def test_motors_off_in_the_air_is_a_fall_and_motors_on_catch_it_smoothly():
     assert np.abs(torque(caught)).max() < 1.0
 
 
+# the battery
+
+
+def test_the_account_closes_and_power_is_that_of_the_thrust():
+    rng = np.random.default_rng(2)
+    state, packed = start(DEFAULT, airborne=False), pack(DEFAULT)[np.newaxis]
+    thrust = []
+    for k in range(100):
+        command = order(rng.uniform(0, 10, 3), rng.uniform(-2, 2, 3), time_s=k / 10, ground=True, motors=k % 50 > 5)
+        state, u1 = step.advance(state, command, packed, time_s=k / 10, steps=25)
+        thrust.append(u1[0])
+    drawn = np.sum(200.0 * (np.concatenate(thrust) / 9.8) ** 1.5 + 10.0) * H
+    assert state[0, rows.DRAWN_J] == pytest.approx(drawn, rel=1e-12)
+    assert state[0, rows.DRAWN_J] + state[0, rows.REMAINING_J] == pytest.approx(24_000.0, abs=1e-9)
+
+
 # the arrays
 
 
@@ -223,6 +265,15 @@ def test_vehicles_together_fly_as_each_alone_to_the_bit():
         assert np.array_equal(u1[0], thrust[i])
 
 
+def test_many_steps_in_one_call_are_the_same_to_the_bit():
+    state, command, packed = fleet()
+    at_once, thrust = step.advance(state, command, packed, time_s=0.5, steps=500)
+    for k in range(500):
+        state, u1 = step.advance(state, command, packed, time_s=0.5 + k * H, steps=1)
+        assert np.array_equal(u1[:, 0], thrust[:, k])
+    assert np.array_equal(state, at_once)
+
+
 def test_advance_leaves_its_arguments_alone_and_takes_read_only_ones():
     arrays = fleet()
     before = [array.copy() for array in arrays]
@@ -233,10 +284,17 @@ def test_advance_leaves_its_arguments_alone_and_takes_read_only_ones():
         assert np.array_equal(array, copy)
 
 
+def test_no_steps_change_nothing_that_flies():
+    state, command, packed = fleet()
+    same, thrust = step.advance(state, command, packed, time_s=0.0, steps=0)
+    assert thrust.shape == (6, 0)
+    assert np.array_equal(same[:, : rows.LINEAR.start], state[:, : rows.LINEAR.start])
+
+
 anything = st.floats(allow_nan=False, allow_infinity=False)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=200, deadline=None)
 @given(st.lists(st.lists(anything, min_size=15, max_size=15), min_size=1, max_size=5), st.sampled_from(sorted(NAMED)))
 def test_no_finite_command_makes_a_state_that_is_not_finite(commands, name):
     params = NAMED[name]

@@ -126,10 +126,7 @@ def test_take_off_in_a_relative_frame_is_relative_for_px4_too(vehicle_bench: Any
 
 
 def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None:
-    bench = vehicle_bench()
-    bench.arm()
-    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 0.0, 0.0, NAN, 47.3978, 8.5456, 495.0) == TEMPORARILY_REJECTED
-    bench.in_air()
+    bench = vehicle_bench().in_air()
     lat, lon, _ = bench.vehicle.frame.to_global(6.0, -3.0, 0.0)
     in_degrees = (round(1e7 * lat), round(1e7 * lon))
     for frame, place, down_m in (
@@ -143,6 +140,12 @@ def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None
     place = (0, 0, -3.0)
     assert bench.result(mav.MAV_CMD_DO_REPOSITION, place=place, frame=mav.MAV_FRAME_BODY_NED) == DENIED
     assert bench.result(mav.MAV_CMD_DO_REPOSITION, 0.0, 0.0, 0.0, 0.0, NAN, NAN, 490.0) == DENIED
+
+
+def test_reposition_on_the_ground_is_rejected(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    bench.arm()
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 0.0, 0.0, NAN, 47.3978, 8.5456, 495.0) == TEMPORARILY_REJECTED
 
 
 def test_offboard_without_fresh_set_points_is_rejected_with_its_reason(vehicle_bench: Any) -> None:
@@ -216,6 +219,19 @@ def test_home_and_version_have_commands_of_their_own(vehicle_bench: Any) -> None
         assert answers[1].capabilities & getattr(mav, f"MAV_PROTOCOL_CAPABILITY_{flag}")
 
 
+@pytest.mark.parametrize("target", [(2, 1), (1, 2), (2, 0), (255, 190), (0, 7)])
+def test_message_for_another_target_is_not_obeyed(vehicle_bench: Any, target: tuple[int, int]) -> None:
+    bench = vehicle_bench()
+    assert bench.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, target=target) == []
+    assert bench.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, place=(0, 0, 0.0), target=target) == []
+    bench.set_point(target=target)
+    assert bench.send(mav.MAVLink_param_request_list_message(*target)) == []
+    assert bench.send(mav.MAVLink_param_set_message(*target, b"MPC_XY_CRUISE", 1.0, 9)) == []
+    assert not bench.vehicle.armed
+    assert not bench.vehicle.setpoints_fresh()
+    assert bench.vehicle.parameters["MPC_XY_CRUISE"] == 5.0
+
+
 def test_mode_message_for_another_system_is_not_obeyed(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     bench.send(mav.MAVLink_set_mode_message(2, 1, 4 << 16 | 6 << 24))
@@ -228,6 +244,12 @@ def test_message_for_this_vehicle_or_for_all_is_obeyed(vehicle_bench: Any, targe
     assert bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, target=target) == ACCEPTED
     bench.set_point(target=target)
     assert bench.vehicle.setpoints_fresh()
+
+
+def test_vehicle_does_not_hear_itself(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    assert bench.command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, source=(1, 1)) == []
+    assert not bench.vehicle.armed
 
 
 def test_transfer_by_command_int_reads_whole_numbers(vehicle_bench: Any) -> None:
@@ -256,7 +278,7 @@ def test_transfer_order_with_bad_numbers_is_denied(vehicle_bench: Any, params: t
     assert bench.vehicle.transfer is None
 
 
-@settings(max_examples=40)
+@settings(max_examples=150)
 @given(
     st.lists(
         st.tuples(
@@ -281,3 +303,17 @@ def test_no_sequence_of_commands_stops_a_vehicle(
         bench.tick()
     assert all(math.isfinite(x) for x in bench.vehicle.state[0])
     assert abs(bench.ledger_gap_j()) < 1e-6
+
+
+@settings(max_examples=150)
+@given(st.data())
+def test_no_message_of_any_kind_or_content_stops_a_vehicle(vehicle_bench: Any, data: st.DataObject) -> None:
+    bench = vehicle_bench(start=AIRBORNE)
+    writer = mav.MAVLink(None, 255, 190)
+    for _ in range(5):
+        msgid = data.draw(st.sampled_from(sorted(mav.mavlink_map)))
+        cls = mav.mavlink_map[msgid]
+        payload = data.draw(st.binary(min_size=1, max_size=cls.unpacker.size))
+        bench.feed(bytes(mav.MAVLink_message(msgid, cls.msgname)._pack(writer, cls.crc_extra, payload)))
+        bench.tick()
+    assert all(math.isfinite(x) for x in bench.vehicle.state[0])

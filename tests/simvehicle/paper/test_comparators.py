@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
+from simvehicle.law import differentiator
 from simvehicle.paper import comparators
 
 
@@ -28,6 +29,19 @@ def follow(step, signal, dt_s, width):
         x = step(x, v, dt_s)
         rows.append(x)
     return np.array(rows)
+
+
+def test_the_explicit_law_becomes_the_implicit_one_as_the_step_goes_to_zero():
+    apart = []
+    for dt_s in (4e-4, 2e-4, 1e-4):
+        t = dt_s * np.arange(1, round(1.0 / dt_s) + 1)
+        signal = np.sin(t)
+        x = np.zeros(3)
+        for v in signal:
+            x = differentiator.step(x, v, dt_s, epsilon=0.04)
+        apart.append(np.abs(follow(explicit, signal, dt_s, 3)[-1, :2] - x[:2]).max())
+    assert apart[2] < 1e-3
+    assert apart[2] < apart[1] < apart[0]
 
 
 def test_the_explicit_law_agrees_with_an_adaptive_solver():
@@ -88,3 +102,11 @@ def test_the_linear_law_from_rest_follows_the_matrix_exponential():
         x = high_gain(x, 0.0, dt_s)
     a = np.array([[-1.0 / 0.15, 1.0], [-2.0 / 0.15**2, 0.0]])
     assert x == pytest.approx(expm(0.1 * a) @ [1.0, -2.0], abs=2e-3)
+
+
+@pytest.mark.parametrize(("step", "width"), [(explicit, 3), (sliding_mode, 3), (high_gain, 2)])
+def test_mirrored_signals_mirror(step, width):
+    rng = np.random.default_rng(4)
+    for x, v in zip(rng.normal(size=(10, width)), rng.normal(size=10), strict=True):
+        mirrored = -step(-x, -v, 0.004)
+        assert step(x, v, 0.004).tolist() == mirrored.tolist()

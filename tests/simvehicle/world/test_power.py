@@ -6,10 +6,15 @@ import math
 
 import numpy as np
 import pytest
-from rotor_vehicles import on_rotors
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.geodesy import LocalFrame
+from simvehicle.autopilot.identity import IDENTITIES
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink.telemetry import message_of
 from simvehicle.world import power
 from simvehicle.world.airframes import AIRFRAMES, pack
@@ -57,7 +62,9 @@ def test_the_battery_obeys_ohm_and_gives_off_all_that_it_loses() -> None:
 
 
 def test_voltage_and_current_are_on_the_wire_and_sag_under_load() -> None:
-    one = on_rotors(WorldVehicle(AIRFRAMES["iris"], resistance_ohm=0.1))
+    plant = RotorPlant(WorldVehicle(AIRFRAMES["iris"], resistance_ohm=0.1))
+    start = Start((0.0, 0.0, -20.0), airborne=True)
+    one = Vehicle(IDENTITIES["px4"], Parameters(), LocalFrame(0.0, 0.0, 0.0), start, plant)
     rested = message_of(one, "SYS_STATUS")
     one.advance(5000)
     status, battery = message_of(one, "SYS_STATUS"), message_of(one, "BATTERY_STATUS")

@@ -1,15 +1,15 @@
-"""The rigid body on four rotors, held against a second model written apart from it."""
+"""The rigid body on four rotors, held against closed forms, its energy, and a second model written apart from it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from simvehicle.world import rotors
@@ -46,7 +46,32 @@ def test_it_hovers_where_its_thrust_equals_its_weight(airframe: RotorAirframe) -
     assert np.abs(path[-1, :13] - path[0, :13]).max() < 1e-9
 
 
-def second_model(airframe: RotorAirframe, wind: Array) -> Callable[[Array, Array], Array]:
+def test_without_rotors_it_falls_freely_and_the_air_stops_it_at_its_terminal_speed() -> None:
+    dragless = replace(AIRFRAMES["hummingbird"], body_drag_kg_m=(0.0, 0.0, 0.0))
+    path = flown(dragless, body(v=(1, 2, 3)), np.zeros((500, 4)))
+    assert path[-1, :3] == pytest.approx([2.0, 4.0, 6.0 - 0.5 * GRAVITY_M_S2 * 4.0], abs=1e-9)
+    airframe = AIRFRAMES["hummingbird"]
+    terminal_m_s = math.sqrt(airframe.mass_kg * GRAVITY_M_S2 / airframe.body_drag_kg_m[2])
+    path = flown(airframe, body(), np.zeros((1000, 4)))
+    t = DT_S * np.arange(1001)
+    assert path[:, 5] == pytest.approx(-terminal_m_s * np.tanh(GRAVITY_M_S2 * t / terminal_m_s), abs=1e-9)
+    assert flown(airframe, body(), np.zeros((10000, 4)))[-1, 5] == pytest.approx(-terminal_m_s, rel=1e-3)
+
+
+def test_motors_spin_up_as_a_first_order_lag() -> None:
+    path = flown(AIRFRAMES["iris"], body(), np.tile([500.0, 600.0, 700.0, 800.0], (100, 1)))
+    share = 1.0 - np.exp(-DT_S * np.arange(101) / 0.05)
+    assert path[:, 13:] == pytest.approx(np.outer(share, [500.0, 600.0, 700.0, 800.0]), abs=1e-9)
+
+
+def test_a_body_without_moments_keeps_its_angular_momentum() -> None:
+    airframe = replace(AIRFRAMES["iris"], inertia_kg_m2=(0.02, 0.03, 0.05))
+    path = flown(airframe, body(rates=(3.0, 0.1, -2.0)), np.zeros((1000, 4)))
+    world = Rotation.from_quat(path[:, [7, 8, 9, 6]]).apply(path[:, 10:13] * airframe.inertia_kg_m2)
+    assert np.abs(world - world[0]).max() < 1e-6 * np.linalg.norm(world[0])
+
+
+def second_model(airframe: RotorAirframe, wind: Array) -> object:
     """Time derivative by rotation matrices, rotor by rotor, from the same published parameters."""
     arms = np.array([[x, y, 0.0] for x, y in airframe.arms_m])
     inertia = np.diag(airframe.inertia_kg_m2)
@@ -71,7 +96,7 @@ def second_model(airframe: RotorAirframe, wind: Array) -> Callable[[Array, Array
         lag = (wanted - s[13:17]) / airframe.motor_lag_s
         return np.concatenate([s[3:6], turn @ force / airframe.mass_kg - [0, 0, GRAVITY_M_S2], quaternion, spin, lag])
 
-    return rate
+    return rate, wrench
 
 
 def lively(airframe: RotorAirframe, steps: int) -> Array:
@@ -83,16 +108,34 @@ def lively(airframe: RotorAirframe, steps: int) -> Array:
 
 @pytest.mark.parametrize("name", AIRFRAMES)
 def test_its_path_is_that_of_a_second_model(name: str) -> None:
-    airframe, wind, steps = AIRFRAMES[name], np.array([6.0, -3.0, 0.5]), 50
+    airframe, wind, steps = AIRFRAMES[name], np.array([6.0, -3.0, 0.5]), 250
     start = body(p=(1, 2, 3), v=(2, -1, 1), euler=(0.2, -0.3, 2.0), rates=(0.1, -0.2, 0.3), speeds=(500.0,) * 4)
     wanted = lively(airframe, steps)
     path = flown(airframe, start, wanted, wind)
-    rate = second_model(airframe, wind)
+    rate, _ = second_model(airframe, wind)  # type: ignore[misc]
     s = start
     for k in range(steps):
-        step = solve_ivp(lambda _, y, u=wanted[k]: rate(y, u), (0, DT_S), s, method="DOP853", rtol=1e-8, atol=1e-10)
-        s = step.y[:, -1]
+        s = solve_ivp(lambda _, y, u=wanted[k]: rate(y, u), (0, DT_S), s, rtol=1e-8, atol=1e-10).y[:, -1]
     assert path[-1] == pytest.approx(s, rel=1e-5, abs=1e-5)
+
+
+def test_energy_is_what_rotors_and_air_put_in() -> None:
+    airframe, wind, steps = AIRFRAMES["hummingbird"], np.array([6.0, -3.0, 0.5]), 1000
+    start = body(v=(2, -1, 1), euler=(0.2, -0.3, 2.0), rates=(0.1, -0.2, 0.3), speeds=(400.0,) * 4)
+    path = flown(airframe, start, np.full((steps, 4), airframe.hover_rad_s) * [1.0, 1.001, 1.002, 1.0], wind)
+    _, wrench = second_model(airframe, wind)  # type: ignore[misc]
+    inertia = np.array(airframe.inertia_kg_m2)
+    kinetic = 0.5 * airframe.mass_kg * (path[:, 3:6] ** 2).sum(1) + 0.5 * (inertia * path[:, 10:13] ** 2).sum(1)
+    energy = kinetic + airframe.mass_kg * GRAVITY_M_S2 * path[:, 2]
+    power = []
+    for s in path:
+        force, moment = wrench(s)
+        power.append(Rotation.from_quat(s[[7, 8, 9, 6]]).apply(force) @ s[3:6] + moment @ s[10:13])
+    t = DT_S * np.arange(steps + 1)
+    spline = CubicSpline(t, power)
+    put_in = float(spline.integrate(0.0, t[-1]))
+    moved = float(CubicSpline(t, np.abs(power)).integrate(0.0, t[-1]))
+    assert energy[-1] - energy[0] == pytest.approx(put_in, abs=1e-6 * moved)
 
 
 def test_air_half_as_dense_carries_and_brakes_half_as_much() -> None:

@@ -13,7 +13,7 @@ import pytest
 
 from gcs.session.client import READ_BYTES, SOCKET
 from gcs.session.messages import CONTEST_S
-from gcs.session.server import MOST_CLIENTS, MOST_COMMANDS, REMEMBERED, TOO_MANY, Publisher
+from gcs.session.server import MOST_CLIENTS, MOST_COMMANDS, MOST_IN_ALL, REMEMBERED, TOO_MANY, Publisher
 
 
 @pytest.fixture
@@ -59,9 +59,30 @@ def asked(publisher: Publisher) -> list[dict[str, Any]]:
     return [request.content for request in publisher.poll()]
 
 
+def test_every_client_gets_every_line_from_when_it_came(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            publisher.publish({"t_s": 2})
+            assert lines(first, 2) == [{"t_s": 1}, {"t_s": 2}]
+            assert lines(second, 1) == [{"t_s": 2}]
+
+
+def test_commands_come_in_whole_however_they_are_cut(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path) as first, connect(tmp_path) as second:
+        assert publisher.poll() == []
+        first.sendall(b'{"command": "pa')
+        second.sendall(b'{"command": "stop"}\n{"command": "resume"}\n')
+        assert asked(publisher) == [{"command": "stop"}, {"command": "resume"}]
+        first.sendall(b'use"}\n')
+        assert asked(publisher) == [{"command": "pause"}]
+
+
 @pytest.mark.parametrize(
     "garbage",
-    [b"\n", b"hello\n", b"\xff\xfe\x00\n", b'{"command": 7}\n', b"[" * 20_000 + b"\n", b"NaN\n"],
+    [b"\n", b"hello\n", b"\xff\xfe\x00\n", b"[1, 2]\n", b'{"command": 7}\n', b"{}\n", b"[" * 20_000 + b"\n", b"NaN\n"],
 )
 def test_who_sends_a_line_that_is_no_command_is_told_so(publisher: Publisher, tmp_path: Path, garbage: bytes) -> None:
     with connect(tmp_path) as client:
@@ -99,6 +120,14 @@ def test_a_slow_reader_is_dropped_and_the_others_get_everything(publisher: Publi
         assert lines(quick, 1) == [{"t_s": 99}]
 
 
+def test_a_client_that_leaves_is_no_error(publisher: Publisher, tmp_path: Path) -> None:
+    with connect(tmp_path):
+        publisher.poll()
+    publisher.publish({"t_s": 1})
+    assert publisher.poll() == []
+    publisher.publish({"t_s": 2})
+
+
 def test_a_folder_with_a_long_name_is_no_hindrance(tmp_path: Path) -> None:
     folder = tmp_path / ("x" * 120) / ("y" * 120)
     folder.mkdir(parents=True)
@@ -109,6 +138,29 @@ def test_a_folder_with_a_long_name_is_no_hindrance(tmp_path: Path) -> None:
         assert lines(client, 1) == [{"t_s": 1}]
     publisher.close()
     assert not (folder / SOCKET).exists()
+
+
+def test_closing_lets_everyone_go(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path)
+    with connect(tmp_path) as client:
+        publisher.poll()
+        publisher.close()
+        assert client.recv(1) == b""
+    assert not (tmp_path / SOCKET).exists()
+
+
+def test_a_client_reads_the_greeting_before_anything_else(tmp_path: Path) -> None:
+    publisher = Publisher(tmp_path, {"type": "session", "name": "x"})
+    with connect(tmp_path) as first:
+        publisher.poll()
+        publisher.publish({"t_s": 1})
+        with connect(tmp_path) as second:
+            publisher.poll()
+            publisher.publish({"t_s": 2})
+            greeting = {"type": "session", "name": "x", "events": [], "told": 0, "contest": []}
+            assert lines(first, 3) == [greeting, {"t_s": 1}, {"t_s": 2}]
+            assert lines(second, 2) == [greeting, {"t_s": 2}]
+    publisher.close()
 
 
 def test_who_comes_late_is_greeted_with_the_last_events_and_how_many_there_were(tmp_path: Path) -> None:
@@ -213,3 +265,20 @@ def test_a_flood_of_commands_waits_with_its_sender_and_nobody_elses_does(publish
             assert len(more) <= MOST_COMMANDS
             count += len(more)
         assert count == 2001  # none of a client that has gone is lost
+
+
+def test_many_flooding_clients_have_their_turns(publisher: Publisher, tmp_path: Path) -> None:
+    clients = []
+    for _ in range(MOST_CLIENTS):
+        clients.append(connect(tmp_path))
+        publisher.poll()
+    for client in clients:
+        client.sendall(b'{"command": "skip"}\n' * 50)
+    served: set[int] = set()
+    for _ in range(5):
+        commands = publisher.poll()
+        assert len(commands) <= MOST_IN_ALL + MOST_COMMANDS
+        served |= {request.client for request in commands}
+    assert served == publisher.clients
+    for client in clients:
+        client.close()

@@ -96,7 +96,7 @@ def worst(rows: pa.Table, measured: Sequence[str]) -> list[dict[str, Any]]:
 def _success(plan: Plan, rows: pa.Table) -> str:
     lines = []
     for number, of in _by_combination(plan, rows):
-        ok = rows.take(of)["ok"].to_pylist()
+        ok = of["ok"].to_pylist()
         rate = wilson(sum(map(bool, ok)), len(ok))
         interval = f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %"
         lines.append([name_of(plan, number) or "all", f"{sum(map(bool, ok))} of {len(ok)}", _percent(rate), interval])
@@ -106,7 +106,7 @@ def _success(plan: Plan, rows: pa.Table) -> str:
 def _means(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:
     lines = []
     for number, of in _by_combination(plan, rows):
-        found = [mean(numbers(rows.take(of), name)) for name in measured]
+        found = [mean(numbers(of, name)) for name in measured]
         lines.append([name_of(plan, number) or "all", *(_interval(one) for one in found)])
     return _table(["", *measured], lines)
 
@@ -149,7 +149,7 @@ def _worst(folder: Path, plan: Plan, rows: pa.Table, measured: Sequence[str]) ->
 
 def _box(plan: Plan, rows: pa.Table, name: str) -> str:
     """A measure's distribution by combination: quartiles, whiskers to 1.5 times their distance, outliers."""
-    values = {name_of(plan, c) or "all": _finite(numbers(rows.take(of), name)) for c, of in _by_combination(plan, rows)}
+    values = {name_of(plan, c) or "all": _finite(numbers(of, name)) for c, of in _by_combination(plan, rows)}
     with style():
         figure, axes = sheet(0.8 + 0.34 * len(values))
         at = axes[0, 0]
@@ -209,10 +209,12 @@ def _image(figure: Figure, caption: str) -> str:
     return f'<img class="plot" alt="{escape(caption)}" src="data:image/svg+xml;base64,{content}">'
 
 
-def _by_combination(plan: Plan, rows: pa.Table) -> Iterable[tuple[int, list[int]]]:
-    combination = rows["combination"].to_pylist()
+def _by_combination(plan: Plan, rows: pa.Table) -> Iterable[tuple[int, pa.Table]]:
+    """Each combination's rows; none of one that has not flown yet."""
+    import pyarrow.compute as pc  # noqa: PLC0415 - of the extra
+
     for number in range(plan.campaign.combinations):
-        yield number, [i for i, one in enumerate(combination) if one == number]
+        yield number, rows.filter(pc.field("combination") == number)
 
 
 def _table(head: Sequence[str], lines: Sequence[Sequence[str]], *, raw_last: bool = False) -> str:

@@ -304,7 +304,7 @@ def test_ctrl_c_which_a_terminal_sends_to_the_workers_too_ends_it_with_a_sentenc
                 break
         os.killpg(process.pid, signal.SIGINT)
         shown = process.stdout.read()
-    assert process.returncode == 130
+    assert process.returncode == 130, shown
     assert shown.splitlines()[-1].startswith("stopped; gcs campaign resume out flies the other ")
     assert "Traceback" not in shown
 

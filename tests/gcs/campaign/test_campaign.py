@@ -226,6 +226,21 @@ def test_the_report_says_which_is_better_where_an_interval_shows_it(
     assert report._better(measure, Interval((low + high) / 2, low, high), "a", "b") == better
 
 
+@pytest.mark.parametrize("rows", [0, 1, 5])
+def test_a_campaign_that_was_stopped_early_has_a_report_of_what_flew(rows: int, tmp_path: Path) -> None:
+    flown = plan(measure=["time_to_goal_s"], vary={"competition.policy": ["winner_take_all", "optimal"]})
+    flown.write(tmp_path)
+    table.Writer(tmp_path, flown.campaign).write(
+        [
+            {"row": k, "session": k // 2, "combination": k % 2, "seed": k, "ok": True, "time_to_goal_s": 50.0 + k}
+            for k in range(rows)
+        ]
+    )
+    shown = report.make(tmp_path, flown).read_text(encoding="utf-8")
+    for policy, of in (("winner_take_all", (rows + 1) // 2), ("optimal", rows // 2)):
+        assert f"<td>policy {policy}</td><td>{of} of {of}</td>" in shown
+
+
 @pytest.mark.parametrize(
     ("address", "why"),
     [

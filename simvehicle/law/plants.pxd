@@ -37,8 +37,6 @@ cdef class RotorPlant(Plant):
     cdef Py_ssize_t _next  # row of the next step's noise
     cdef bint _gusty
     cdef bint _errs
-    cdef object _wanted
-    cdef object _force
 
     cdef _blow(self)
     cdef _draw_ahead(self, Py_ssize_t steps)

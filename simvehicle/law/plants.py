@@ -7,7 +7,7 @@ is the plant's to tell.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import cython
 import cython.cimports.simvehicle.law.rotor_flight as compiled_rotor_flight
@@ -30,6 +30,18 @@ from simvehicle.world.rows import DISCRETE_SIZE, ERROR_SIZE, GUST_NOISE
 from skytender.normal import standard_normal
 
 Floats = list[float]
+Vec3 = tuple[float, float, float]
+Quaternion = tuple[float, float, float, float]
+
+
+class BodyMotion(NamedTuple):
+    """Motion of a rigid body: place m and velocity m/s in NED, attitude from the body to NED (w first), rates about the
+    body's axes, front, right, down, rad/s."""
+
+    p_ned: Vec3
+    v_ned: Vec3
+    quaternion: Quaternion
+    rates_body: Vec3
 
 
 class Plant:
@@ -140,8 +152,6 @@ class RotorPlant(Plant):
     _drawn: int
     _gusty: bool
     _errs: bool
-    _wanted: NDArray[np.float64]
-    _force: NDArray[np.float64]
 
     def __init__(self, own: WorldVehicle, air: Air = STILL_AIR, *, seed: int = 0, sysid: int = 0) -> None:
         """`seed` and `sysid`: of what is random in its wind and in its estimate, each a stream of its own."""
@@ -151,7 +161,6 @@ class RotorPlant(Plant):
         self._frame = airframes.pack(own.airframe, air.density_kg_m3)[np.newaxis]
         self._weather = np.zeros((1, 0))
         self._gusts = np.array(air.gusts_nwu, dtype=np.float64).reshape(-1, DISCRETE_SIZE)
-        self._wanted, self._force = np.zeros(airframes.ROTORS), np.zeros(3)
         self._random = [np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, k))) for k in range(2)]
         self._next = self._drawn = 0
         frame, gusts = cython.declare(cython.double[:, ::1]), cython.declare(cython.double[:, ::1])
@@ -225,23 +234,26 @@ class RotorPlant(Plant):
         )  # fmt: skip
         self._next += steps
 
-    def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Floats:
+    def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Vec3:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
-        force about the body's axes after it, (3,), nwu, m/s²."""
+        force about the body's axes after it, (3,), front, right, down, m/s²."""
+        wanted, force = cython.declare(cython.double[4]), cython.declare(cython.double[3])
+        wanted[0], wanted[1], wanted[2], wanted[3] = wanted_rad_s
         if self._air.field is not None:
             self._blow()
-        wanted, force = self._wanted, self._force
-        wanted[0], wanted[1], wanted[2], wanted[3] = wanted_rad_s
-        if self._gusty:
-            self._draw_ahead(1)
-            noise = self._noise[self._next]
-            self._next += 1
-        else:
-            noise = _NO_NOISE
-        rows = self._packed[0], self._frame[0], self._weather[0], self._gusts
-        rotor_flight.turn_row(self.state[0], wanted, *rows, noise, time_s, dt_s, force)
-        of_step: Floats = force.tolist()
-        return of_step
+        self._draw_ahead(1)
+        compiled_rotor_flight.turn_row(
+            self.rotors, wanted, self._parameters, self._airframe, self._here, self._gust, self._gust_count,
+            self._noise_rows + NOISE_SIZE * self._next, time_s, dt_s, force,
+        )  # fmt: skip
+        self._next += 1
+        return force[0], -force[1], -force[2]
+
+    def body(self) -> BodyMotion:
+        """True motion of its body."""
+        body = cython.address(self.rotors.body)
+        p, v, q, r = body.position, body.velocity, body.quaternion, body.rates
+        return BodyMotion((p[0], -p[1], -p[2]), (v[0], -v[1], -v[2]), (q[0], q[1], -q[2], -q[3]), (r[0], -r[1], -r[2]))
 
     def true_motion(self, motion: Any) -> None:
         """As every plant."""
@@ -258,6 +270,3 @@ class RotorPlant(Plant):
     def electric(self) -> tuple[float, float]:
         """Voltage in V and current in A at the battery."""
         return self.rotors.voltage_v, self.rotors.current_a
-
-
-_NO_NOISE = np.zeros(NOISE_SIZE)

@@ -27,7 +27,6 @@ cpdef void fly_rows(
     const double[:, ::1] weathers, const double[:, ::1] gusts, const double[:, :, ::1] noise, const double[::1] times,
     double dt, double[:, ::1] thrust) noexcept nogil
 @cython.locals(stood=cython.bint)
-cpdef void turn_row(
-    double[::1] state, double[::1] wanted, const double[::1] parameters, const double[::1] airframe,
-    const double[::1] weather, const double[:, ::1] gusts, const double[::1] noise, double t, double dt,
-    double[::1] force) noexcept nogil
+cdef void turn_row(
+    RotorState* s, double* wanted, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
+    Py_ssize_t count, const double* noise, double t, double dt, double* force) noexcept nogil

@@ -228,30 +228,18 @@ def fly_rows(
 
 
 def turn_row(
-    state: Row,
-    wanted: Row,
-    parameters: Row,
-    airframe: Row,
-    weather: Row,
-    gusts: Row,
-    noise: Row,
-    t: float,
-    dt: float,
-    force: Row,
+    s: Any, wanted: Any, p: Any, a: Any, w: Any, gusts: Any, count: int, noise: Any, t: float, dt: float, force: Any
 ) -> None:
     """One step of a vehicle that another autopilot flies, over ground; in place and unchecked.
 
     Args:
-        state: (ROTOR_STATE_SIZE,), of known motion.
+        s: state, of known motion.
         wanted: rotor speeds (4,), rad/s, that it wants; written where its battery is empty.
-        parameters, airframe, weather, gusts: as `fly_rows` has them, of one vehicle.
+        p, a, w, gusts, count: as `fly_row` has them.
         noise: (NOISE_SIZE,).
         t, dt: time and step, s.
         force: (3,), written: the specific force about the body's axes, m/s²: all that acts on it but gravity, per mass.
     """
-    s = cython.cast("RotorState *", cython.address(state[0]))
-    w = cython.cast("const Weather *", cython.address(weather[0]))
-    p, a = cython.cast("const Parameters *", cython.address(parameters[0])), rotors.airframe_at(airframe)
     body, known = cython.address(s.body), cython.address(s.known)
     x, y, stood = body.position[0], body.position[1], known.contact != 0.0
     vx, vy, vz = body.velocity[0], body.velocity[1], body.velocity[2]
@@ -261,8 +249,8 @@ def turn_row(
     none = cython.declare(cython.double[ERROR_SIZE])
     for i in range(ERROR_SIZE):
         none[i] = 0.0
-    _blow(s, w, gusts_at(gusts), gusts.shape[0], cython.address(noise[0]), t, dt)
-    rotors.step_body(body, cython.address(wanted[0]), s.wind, a, rotors.spin_up(a, dt), dt)
+    _blow(s, w, gusts, count, noise, t, dt)
+    rotors.step_body(body, wanted, s.wind, a, rotors.spin_up(a, dt), dt)
     known.contact = 1.0 if rotors.land_body(body, x, y, stood) else 0.0
     _see(s, none)
     _draw(s, p, a, w, dt)

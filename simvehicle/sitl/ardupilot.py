@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from simvehicle.autopilot.vectors import Vec3
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.mavlink.real_autopilots.analog_battery import AnalogBattery
@@ -50,7 +51,7 @@ class ArduPilotUnit(AutopilotUnit):
     def _is_answer(self, frame: ReceivedFrame) -> bool:
         return self._monitor.answers(frame) or self._receiver.answers(frame)
 
-    def _answer(self, accel_body: Sequence[float]) -> None:
+    def _answer(self, accel_body: Vec3) -> None:
         sensed = self._sense(accel_body)
         volts, amperes = self._plant.electric
         line = json_backend.answer(

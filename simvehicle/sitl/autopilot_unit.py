@@ -21,7 +21,7 @@ from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import VehicleParams
-from simvehicle.law.plants import RotorPlant
+from simvehicle.law.plants import Quaternion, RotorPlant
 from simvehicle.mavlink.codec import ReceivedFrame, decode, encode, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import SUPERVISOR
@@ -37,7 +37,6 @@ from simvehicle.world.airframes import GRAVITY_M_S2
 from skytender import elementary
 from skytender import mavlink as mav
 
-Quaternion = tuple[float, float, float, float]
 BOOTS_WITHIN_S = 120.0
 """Of its own time: an ArduCopter with its own parameters needs 40 s."""
 OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STATUS})
@@ -49,11 +48,11 @@ class Sensed(NamedTuple):
     """Motion as sensors have it: place, velocity NED, attitude from the body to NED (w first), rates and specific
     force about the body's axes (front, right, down)."""
 
-    p_ned: Sequence[float]
-    v_ned: Sequence[float]
+    p_ned: Vec3
+    v_ned: Vec3
     quaternion: Quaternion
-    rates_body: Sequence[float]
-    accel_body: Sequence[float]
+    rates_body: Vec3
+    accel_body: Vec3
 
 
 class AutopilotUnit(Unit, ABC):
@@ -77,6 +76,7 @@ class AutopilotUnit(Unit, ABC):
             attitude_rad=(0.0, 0.0, -math.radians(wanted.yaw_deg)),
             airborne=False,
         )
+        self._fastest_rad_s, self._step_s = plant.own.airframe.fastest_rad_s, self.step_ms / 1e3
         self._frame = LocalFrame(*wanted.home)
         self._battery = BatteryComponent(
             plant,
@@ -160,7 +160,7 @@ class AutopilotUnit(Unit, ABC):
         """Throttle of each of four motors that it wishes for now, 0 to 1."""
 
     @abstractmethod
-    def _answer(self, accel_body: Sequence[float]) -> None:
+    def _answer(self, accel_body: Vec3) -> None:
         """Tell it a step of its motion, and wait until it has lived through it. `accel_body`: specific force about the
         body's axes, (3,), front, right, down, m/s²."""
 
@@ -187,11 +187,11 @@ class AutopilotUnit(Unit, ABC):
 
     @property
     def _p_ned(self) -> Vec3:
-        return ned_from_nwu(self._plant.now[rows.TRUE_POSITION])
+        return self._plant.body().p_ned
 
     @property
     def _v_ned(self) -> Vec3:
-        return ned_from_nwu(self._plant.now[rows.TRUE_VELOCITY])
+        return self._plant.body().v_ned
 
     def _boot(self) -> None:
         """Let it boot where it stands, in a time of its own before the session's, until it would let itself be armed.
@@ -238,21 +238,16 @@ class AutopilotUnit(Unit, ABC):
 
     def _fly(self, time_s: float) -> Vec3:
         """One step of its body by its throttles; the specific force about its axes, front, right, down, m/s²."""
-        fastest = self._plant.own.airframe.fastest_rad_s
-        wanted = [fastest * throttle for throttle in self._throttles()]
+        wanted = [self._fastest_rad_s * throttle for throttle in self._throttles()]
         for motor in self._failures.dead_motors:
             wanted[motor] = 0.0
-        return ned_from_nwu(self._plant.turn(wanted, time_s=time_s, dt_s=self.step_ms / 1e3))
+        return self._plant.turn(wanted, time_s=time_s, dt_s=self._step_s)
 
-    def _sense(self, accel: Sequence[float]) -> Sensed:
+    def _sense(self, accel: Vec3) -> Sensed:
         """One step of time, and its motion then as its sensors have it, with the specific force about its axes."""
-        now = self._plant.now
         self._steps += 1
-        w, x, y, z = now[rows.TRUE_QUATERNION]
-        p_ned = _sum(ned_from_nwu(now[rows.TRUE_POSITION]), self._failures.position_error_ned)
-        v_ned: Sequence[float] = ned_from_nwu(now[rows.TRUE_VELOCITY])
-        rates: Sequence[float] = ned_from_nwu(now[rows.BODY_RATES])
-        quaternion = (w, x, -y, -z)
+        true_p_ned, v_ned, quaternion, rates = self._plant.body()
+        p_ned = _sum(true_p_ned, self._failures.position_error_ned)
         errors = self._wanted.sensors.step()
         if errors is not None:
             p_ned, v_ned = _sum(p_ned, errors[0]), _sum(v_ned, errors[1])
@@ -273,7 +268,7 @@ class AutopilotUnit(Unit, ABC):
         return np.array(record, dtype="<f8").tobytes()
 
 
-def _sum(a: Sequence[float], b: Sequence[float]) -> tuple[float, ...]:
+def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:
     return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
 
 

@@ -11,13 +11,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.law import rows
-from simvehicle.law.dynamics import ned_from_nwu
+from simvehicle.autopilot.vectors import Vec3
+from simvehicle.law.plants import Quaternion
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.real_autopilots import hil
 from simvehicle.mavlink.real_autopilots.autopilot_boot import PX4_BOOT
 from simvehicle.mavlink.real_autopilots.battery_component import STATUS_EVERY_S
-from simvehicle.sitl.autopilot_unit import AutopilotUnit, Quaternion, Sensed
+from simvehicle.sitl.autopilot_unit import AutopilotUnit, Sensed
 from simvehicle.sitl.px4_link import Px4Link
 from simvehicle.world.airframes import GRAVITY_M_S2, SEA_LEVEL_KG_M3
 from simvehicle.world.atmosphere import air_at
@@ -63,7 +63,7 @@ class Px4Unit(AutopilotUnit):
         self._battery_said_s = self._boot_s
         self._say(self._battery.status(), (self._wanted.sysid, mav.MAV_COMP_ID_BATTERY))
 
-    def _answer(self, accel_body: Sequence[float]) -> None:
+    def _answer(self, accel_body: Vec3) -> None:
         if self._time_ms is None:  # it boots, and a grant of its own takes no time
             self._report_battery()
         sensed = self._sense(accel_body)
@@ -97,16 +97,16 @@ class Px4Unit(AutopilotUnit):
             satellites=0 if lost else SATELLITES,
             fix=not lost,
         )
-        lat_deg, lon_deg, alt_m = self._frame.to_global(*self._p_ned)
-        w, x, y, z = self._plant.now[rows.TRUE_QUATERNION]
+        p_ned, v_ned, quaternion, rates = self._plant.body()
+        lat_deg, lon_deg, alt_m = self._frame.to_global(*p_ned)
         there = hil.truth(
             time_us,
-            quaternion=(w, x, -y, -z),
-            rates_body=ned_from_nwu(self._plant.now[rows.BODY_RATES]),
+            quaternion=quaternion,
+            rates_body=rates,
             lat_deg=lat_deg,
             lon_deg=lon_deg,
             alt_m=alt_m,
-            v_ned=self._v_ned,
+            v_ned=v_ned,
             accel_body=sensed.accel_body,
         )
         return [fix, there]

@@ -7,19 +7,17 @@ import contextlib
 import json
 import math
 import sys
-import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import plan_station
 import pytest
 from commands import gcs
-from patience import PATIENCE_S
 from ports import free_port
-from pymavlink import mavutil
 from sessions import ROOT
 from strangers import SIMVEHICLE, strangers
-from survey_plans import LAT_DEG, LON_DEG, SPEED, TAKEOFF, WAYPOINT, item, plan
+from survey_plans import LAND, LAT_DEG, LON_DEG, SPEED, TAKEOFF, WAYPOINT, item, plan
 
 HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "plan_holder.py")]
 ARDUPILOTS, PX4S, OURS = (11, 12, 13), (21, 22, 23), (1, 2, 3)
@@ -70,34 +68,14 @@ def missions(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Missions]:
         yield nine
 
 
-def read_by_pymavlink(port: int, sysid: int, kind: int) -> list[Any]:
-    """What pymavlink reads of a vehicle's plan."""
-    link = mavutil.mavlink_connection(f"udpin:127.0.0.1:{port}", source_system=252, source_component=1)
-    try:
-        items: list[Any] = []
-        total: int | None = None
-        asked_s, until_s = 0.0, time.monotonic() + PATIENCE_S
-        while total is None or len(items) < total:
-            now_s = time.monotonic()
-            assert now_s < until_s, f"vehicle {sysid} gave {len(items)} of {total} items"
-            if link.clients and now_s - asked_s > 0.5:
-                asked_s = now_s
-                if total is None:
-                    link.mav.mission_request_list_send(sysid, 1, kind)
-                else:
-                    link.mav.mission_request_int_send(sysid, 1, len(items), kind)
-            m = link.recv_match(type=["MISSION_COUNT", "MISSION_ITEM_INT"], blocking=True, timeout=0.25)
-            if m is None or (m.get_srcSystem(), m.target_system, m.mission_type) != (sysid, 252, kind):
-                continue
-            if m.get_type() == "MISSION_COUNT" and total is None:
-                total, asked_s = m.count, 0.0
-            elif m.get_type() == "MISSION_ITEM_INT" and m.seq == len(items):
-                items.append(m)
-                asked_s = 0.0
-        link.mav.mission_ack_send(sysid, 1, 0, kind)
-        return items
-    finally:
-        link.close()
+def by_qgroundcontrol(own: dict[str, Any], *, home: bool) -> list[Sequence[Any]]:
+    """Items of a plan's mission as QGroundControl sends them, to an ArduPilot behind its home."""
+    first = [(0, WAYPOINT, 0, 1, 0.0, 0.0, 0.0, 0.0, round(1e7 * LAT_DEG), round(1e7 * LON_DEG), 488.0)] if home else []
+    for one in own["mission"]["items"]:
+        unset, scale = (0.0, 1.0) if one["frame"] == 2 else (math.nan, 1e7)
+        *params, x, y, z = [unset if number is None else float(number) for number in one["params"]]
+        first.append((one["frame"], one["command"], 0, 1, *params, round(scale * x), round(scale * y), z))
+    return [(*item[:2], int(k == 0), *item[3:]) for k, item in enumerate(first)]
 
 
 def test_one_plan_of_twenty_items_reads_equal_on_all_nine(missions: Missions, site: Path) -> None:
@@ -118,11 +96,13 @@ def test_one_plan_of_twenty_items_reads_equal_on_all_nine(missions: Missions, si
     assert (same.returncode, same.stdout) == (0, "".join(f"vehicle {s}: no difference\n" for s in ALL))
 
 
-def test_pymavlink_reads_what_was_written(missions: Missions, site: Path) -> None:
+def test_qgroundcontrols_sequence_reads_what_was_written(missions: Missions, site: Path) -> None:
     assert missions("set", str(site)).returncode == 0
     items = plan()["mission"]["items"]
+    reads = [plan_station.exchange(missions.port, kind, dict.fromkeys(ALL)) for kind in (0, 1, 2)]
     for sysid in ALL:
-        read = read_by_pymavlink(missions.port, sysid, 0)[sysid in WITH_HOME :]
+        mission, fence, rally = (of[sysid] for of in reads)
+        read = mission[sysid in WITH_HOME :]
         assert [one.command for one in read] == [one["command"] for one in items]
         for one, own in zip(read, items, strict=True):
             lat_deg, lon_deg, height_m = own["params"][4:]
@@ -135,17 +115,20 @@ def test_pymavlink_reads_what_was_written(missions: Missions, site: Path) -> Non
             assert one.param1 == own["params"][0] or own["command"] == TAKEOFF
             if own["params"][3] == -90.0 and sysid not in ARDUPILOTS:
                 assert math.cos(math.radians(one.param4 + 90.0)) == pytest.approx(1.0)
-        rally = read_by_pymavlink(missions.port, sysid, 2)
         assert [point.z for point in rally] == [30.0, 41.0 if sysid in WITH_HOME else 40.25]
-        assert [one.param1 for one in read_by_pymavlink(missions.port, sysid, 1)] == [3.0, 3.0, 3.0, 900.5]
+        assert [one.param1 for one in fence] == [3.0, 3.0, 3.0, 900.5]
 
 
 def test_a_mission_of_one_vehicle_never_shows_at_another(missions: Missions, tmp_path: Path) -> None:
-    """Each has another mission; their answers come interleaved, late, twice, and between answers to another station."""
-    for sysid in ALL:
-        path = tmp_path / f"{sysid}.plan"
-        path.write_text(json.dumps(plan(1e-5 * sysid)))
-        assert missions("set", str(path), "--part", "mission", sysids=(sysid,)).returncode == 0
+    """Each has another mission, of QGroundControl's sequence, which writes all nine at once; their answers come
+    interleaved, late, twice, and between answers to another station."""
+    plans = {sysid: plan(1e-5 * sysid) for sysid in ALL}
+    for sysid, own in plans.items():
+        takeoff = own["mission"]["items"][0]
+        takeoff["params"] = (0, *takeoff["params"][1:])  # a PX4 refuses a pitch
+        (tmp_path / f"{sysid}.plan").write_text(json.dumps(own))
+    written = {sysid: by_qgroundcontrol(own, home=sysid in WITH_HOME) for sysid, own in plans.items()}
+    plan_station.exchange(missions.port, 0, written)
     for _ in range(3):
         got = json.loads(missions("get", "--part", "mission", "--json").stdout)["vehicles"]
         assert got.keys() == set(map(str, ALL))
@@ -153,9 +136,14 @@ def test_a_mission_of_one_vehicle_never_shows_at_another(missions: Missions, tmp
             lats = [
                 one["params"][4] for one in got[str(sysid)]["mission"] if one["name"] in ("NAV_WAYPOINT", "NAV_LAND")
             ]
-            own = [one["params"][4] for one in plan(1e-5 * sysid)["mission"]["items"] if one["command"] in (16, 21)]
+            own = [one["params"][4] for one in plans[sysid]["mission"]["items"] if one["command"] in (16, 21)]
             assert lats == pytest.approx(own, abs=2e-7)
             assert all(one["params"][6] != 1000.0 for one in got[str(sysid)]["mission"])
+    for sysid, read in plan_station.exchange(missions.port, 0, dict.fromkeys(ALL)).items():
+        own_home = int(sysid in WITH_HOME)
+        assert [(one.command, one.x) for one in read[own_home:] if one.command in (WAYPOINT, LAND)] == [
+            (item[1], item[8]) for item in written[sysid][own_home:] if item[1] in (WAYPOINT, LAND)
+        ]
     differs = missions("diff", str(tmp_path / "11.plan"), "--json")
     assert differs.returncode == 1
     rows = json.loads(differs.stdout)["differences"]
@@ -191,7 +179,7 @@ def test_a_part_is_cleared_and_the_others_stay(missions: Missions, site: Path) -
     assert missions("clear", "--part", "fence").stdout.count("there was none") == 9
     differs = missions("diff", str(site))
     assert differs.stdout == "".join(f"vehicle {sysid}: fence: it has 0 items, the file 4\n" for sysid in ALL)
-    assert (differs.returncode, read_by_pymavlink(missions.port, 2, 1)) == (1, [])
+    assert (differs.returncode, plan_station.exchange(missions.port, 1, {2: None})) == (1, {2: []})
     assert missions("clear", "--station", "245/25").returncode == 0
     assert missions("get", sysids=(2, 11, 21)).stdout == "".join(f"vehicle {s}: nothing\n" for s in (2, 11, 21))
 
@@ -228,7 +216,7 @@ def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     path.write_text(json.dumps(other))
     with holders(tmp_path, *lines) as missions:
         done = missions("set", str(path), "--part", "mission")
-        jump = read_by_pymavlink(missions.port, 21, 0)[20]
+        jump = plan_station.exchange(missions.port, 0, {21: None})[21][20]
         fence = missions("set", str(path), "--part", "fence", sysids=(11,))
         cleared = missions("clear", "--part", "mission", sysids=(14,))
     assert done.returncode == 1

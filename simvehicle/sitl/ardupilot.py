@@ -38,7 +38,7 @@ class ArduPilotUnit(AutopilotUnit):
         self._receiver = GnssSwitch(self._wanted.sysid)
 
     def _throttles(self) -> Sequence[float]:
-        return json_backend.throttles(self._link.servo)
+        return self._link.servo.throttles
 
     def _report_battery(self) -> None:
         for content in self._monitor.settings(self._boot_s, *self._plant.electric):

@@ -23,24 +23,20 @@ EXTRA_S = 1e-9
 
 
 class ServoPacket(NamedTuple):
-    """Wish of the autopilot for its motors: frame count, and PWM of the first four, µs."""
+    """Wish of the autopilot for its motors: frame count, and throttle of each of the first four, 0 to 1."""
 
     frame: int
-    pwm_us: tuple[float, ...]
+    throttles: tuple[float, float, float, float]
 
 
 def parse(datagram: bytes) -> ServoPacket | None:
-    """A servo packet; None where it is none."""
+    """A servo packet; None where it is none. Motors that are off have 0 µs."""
     if len(datagram) < _PACKET.size:
         return None
-    magic, _, frame, *pwm_us = _PACKET.unpack_from(datagram)
-    return ServoPacket(frame, tuple(pwm_us)) if len(datagram) == _BYTES.get(magic) else None
-
-
-def throttles(packet: ServoPacket) -> tuple[float, ...]:
-    """Throttle of each of four motors, 0 to 1; motors that are off have 0 µs."""
-    a, b, c, d = packet.pwm_us
-    return _throttle(a), _throttle(b), _throttle(c), _throttle(d)
+    magic, _, frame, a, b, c, d = _PACKET.unpack_from(datagram)
+    if len(datagram) != _BYTES.get(magic):
+        return None
+    return ServoPacket(frame, (_throttle(a), _throttle(b), _throttle(c), _throttle(d)))
 
 
 def answer(
@@ -71,4 +67,4 @@ def answer(
 
 def _throttle(pwm_us: float) -> float:
     throttle = (pwm_us - PWM_LEAST_US) / (PWM_MOST_US - PWM_LEAST_US)
-    return 0.0 if throttle <= 0.0 else min(throttle, 1.0)
+    return 0.0 if throttle <= 0.0 else 1.0 if throttle >= 1.0 else throttle

@@ -1,9 +1,10 @@
 """A real PX4 as a process: its parameters, ports and start scripts (docs/protocol/autopilots.md#px4).
 
-PX4 starts by a shell script that looks for parts of it on PATH first, which is its own way to be configured: two stand
-in its folder, its parameters and its MAVLink. From 1.16 on it reads no script of parameters, but variables of its
-environment, which older ones pass over: each gets both. Its instance number gives it the port of its simulation and
-that of its MAVLink, PX4's own ones.
+PX4 starts by a shell script that looks for parts of it on PATH first, which is its own way to be configured: three
+stand in its folder, its parameters, its simulation and its MAVLink. From 1.16 on it reads no script of parameters, but
+variables of its environment, which older ones pass over: each gets both. Its instance number gives it the port of its
+simulation and that of its MAVLink, PX4's own ones, and in 1.17 its system id, whatever its environment says: so the
+script of its simulation sets that, before any part of it has asked.
 """
 
 from __future__ import annotations
@@ -96,12 +97,14 @@ def start_px4(wanted: AutopilotWanted, instance: int, *, hover_throttle: float, 
     """Start it: its MAVLink goes from its own UDP port to `port`. `hover_throttle`: share of the greatest thrust at
     which it hovers. Raises AutopilotError."""
     program, scripts = program_of(wanted.program)
-    values = {**given(SETTINGS), "MPC_THR_HOVER": hover_throttle, "MAV_SYS_ID": wanted.sysid, **wanted.parameters}
+    values = {**given(SETTINGS), "MPC_THR_HOVER": hover_throttle, **wanted.parameters}
     said = {name: f"{value:.9g}" for name, value in values.items()}
     lines = [f"param set {name} {value}\n" for name, value in said.items()]
     (wanted.folder / "px4-rc.params").write_text("".join(lines), encoding="utf-8")
     mavlink = f"mavlink start -x -u {MAVLINK_PORT + instance} -o {port} -t {HOST} -r 4000000\n"
     (wanted.folder / "px4-rc.mavlink").write_text(mavlink, encoding="utf-8")
+    simulator = f"param set MAV_SYS_ID {wanted.sysid}\n. etc/init.d-posix/px4-rc.simulator\n"
+    (wanted.folder / "px4-rc.simulator").write_text(simulator, encoding="utf-8")
     kept = {name: value for name, value in os.environ.items() if not name.startswith("PX4_")}
     path = f".{os.pathsep}{kept.get('PATH', os.defpath)}"
     environment = {**kept, "PATH": path, "PX4_SIM_MODEL": MODEL, "PX4_SIM_HOSTNAME": HOST}

@@ -3,8 +3,9 @@
 Like the real one it finds its parameters and its MAVLink by the scripts in its working directory, connects to TCP 4560
 + its instance, answers nothing to its first HIL_SENSORs and then one HIL_ACTUATOR_CONTROLS to each, lives by their time
 alone, and takes its battery from another component of its system. `--like` says which version's habits it has: 1.15 has
-its parameters from the script px4-rc.params, 1.18 from its environment, PX4_PARAM_<NAME>; each has a battery of its own
-that it measures, unless a parameter of its version turns that off. It knows only what its sensors say: attitude by its
+its parameters from the script px4-rc.params, later ones from their environment, PX4_PARAM_<NAME>, but for 1.17's system
+id, which follows from its instance unless px4-rc.simulator sets it. Each has a battery of its own that it measures,
+unless a parameter of its version turns that off. It knows only what its sensors say: attitude by its
 gyros from where accelerometer and magnetometer have it at first, place and velocity by its GNSS and accelerometer. It
 flies as the scripted ArduCopter does, which it is but for modes and take-off.
 """
@@ -32,7 +33,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 SILENT_STEPS = 10
 PREFIX = "PX4_PARAM_"
-OWN_BATTERY = {"1.15": "SIM_BAT_ENABLE", "1.18": "SIM_BAT_DRAIN"}
+OWN_BATTERY = {"1.15": "SIM_BAT_ENABLE", "1.17": "SIM_BAT_ENABLE", "1.18": "SIM_BAT_DRAIN"}
 """Parameter that is 0 where it has no battery of its own, by version."""
 OWN_V = 16.2
 BATTERY = mav.MAV_COMP_ID_BATTERY
@@ -41,7 +42,7 @@ MODES = {GUIDED: OFFBOARD, LOITER: 4 << 16 | 3 << 24, RTL: 4 << 16 | 5 << 24, LA
 BY_NUMBER = {(6, 0): GUIDED, (4, 3): LOITER, (4, 5): RTL, (4, 6): LAND}
 EVERY = {"ATTITUDE": 15.0, "LOCAL_POSITION_NED": 1.0, "GLOBAL_POSITION_INT": 5.0, "SYS_STATUS": 1.0}
 """Streams that nobody asked for, Hz."""
-LACKS = {"1.15": frozenset[int](), "1.18": frozenset({mav.MAV_CMD_GET_HOME_POSITION})}
+LACKS = {"1.15": frozenset[int](), "1.17": frozenset[int](), "1.18": frozenset({mav.MAV_CMD_GET_HOME_POSITION})}
 """Commands that it does not know any more; it streams HOME_POSITION."""
 HOME_HZ = 0.5
 RETURNS = {"RTL_RETURN_ALT": "60", "RTL_DESCEND_ALT": "30", "RTL_LAND_DELAY": "0", "COM_OF_LOSS_T": "1"}
@@ -210,7 +211,7 @@ class HilPx4(JsonArduCopter):
 
 def given_parameters(like: str) -> dict[str, str]:
     """Parameters by name, as text, where its version looks for them."""
-    if like == "1.18":
+    if like != "1.15":
         return {name[len(PREFIX) :]: value for name, value in os.environ.items() if name.startswith(PREFIX)}
     lines = [line.split() for line in Path("px4-rc.params").read_text(encoding="utf-8").splitlines()]
     return {name: value for _, _, name, value in lines}
@@ -218,7 +219,7 @@ def given_parameters(like: str) -> dict[str, str]:
 
 def main() -> None:
     says = argparse.ArgumentParser(description="A scripted PX4 in a simulation of somebody else's.")
-    says.add_argument("--like", choices=("1.15", "1.18"), default="1.18")
+    says.add_argument("--like", choices=tuple(OWN_BATTERY), default="1.18")
     says.add_argument("-i", dest="instance", type=int, default=0)
     says.add_argument("-d", action="store_true", required=True)
     says.add_argument("etc", type=Path)
@@ -231,7 +232,11 @@ def main() -> None:
     if "CRASH" in parameters:
         print("ERROR [init] a parameter that it cannot bear", flush=True)
         sys.exit(3)
-    sysid = int(parameters.get("MAV_SYS_ID", given.instance + 1))
+    simulator = Path("px4-rc.simulator").read_text(encoding="utf-8")
+    assert simulator.endswith("\n. etc/init.d-posix/px4-rc.simulator\n")
+    own = re.search(r"^param set MAV_SYS_ID (\d+)$", simulator, re.MULTILINE)
+    by_instance = given.instance + 1
+    sysid = int(own[1] if own else by_instance if given.like == "1.17" else parameters.get("MAV_SYS_ID", by_instance))
     ports = re.search(r"^mavlink start .*-u (\d+) -o (\d+)", Path("px4-rc.mavlink").read_text(encoding="utf-8"))
     assert ports is not None
     print(f"INFO  [px4] instance: {given.instance}", flush=True)

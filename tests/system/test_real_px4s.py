@@ -46,7 +46,7 @@ def px4s() -> list[psutil.Process]:
     return [process for process in psutil.process_iter(["cmdline"]) if programs & {*(process.info["cmdline"] or [])}]
 
 
-@pytest.fixture(scope="module", params=["1.15", "1.18", pytest.param("real", marks=NEEDS_REAL)])
+@pytest.fixture(scope="module", params=["1.15", "1.17", "1.18", pytest.param("real", marks=NEEDS_REAL)])
 def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     folder = tmp_path_factory.mktemp("mixed")
     px4 = REAL if request.param == "real" else build(folder, request.param)

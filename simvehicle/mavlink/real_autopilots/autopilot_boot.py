@@ -1,8 +1,9 @@
 """Boot of an autopilot that is not ours before its session begins: put into the mode from which it will be armed, and
-asked for its checks, until it would let itself be armed. No socket, no clock.
+asked for its checks and its home, until it would let itself be armed. No socket, no clock.
 
 Levelling, aligning and finding its place take seconds or tens of seconds of its own time, in which it stands. The mode
-needs a place, and with it the checks before arming ask for all that a flight of ours needs.
+needs a place, and with it the checks before arming ask for all that a flight of ours needs. Its home it may know later:
+a session would wait for it with the heights of its return.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ class AutopilotBoot:
         self._sysid = sysid
         self._mode = mode
         self._asked_s = -ASK_EVERY_S
-        self._in_mode = self._healthy = False
+        self._in_mode = self._healthy = self._at_home = False
         self._reasons: dict[str, None] = {}
         self._said_sysid: int | None = None
         """system id of an autopilot that has another than was wanted"""
@@ -56,8 +57,8 @@ class AutopilotBoot:
 
     @property
     def ready(self) -> bool:
-        """Whether it is in its mode, and its checks before arming pass."""
-        return self._in_mode and self._healthy
+        """Whether it is in its mode, its checks before arming pass, and it knows its home."""
+        return self._in_mode and self._healthy and self._at_home
 
     @property
     def mismatch(self) -> str:
@@ -82,6 +83,9 @@ class AutopilotBoot:
             return []
         self._asked_s = now_s
         asked = [command_long(self._sysid, mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_SYS_STATUS)]
+        if not self._at_home:
+            home = mav.MAVLINK_MSG_ID_HOME_POSITION
+            asked.append(command_long(self._sysid, mav.MAV_CMD_REQUEST_MESSAGE, home))
         if not self._in_mode:
             custom = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
             asked.append(command_long(self._sysid, mav.MAV_CMD_DO_SET_MODE, custom, *self._mode.set_mode))
@@ -101,6 +105,8 @@ class AutopilotBoot:
         elif frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
             self._healthy = bool(content.onboard_control_sensors_health & mav.MAV_SYS_STATUS_PREARM_CHECK)
             self.volts = 1e-3 * content.voltage_battery
+        elif frame.msgid == mav.MAVLINK_MSG_ID_HOME_POSITION:
+            self._at_home = True
         elif frame.msgid == mav.MAVLINK_MSG_ID_STATUSTEXT:
             for prefix in self._mode.reasons:
                 if content.text.startswith(prefix):

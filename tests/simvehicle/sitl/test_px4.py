@@ -33,7 +33,7 @@ def build(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     return tmp_path / "build"
 
 
-@pytest.mark.parametrize("build", ["1.15", "1.18"], indirect=True)
+@pytest.mark.parametrize("build", ["1.15", "1.17", "1.18"], indirect=True)
 def test_it_boots_before_the_session_and_its_battery_is_ours(build: Path) -> None:
     booted, connection = launched(Px4Unit, build, build.parent)
     with booted:
@@ -87,11 +87,11 @@ def test_one_that_cannot_be_had_is_one_sentence(
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize("build", ["1.15", "1.18"], indirect=True)
+@pytest.mark.parametrize("build", ["1.15", "1.17", "1.18"], indirect=True)
 def test_one_that_did_not_take_its_parameters_is_one_sentence_that_names_its_id(build: Path) -> None:
     program = build / "bin" / "px4"
     as_ever = program.read_text()
-    forgets = "sed -i /MAV_SYS_ID/d px4-rc.params; unset PX4_PARAM_MAV_SYS_ID; exec"
+    forgets = "sed -i s/MAV_SYS_ID/NOTHING/ px4-rc.simulator; exec"
     program.write_text(as_ever.replace("exec", forgets))
     with pytest.raises(AutopilotError, match=r"it says that its system id is [1-9][0-9]*, not 200$"):
         launched(Px4Unit, build, build.parent, sysid=200)

@@ -27,6 +27,10 @@ def status(health: int, millivolts: int = 12600) -> ReceivedFrame:
     return said(common.MAVLink_sys_status_message(PREARM, PREARM, health, 0, millivolts, 0, -1, 0, 0, 0, 0, 0, 0))
 
 
+def home() -> ReceivedFrame:
+    return said(common.MAVLink_home_position_message(473977420, 85455940, 488000, 0, 0, 0, [1, 0, 0, 0], 0, 0, 0))
+
+
 def asked(boot: AutopilotBoot, now_s: float) -> list[tuple[int, float, float]]:
     """(command, params 1 and 2) as pymavlink reads them."""
     link = common.MAVLink(None)
@@ -36,25 +40,29 @@ def asked(boot: AutopilotBoot, now_s: float) -> list[tuple[int, float, float]]:
     return [(m.command, m.param1, m.param2) for m in messages]
 
 
-def test_it_is_asked_for_guided_until_it_has_it_and_for_its_checks_twice_a_second() -> None:
+def test_it_is_asked_for_guided_and_its_home_until_it_has_them_and_for_its_checks_twice_a_second() -> None:
     boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
+    place = (common.MAV_CMD_REQUEST_MESSAGE, float(common.MAVLINK_MSG_ID_HOME_POSITION), 0.0)
     checks = (common.MAV_CMD_REQUEST_MESSAGE, float(common.MAVLINK_MSG_ID_SYS_STATUS), 0.0)
     guided = (common.MAV_CMD_DO_SET_MODE, float(common.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED), 4.0)
-    assert asked(boot, 0.0) == [checks, guided]
+    assert asked(boot, 0.0) == [checks, place, guided]
     assert asked(boot, 0.4) == []
     boot.receive(heartbeat(0))
+    boot.receive(home())
     assert asked(boot, 0.5) == [checks, guided]
     boot.receive(heartbeat(4))
     assert asked(boot, 1.0) == [checks]
 
 
-def test_it_is_ready_in_guided_with_its_checks_passed_and_not_before() -> None:
+def test_it_is_ready_in_guided_at_home_with_its_checks_passed_and_not_before() -> None:
     boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
     boot.receive(status(PREARM, 30012))
     assert boot.volts == pytest.approx(30.012)
     boot.receive(heartbeat(0))
     assert not boot.ready
     boot.receive(heartbeat(4))
+    assert not boot.ready
+    boot.receive(home())
     assert boot.ready
     boot.receive(status(0))
     assert not boot.ready
@@ -81,4 +89,5 @@ def test_a_px4_is_asked_into_hold_and_says_why_it_cannot_be_armed() -> None:
     boot.receive(said(common.MAVLink_statustext_message(4, b"Preflight: not enough GPS Satellites")))
     assert boot.reasons == "ekf2 missing data | not enough GPS Satellites"
     boot.receive(heartbeat(hold, 2, 12))
+    boot.receive(home())
     assert boot.ready

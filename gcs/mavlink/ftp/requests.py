@@ -1,7 +1,8 @@
 """Requests of MAVFTP to one vehicle and its answers, numbered over all dialogues with it.
 
 A request's number follows the last one, of an answer or a request, for a vehicle answers a number that it knows with
-what it answered then; a request that is repeated keeps its number.
+what it answered then; a request that is repeated keeps its number, unless its answer is that to another request, which
+had the number before.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
 """
 
@@ -31,6 +32,7 @@ ERRORS = {
 }
 _HEAD = struct.Struct("<HBBBBBxI")
 _PAYLOAD_BYTES = 251
+_NOTHING = (0, 0, b"")
 
 
 class FileAnswer(NamedTuple):
@@ -61,7 +63,7 @@ class FileRequests:
         self.sysid, self.compid = sysid, compid
         self._number = self._answered = self._last = 0
         """of the last request, the last answer, and the later one of the two"""
-        self._asked = (0, 0, b"")
+        self._asked = _NOTHING
         self.has_answered = False
         """whether the vehicle has ever answered"""
 
@@ -77,6 +79,8 @@ class FileRequests:
             return None
         raw = bytes(content.payload)
         number, session, kind, size, answers, complete, offset = _HEAD.unpack_from(raw)
+        if kind in (ACK, NAK) and answers != opcode and number == (self._number + 1) % (1 << 16):
+            self._last, self._asked = number, _NOTHING
         if kind not in (ACK, NAK) or answers != opcode or of_session not in (None, session):
             return None
         self._answered = self._last = number

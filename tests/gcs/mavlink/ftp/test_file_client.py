@@ -43,6 +43,16 @@ def test_a_file_comes_whole_whatever_the_link_loses(size: int, lose: float) -> N
         assert server.asked[-1] == TERMINATE
 
 
+def test_a_number_that_another_reader_has_used_is_left() -> None:
+    """A vehicle answers it with what it answered then, as PX4s do."""
+    server = Files({"@PARAM/param.pck": b"whole"})
+    one_more = struct.pack("<HBBBBBxI", 1, 0, OPEN, 4, 0, 0, 0) + b"none"
+    server.hear(mav.MAVLink_file_transfer_protocol_message(0, 3, 1, list(one_more.ljust(251, b"\0"))))
+    client = FileClient(FileRequests(3, 1), "@PARAM/param.pck")
+    converse(client, server)
+    assert (client.content, client.problem) == (b"whole", "")
+
+
 @pytest.mark.parametrize(
     ("server", "why"),
     [

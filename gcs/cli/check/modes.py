@@ -9,7 +9,13 @@ from typing import Any
 from gcs.cli.check.asking import PEERS, QGC, command_long, commanded, requested
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.predicates import always
+from gcs.mavlink.codec import Message
 from skytender import mavlink as mav
+
+AVAILABLE_MODES = float(mav.MAVLINK_MSG_ID_AVAILABLE_MODES)
+EACH_WITHIN_S = 0.25
+MOST_MODES = 40
+"""Modes that are asked for one by one."""
 
 
 def _list_fault(vehicle: CheckedVehicle, _: Any) -> str:
@@ -23,7 +29,8 @@ def _list_fault(vehicle: CheckedVehicle, _: Any) -> str:
 
 
 def _whole_list() -> Question:
-    """As `requested`, with every mode awaited."""
+    """As `requested`, with every mode awaited. What a request for all leaves out is asked for by its index, as
+    QGroundControl does: ArduPilots answer the first alone."""
     asked = requested(
         "AVAILABLE_MODES",
         "AVAILABLE_MODES, every mode once, or its refusal",
@@ -31,6 +38,10 @@ def _whole_list() -> Question:
         fault=_list_fault,
         may_refuse=always,
     )
+
+    def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
+        missing = _missing(vehicle)
+        return command_long(mav.MAV_CMD_REQUEST_MESSAGE, AVAILABLE_MODES, float(missing[0]))(vehicle) if missing else asked.ask(vehicle)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
         last = vehicle.of("AVAILABLE_MODES")
@@ -41,7 +52,7 @@ def _whole_list() -> Question:
             return Verdict("wrong", f"these of its modes never came: {missing}")
         return asked.at_end(vehicle, received)
 
-    return replace(asked, judge=judge, at_end=at_end)
+    return replace(asked, ask=ask, judge=judge, at_end=at_end, repeat_s=EACH_WITHIN_S, tries=MOST_MODES)
 
 
 def _missing(vehicle: CheckedVehicle) -> list[int]:

@@ -1,4 +1,7 @@
-"""Question about Remote ID: whether a vehicle that sends some of it sends what the standard wants."""
+"""Question about Remote ID: whether a vehicle that sends an id or an operator's sends all that the standard wants.
+
+PX4s send LOCATION and SYSTEM alone, for a transmitter on board that has the id from a ground station.
+"""
 
 from __future__ import annotations
 
@@ -21,10 +24,17 @@ def _remote_id(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> 
     return OK if own else Verdict("wrong", "BASIC_ID holds no id")
 
 
+def _sends_none(vehicle: CheckedVehicle) -> str:
+    if vehicle.of("OPEN_DRONE_ID_BASIC_ID") is not None or vehicle.of("OPEN_DRONE_ID_OPERATOR_ID") is not None:
+        return ""
+    feeds = any(vehicle.of(f"OPEN_DRONE_ID_{name}") for name in RATES_HZ)
+    return "it has no id, and says where it is to a transmitter that has one" if feeds else "it sends none of it"
+
+
 REMOTE_ID = judged(
     "remote-id",
     "Remote ID: LOCATION each second, BASIC_ID, SYSTEM and OPERATOR_ID every three",
     {QGC: "says that Remote ID is not ready"},
     _remote_id,
-    when=lambda vehicle: "" if any(vehicle.of(f"OPEN_DRONE_ID_{name}") for name in RATES_HZ) else "it sends none of it",
+    when=_sends_none,
 )

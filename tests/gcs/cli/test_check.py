@@ -129,6 +129,42 @@ def test_every_mode_is_to_be_listed_and_named(modes: list[Any], outcome: str, wo
     assert (finding.outcome, words in finding.text) == (outcome, True)
 
 
+def test_modes_that_come_one_by_one_are_late() -> None:
+    """An ArduCopter 4.8.0-dev answers a request for all with the first, and one for an index with that."""
+    vehicle, modes = Scripted(), [mode(1, 7, 6), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 0, b"Soar")]
+    vehicle.answers["COMMAND_LONG"] = lambda asked: [
+        vehicle.ack(asked.command), *([modes[max(int(asked.param2), 1) - 1]] if asked.param1 == 435.0 else ()),
+    ]  # fmt: skip
+    finding = examine(vehicle, "available-modes")["available-modes"]
+    assert (finding.outcome, finding.text) == ("late", "came only after it was asked 3 times")
+
+
+TO_ALL = (0, 0, [0] * 20)
+BASIC_ID = mav.MAVLink_open_drone_id_basic_id_message(*TO_ALL, 1, 2, [65] * 20)
+WHERE = (
+    mav.MAVLink_open_drone_id_location_message(*TO_ALL, *[1] * 16),
+    mav.MAVLink_open_drone_id_system_message(*TO_ALL, *[1] * 12),
+)
+OPERATOR_ID = mav.MAVLink_open_drone_id_operator_id_message(*TO_ALL, 0, b"A1")
+
+
+@pytest.mark.parametrize(
+    ("sent", "outcome", "text"),
+    [
+        ((), "skipped", "it sends none of it"),
+        (WHERE, "skipped", "it has no id, and says where it is to a transmitter that has one"),
+        ((BASIC_ID, *WHERE), "missing", "OPERATOR_ID: not heard"),
+        ((BASIC_ID, *WHERE, OPERATOR_ID), "ok", ""),
+    ],
+)
+def test_remote_id_is_asked_of_a_vehicle_that_has_an_id(sent: tuple[Any, ...], outcome: str, text: str) -> None:
+    vehicle = Scripted()
+    vehicle.streams += [(0.5, lambda _, message=message: message) for message in sent]
+    vehicle.answers["PING"] = lambda _: []  # a while in which all of it is heard
+    finding = examine(vehicle, "ping", "remote-id")["remote-id"]
+    assert (finding.outcome, text in finding.text) == (outcome, True)
+
+
 @pytest.mark.parametrize(("flown", "outcome"), [(PX4_LOITER, "ok"), (6 << 16, "wrong")])
 def test_the_current_mode_is_to_be_the_heartbeats(flown: int, outcome: str) -> None:
     assert examine(obeying(mav.mavlink_map[436](0, flown, 0)), "current-mode")["current-mode"].outcome == outcome

@@ -32,9 +32,6 @@ def test_two_of_ours_two_arducopters_and_a_px4_meet_the_goal_of_the_demo(tmp_pat
     pursuers = content["vehicles"]["pursuers"]
     for pursuer, kind in zip(pursuers[2:], ("ardupilot", "ardupilot", "px4"), strict=True):
         pursuer.update(real(PX4 if kind == "px4" else ARDUCOPTER, kind))
-    content["refuelling"] = {
-        "relative_speed_m_s": 1.0
-    }  # round its corners they fly up to 0.8 m/s otherwise than a tanker
     outcome = fly(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 0, outcome.stdout
     assert outcome.summary["outcome"] == "met"

@@ -8,6 +8,7 @@ which a supervisor knows its vehicles; the autopilot never sees it.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from simvehicle.autopilot.body import CELL_FULL_V, CELLS
@@ -22,6 +23,9 @@ from skytender import mavlink as mav
 STATUS_EVERY_S, COUNTER_EVERY_S, FAST_EVERY_S = 0.5, 1.0, 0.1
 STAYS_FAST_S = 2.0
 """How long after a transfer its counter is sent often: the last report must arrive."""
+HELD_SPEED_SHARE = 2.0
+"""[choice] A transfer ends at so many times the relative speed at which it may begin: round the corners of a target's
+path an ArduCopter differs from a tanker by up to 1.1 m/s, where 0.5 m/s is asked for."""
 UNKNOWN_U16 = 65535
 PARAMETERS = ("SIM_BAT_CAP_J", "SIM_BAT_INIT_J")
 _COMMANDS = frozenset({mav.MAVLINK_MSG_ID_COMMAND_LONG, mav.MAVLINK_MSG_ID_COMMAND_INT})
@@ -42,6 +46,7 @@ class BatteryComponent:
         initial_j: float,
     ) -> None:
         self._cells, self._sysid, self._frame, self._envelope = cells, sysid, frame, envelope
+        self._held = replace(envelope, relative_speed_m_s=HELD_SPEED_SHARE * envelope.relative_speed_m_s)
         self._values = dict(zip(PARAMETERS, (capacity_j, initial_j), strict=True))
         self.exchange = Exchange()
         self._status_s = self._counter_s = -math.inf
@@ -78,7 +83,7 @@ class BatteryComponent:
             p_ned,
             remaining_j=self._cells.remaining_j,
             capacity_j=self._values["SIM_BAT_CAP_J"],
-            envelope=self._envelope,
+            envelope=self._held,
         )
         if joules:
             self._cells.charge(joules)

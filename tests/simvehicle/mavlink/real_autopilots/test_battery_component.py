@@ -34,11 +34,11 @@ def command(role: int, limit_j: float = 3000.0, start_j: float = 700.0, number: 
     return frame(common.MAVLink_command_long_message(7, 1, number, 0, GIVER, role, limit_j, 2000.0, 5, start_j, 0))
 
 
-def follow(distance_m: float) -> ReceivedFrame:
+def follow(distance_m: float, east_m_s: float = 0.0) -> ReceivedFrame:
     lat, lon, alt = FRAME.to_global(distance_m, 0.0, -5.0)
-    zeros = [0.0, 0.0, 0.0]
+    zeros, v_ned = [0.0, 0.0, 0.0], [0.0, east_m_s, 0.0]
     content = common.MAVLink_follow_target_message(
-        0, 3, round(lat * 1e7), round(lon * 1e7), alt, zeros, zeros, [1.0, 0.0, 0.0, 0.0], zeros, zeros, 0
+        0, 3, round(lat * 1e7), round(lon * 1e7), alt, v_ned, zeros, [1.0, 0.0, 0.0, 0.0], zeros, zeros, 0
     )
     return frame(content, GIVER, 1)
 
@@ -72,6 +72,21 @@ def test_it_tells_what_the_plant_s_cells_have() -> None:
     assert sum(status.voltages[:4]) == pytest.approx(15200, abs=4)
     assert (said["NAMED_VALUE_INT"].name, said["NAMED_VALUE_INT"].value) == ("XferIn", 0)
     assert one.move(0.2, 0.1, HERE) == []
+
+
+@pytest.mark.parametrize(("east_m_s", "said"), [(0.99, []), (1.01, ["Received 0 J: the giver moves at 1.0 m/s"])])
+def test_a_transfer_under_way_holds_at_up_to_twice_the_speed_at_which_it_may_begin(
+    east_m_s: float, said: list[str]
+) -> None:
+    """Its giver flies on, as where the autopilot turns round a corner before it."""
+    one = battery(Cells())
+    one.receive(follow(0.5, east_m_s), 0.0, HERE, STILL)
+    refused = one.receive(command(2), 0.1, HERE, STILL) or []
+    assert refused[1].text == f"Transfer refused: the giver moves at {east_m_s:.1f} m/s"
+    one.receive(follow(0.5, 0.49), 0.2, HERE, STILL)
+    assert (one.receive(command(2), 0.3, HERE, STILL) or [])[0].result == common.MAV_RESULT_ACCEPTED
+    one.receive(follow(0.5, east_m_s), 0.4, HERE, STILL)
+    assert [content.text for content in one.move(0.4, 0.1, HERE) if hasattr(content, "text")] == said
 
 
 def test_it_takes_what_a_giver_near_by_reports_and_not_a_joule_more() -> None:

@@ -40,8 +40,9 @@ def _whole_list() -> Question:
     )
 
     def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
-        missing = _missing(vehicle)
-        return command_long(mav.MAV_CMD_REQUEST_MESSAGE, AVAILABLE_MODES, float(missing[0]))(vehicle) if missing else asked.ask(vehicle)
+        if not (missing := _missing(vehicle)):
+            return asked.ask(vehicle)
+        return command_long(mav.MAV_CMD_REQUEST_MESSAGE, AVAILABLE_MODES, float(missing[0]))(vehicle)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
         last = vehicle.of("AVAILABLE_MODES")

@@ -86,7 +86,7 @@ REAL_AUTOPILOTS = (
         program="build/px4_sitl_default",
         inner="bin/px4",
         build="the target px4_sitl_default of PX4-Autopilot (docs.px4.io says how)",
-        flown=("1.18.0-rc1", "1.14.0-beta2-4431-gb765769f50"),
+        flown=("1.18.0-rc1", "1.18.0-beta1-38-g83c4f4e580", "1.17.0", "1.14.0-beta2-4431-gb765769f50"),
         # its tag, the name of its branch where it was built on one, and its commit
         version=re.compile(rb"\0v([0-9]+\.[0-9]+\.[0-9]+[0-9A-Za-z.-]*)\0+(?:(?!v[0-9])[^\0]+\0+)?[0-9a-f]{40}\0"),
         header="src/lib/version/build_git_version.h",

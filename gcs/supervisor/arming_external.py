@@ -43,6 +43,8 @@ says by its mode that its take-off is over need not have come so far: a PX4 is c
 commanded, and moves its home's altitude, from which the height is reported, while it flies."""
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
+SHOWS_WITHIN_S = 2.5
+"""An order to hold shows in a HEARTBEAT, of which one a second comes, within so long."""
 LATE_S, STALE_S = 0.3, 1.0
 """Autopilots leave offboard soon after the last set point (0.5 s by what plan B sets, and a period of ours is part of
 that): a session that stood still for longer, or a link that was silent for longer, may have been why."""
@@ -70,7 +72,7 @@ class ExternalArmingSequence(ArmingSequence):
         self._silent = False
         self._took_off = self._climbs = self._on_its_way = False
         self._reads = 0
-        self._decided_s = self._starved_s = self._takeoff_s = -math.inf
+        self._decided_s = self._starved_s = self._takeoff_s = self._hold_asked_s = -math.inf
 
     @property
     def sends_set_points(self) -> bool:
@@ -127,7 +129,10 @@ class ExternalArmingSequence(ArmingSequence):
             return []
         if self.stage is Stage.DOWN and self.left_out and view.armed and view.landed:
             return [self._command(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0)]
-        return super()._wanted(view, now_s)
+        wanted = super()._wanted(view, now_s)
+        if wanted and self.stage is Stage.MISSION and self.mission == "hold":
+            self._hold_asked_s = now_s
+        return wanted
 
     def _next(self, view: VehicleView) -> Stage:
         stage = self.stage
@@ -165,7 +170,8 @@ class ExternalArmingSequence(ArmingSequence):
             begins = self.mission == "fly" and self.stage is Stage.FLY and view.mode in STEERABLE
             return Stage.MISSION if begins else None
         waits = self.mission == "hold" or self._on_its_way or self._now_s - self._starved_s <= BLAMED_S
-        if view.mode in STEERABLE or (view.mode is FlightMode.HOLD and waits):
+        shows = self._now_s - self._hold_asked_s <= SHOWS_WITHIN_S  # it was to go on before it had said that it holds
+        if view.mode in STEERABLE or (view.mode is FlightMode.HOLD and (waits or shows)):
             return Stage.MISSION
         return Stage.YIELDED
 

@@ -25,12 +25,14 @@ def crc32(content: bytes) -> int:
 
 
 class MetadataVehicle:
-    """COMPONENT_METADATA, and the files behind it; `ack` is its answer to the request."""
+    """COMPONENT_METADATA, and the files behind it; `ack` is its answer to the request. As a PX4 1.18, it counts the
+    checksum of the general file before that is packed, where it is not given `raw`, and those of others after."""
 
     def __init__(self, named: list[dict[str, Any]], files: dict[str, bytes], **general: Any) -> None:
-        raw = general.get("raw") or lzma.compress(json.dumps({"version": 1, "metadataTypes": named}).encode())
+        plain = json.dumps({"version": 1, "metadataTypes": named}).encode()
+        raw = general.get("raw") or lzma.compress(plain)
         self.ack = general.get("ack", mav.MAV_RESULT_ACCEPTED)
-        self.crc = general.get("crc", crc32(raw))
+        self.crc = general.get("crc", crc32(general.get("raw", plain)))
         self.files = Files({GENERAL: raw, **files})
 
     def hear(self, heard: Any) -> list[Any]:

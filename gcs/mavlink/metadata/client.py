@@ -5,7 +5,8 @@ here, time is an argument (s).
     general  FileClient → which file holds what
     files    FileClient, one file after the other
 
-A file may be compressed with xz. One that lies on the internet is passed over where the vehicle holds none itself.
+A file may be compressed with xz, and its checksum be that of what it is then or was before: the standard does not say,
+and PX4s have both. One that lies on the internet is passed over where the vehicle holds none itself.
 [lineage] Component Metadata Protocol, https://mavlink.io/en/services/component_information.html
 """
 
@@ -86,10 +87,18 @@ class MetadataRefused(ValueError):
 
 def unpacked(content: bytes, crc: int | None, path: str) -> bytes:
     """A file's content uncompressed. Raises MetadataRefused."""
-    if crc is not None and crc != zlib.crc32(content, 0xFFFFFFFF) ^ 0xFFFFFFFF:
+    plain = _decompressed(content, path) if path.endswith(".xz") else content
+    if crc is not None and crc not in (_checksum(content), _checksum(plain)):
         raise MetadataRefused(f"the checksum of {path} is wrong")
-    if not path.endswith(".xz"):
-        return content
+    return plain
+
+
+def _checksum(content: bytes) -> int:
+    """MAVLink's CRC32, which begins and ends with 0."""
+    return zlib.crc32(content, 0xFFFFFFFF) ^ 0xFFFFFFFF
+
+
+def _decompressed(content: bytes, path: str) -> bytes:
     decompressor = lzma.LZMADecompressor(lzma.FORMAT_XZ, memlimit=4 * MOST_BYTES)
     try:
         plain = decompressor.decompress(content, MOST_BYTES)

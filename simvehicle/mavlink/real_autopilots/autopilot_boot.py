@@ -3,7 +3,8 @@ asked for its checks and its home, until it would let itself be armed. No socket
 
 Levelling, aligning and finding its place take seconds or tens of seconds of its own time, in which it stands. The mode
 needs a place, and with it the checks before arming ask for all that a flight of ours needs. Its home it may know later:
-a session would wait for it with the heights of its return.
+a session would wait for it with the heights of its return. It is ready at a HEARTBEAT, for which a session waits as
+well: so the next one comes as long after the session's begin each time.
 """
 
 from __future__ import annotations
@@ -47,6 +48,8 @@ class AutopilotBoot:
         self._mode = mode
         self._asked_s = -ASK_EVERY_S
         self._in_mode = self._healthy = self._at_home = False
+        self.ready = False
+        """whether it was in its mode at its last HEARTBEAT, its checks before arming pass, and it knows its home"""
         self._reasons: dict[str, None] = {}
         self._said_sysid: int | None = None
         """system id of an autopilot that has another than was wanted"""
@@ -54,11 +57,6 @@ class AutopilotBoot:
         """MAV_TYPE and MAV_AUTOPILOT, once it has said them"""
         self.volts = 0.0
         """voltage of its battery as it measures it"""
-
-    @property
-    def ready(self) -> bool:
-        """Whether it is in its mode, its checks before arming pass, and it knows its home."""
-        return self._in_mode and self._healthy and self._at_home
 
     @property
     def mismatch(self) -> str:
@@ -102,8 +100,10 @@ class AutopilotBoot:
         if frame.msgid == mav.MAVLINK_MSG_ID_HEARTBEAT:
             self.kind = (content.type, content.autopilot)
             self._in_mode = content.custom_mode == self._mode.custom_mode
+            self.ready = self._in_mode and self._healthy and self._at_home
         elif frame.msgid == mav.MAVLINK_MSG_ID_SYS_STATUS:
             self._healthy = bool(content.onboard_control_sensors_health & mav.MAV_SYS_STATUS_PREARM_CHECK)
+            self.ready = self.ready and self._healthy
             self.volts = 1e-3 * content.voltage_battery
         elif frame.msgid == mav.MAVLINK_MSG_ID_HOME_POSITION:
             self._at_home = True

@@ -387,6 +387,18 @@ def test_a_mission_is_begun_held_and_gone_on_with_by_the_autopilots_own_commands
     assert made.stage is Stage.MISSION
 
 
+def test_one_that_goes_on_before_it_has_said_that_it_holds_flies_its_mission() -> None:
+    made = on_mission()
+    for k in range(25):  # no late tick may be the reason
+        made.decide(ON_MISSION, 4.0 + 0.2 * k)
+    made.go_on_mission("hold")
+    assert [wish.params[:3] for wish in made.decide(ON_MISSION, 9.0)[0]] == [HOLD["px4"]]
+    made.go_on_mission("fly")
+    play(made, *((9.2 + 0.2 * k, ON_MISSION, [], Stage.MISSION) for k in range(4)))
+    (wish,) = made.decide(UP, 10.0)[0]
+    assert (made.stage, wish.command, wish.params[:3]) == (Stage.MISSION, *MISSION["px4"])
+
+
 def test_one_that_is_to_step_aside_is_brought_back_to_set_points() -> None:
     made = on_mission()
     made.go_on_mission("hold")

@@ -54,7 +54,7 @@ def test_it_is_asked_for_guided_and_its_home_until_it_has_them_and_for_its_check
     assert asked(boot, 1.0) == [checks]
 
 
-def test_it_is_ready_in_guided_at_home_with_its_checks_passed_and_not_before() -> None:
+def test_it_is_ready_at_a_heartbeat_in_guided_at_home_with_its_checks_passed_and_not_before() -> None:
     boot = AutopilotBoot(COPTER, ARDUCOPTER_BOOT)
     boot.receive(status(PREARM, 30012))
     assert boot.volts == pytest.approx(30.012)
@@ -63,6 +63,8 @@ def test_it_is_ready_in_guided_at_home_with_its_checks_passed_and_not_before() -
     boot.receive(heartbeat(4))
     assert not boot.ready
     boot.receive(home())
+    assert not boot.ready
+    boot.receive(heartbeat(4))
     assert boot.ready
     boot.receive(status(0))
     assert not boot.ready
@@ -88,6 +90,6 @@ def test_a_px4_is_asked_into_hold_and_says_why_it_cannot_be_armed() -> None:
     assert (boot.ready, boot.mismatch, boot.reasons) == (False, "", "ekf2 missing data")
     boot.receive(said(common.MAVLink_statustext_message(4, b"Preflight: not enough GPS Satellites")))
     assert boot.reasons == "ekf2 missing data | not enough GPS Satellites"
-    boot.receive(heartbeat(hold, 2, 12))
     boot.receive(home())
+    boot.receive(heartbeat(hold, 2, 12))
     assert boot.ready

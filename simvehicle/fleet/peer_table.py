@@ -122,10 +122,11 @@ class PeerTable:
         p, v = (m.lp[0], m.lp[1], m.lp[2]), (m.lv[0], m.lv[1], m.lv[2])
         return m.leader_ms, p, v, (m.wanted[0], m.wanted[1], m.wanted[2])
 
-    def newest(self, sysid: int) -> tuple[Vec3, Vec3]:
-        """Place and velocity as last reported: of a peer's leader if it has had one within the last second."""
+    def newest(self, sysid: int) -> tuple[int, Vec3, Vec3]:
+        """When a peer reported what it flies by, with that place and velocity: those of its leader if it has had one
+        within the last second, however newer its own place is."""
         m = cython.address(self._peers[sysid])
         led = m.leader_ms >= 0 and m.leader_ms > m.place_ms - 1000
         if led:
-            return (m.rp[0], m.rp[1], m.rp[2]), (m.rv[0], m.rv[1], m.rv[2])
-        return (m.p[0], m.p[1], m.p[2]), (m.v[0], m.v[1], m.v[2])
+            return m.leader_ms, (m.rp[0], m.rp[1], m.rp[2]), (m.rv[0], m.rv[1], m.rv[2])
+        return m.place_ms, (m.p[0], m.p[1], m.p[2]), (m.v[0], m.v[1], m.v[2])

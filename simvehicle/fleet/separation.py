@@ -347,7 +347,8 @@ class Separation:
             velocities.append(v_ned)
         for sysid in late:
             brake_m_s2 = BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2
-            motion = braked(*self.peers.newest(sysid), brake_m_s2, self._rules.period_s, self._missed(sysid))
+            _, p_ned, v_ned = self.peers.newest(sysid)
+            motion = braked(p_ned, v_ned, brake_m_s2, self._rules.period_s, self._missed(sysid))
             ids, places, velocities = [*ids, sysid], [*places, motion[0]], [*velocities, motion[1]]
         if len(ids) == 1:
             return _vec(u_ned.tolist())
@@ -357,9 +358,9 @@ class Separation:
         return sure_acceleration(u_ned, np.array(places), np.array(velocities), brakes, required_m, dt)
 
     def _missed(self, sysid: int) -> int:
-        """Periods in which nothing of a peer came, up to this one."""
-        newest_ms = max(self.peers.place(sysid)[0], self.peers.leader(sysid)[0])
-        return round((self._vehicle.time_ms - newest_ms) / (1e3 * self._rules.period_s)) - 1
+        """Periods that have passed since a peer said what it flies by."""
+        said_ms, _, _ = self.peers.newest(sysid)
+        return round((self._vehicle.time_ms - said_ms) / (1e3 * self._rules.period_s))
 
     def _margin_m(self) -> float:
         return min(max(self._error_m + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
@@ -427,7 +428,7 @@ class Separation:
                 near.intruders += self._intruders(sysid, peer, 0.0 if leader_ms > place_ms else LAG_S)
                 near.unled += [sysid] if by_plan and not peer.stands else []
             else:
-                p_ned, v_ned = table.newest(sysid)
+                _, p_ned, v_ned = table.newest(sysid)
                 unheard.append((sysid, peer._replace(p_ned=self._rest(sysid, p_ned, v_ned), v_ned=v_ned)))
         near.intruders += self._aircraft()
         self._part({sysid: peer.silent_s for sysid, peer in unheard})

@@ -123,8 +123,8 @@ class PeerTable:
         return m.leader_ms, p, v, (m.wanted[0], m.wanted[1], m.wanted[2])
 
     def newest(self, sysid: int) -> tuple[int, Vec3, Vec3]:
-        """When a peer reported what it flies by, with that place and velocity: those of its leader if it has had one
-        within the last second, however newer its own place is."""
+        """Time, place and velocity of a peer's last report of its leader; of its own place where the leader's report is
+        missing or a second older."""
         m = cython.address(self._peers[sysid])
         led = m.leader_ms >= 0 and m.leader_ms > m.place_ms - 1000
         if led:

@@ -25,8 +25,8 @@ def crc32(content: bytes) -> int:
 
 
 class MetadataVehicle:
-    """COMPONENT_METADATA, and the files behind it; `ack` is its answer to the request. As a PX4 1.18, it counts the
-    checksum of the general file before that is packed, where it is not given `raw`, and those of others after."""
+    """COMPONENT_METADATA, and the files behind it; `ack` is its answer to the request. Checksums are
+    those of a PX4 1.18: of the general file's plain content, unless `raw` is given, and of other files as packed."""
 
     def __init__(self, named: list[dict[str, Any]], files: dict[str, bytes], **general: Any) -> None:
         plain = json.dumps({"version": 1, "metadataTypes": named}).encode()

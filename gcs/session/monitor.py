@@ -73,7 +73,7 @@ class MonitorSource:
         self._reported_silent: set[int] = set()
         self._numbers = sequence_numbers()
         self._replies: list[Mapping[str, Any]] = []
-        self._shown_s = self._beat_s = -math.inf
+        self._shown_s = self._beat_s = self._modes_s = -math.inf
         self._at = at
         self._problem = self._silence = ""
         if at.way == "udpout" and not control:
@@ -222,16 +222,20 @@ class MonitorSource:
             peers = {to} if to is not None else {peer for peer, _ in self._peers.values()}
             for peer in sorted(peers, key=str):
                 self._listener.send(raw, peer)
+        if t_s - self._modes_s >= standard_modes.EACH_WITHIN_S:
+            self._modes_s = t_s
             self._ask_for_modes(t_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(t_s), t_s)
 
     def _ask_for_modes(self, t_s: float) -> None:
         for view in self._observer.view(t_s).vehicles:
-            received = view.last_received_s >= 0.0 and self._autopilot(view.sysid) in self._peers
-            if received and self._modes.due(view.sysid, view.profile, view.custom_mode, view.listed_modes, t_s):
+            if view.last_received_s < 0.0 or self._autopilot(view.sysid) not in self._peers:
+                continue
+            index = self._modes.due(view.sysid, view.profile, view.custom_mode, view.listed_modes, t_s)
+            if index is not None:
                 target = CommandTarget(*self._autopilot(view.sysid))
-                self._transmit(view.sysid, [CommandLong(target, *standard_modes.ASKED).message(0)])
+                self._transmit(view.sysid, [CommandLong(target, *standard_modes.asked(index)).message(0)])
 
     def _follow_up(self, sysid: int, step: Step, t_s: float) -> None:
         self._transmit(sysid, step.messages)

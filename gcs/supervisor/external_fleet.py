@@ -201,10 +201,10 @@ class ExternalFleet:
                         "set points stay above both; correct origin.alt_m if that is not so"
                     )
                     self._note(sysid, "warning", said)
-            if view.last_received_s >= 0.0 and self._modes.due(
-                sysid, view.profile, view.custom_mode, view.listed_modes, now_s
-            ):
-                commands.append(CommandRequest(sysid, *standard_modes.ASKED, MODES))
+            if view.last_received_s >= 0.0:
+                index = self._modes.due(sysid, view.profile, view.custom_mode, view.listed_modes, now_s)
+                if index is not None:
+                    commands.append(CommandRequest(sysid, *standard_modes.asked(index), MODES))
             for ask in self._asks[sysid]:
                 commands.append(CommandRequest(sysid, ask.command.command, ask.command.params, ask.token))
             self._asks[sysid] = []

@@ -343,7 +343,7 @@ class Fleet:
             self._talking.add(track.member.sysid)
 
     def _available_mode(self, track: VehicleTrack, content: Any, time_s: float) -> None:
-        listed = ListedMode(content.standard_mode, content.mode_name)
+        listed = ListedMode(content.standard_mode, content.mode_name, content.mode_index, content.number_modes)
         if track.listed_modes.get(content.custom_mode) != listed and len(track.listed_modes) < MOST_MODES:
             track.listed_modes = {**track.listed_modes, content.custom_mode: listed}
             track.take_mode()

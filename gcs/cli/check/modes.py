@@ -10,10 +10,9 @@ from gcs.cli.check.asking import PEERS, QGC, command_long, commanded, requested
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.predicates import always
 from gcs.mavlink.codec import Message
+from gcs.mavlink.services import standard_modes
 from skytender import mavlink as mav
 
-AVAILABLE_MODES = float(mav.MAVLINK_MSG_ID_AVAILABLE_MODES)
-EACH_WITHIN_S = 0.25
 MOST_MODES = 40
 """Modes that are asked for one by one."""
 
@@ -29,8 +28,7 @@ def _list_fault(vehicle: CheckedVehicle, _: Any) -> str:
 
 
 def _whole_list() -> Question:
-    """As `requested`, with every mode awaited. What a request for all leaves out is asked for by its index, as
-    QGroundControl does: ArduPilots answer the first alone."""
+    """As `requested`, with every mode awaited; what a request for all leaves out is asked for by its index."""
     asked = requested(
         "AVAILABLE_MODES",
         "AVAILABLE_MODES, every mode once, or its refusal",
@@ -42,7 +40,8 @@ def _whole_list() -> Question:
     def ask(vehicle: CheckedVehicle) -> Sequence[Message]:
         if not (missing := _missing(vehicle)):
             return asked.ask(vehicle)
-        return command_long(mav.MAV_CMD_REQUEST_MESSAGE, AVAILABLE_MODES, float(missing[0]))(vehicle)
+        command, params = standard_modes.asked(missing[0])
+        return command_long(command, *params)(vehicle)
 
     def judge(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
         last = vehicle.of("AVAILABLE_MODES")
@@ -53,13 +52,12 @@ def _whole_list() -> Question:
             return Verdict("wrong", f"these of its modes never came: {missing}")
         return asked.at_end(vehicle, received)
 
-    return replace(asked, ask=ask, judge=judge, at_end=at_end, repeat_s=EACH_WITHIN_S, tries=MOST_MODES)
+    return replace(asked, ask=ask, judge=judge, at_end=at_end, repeat_s=standard_modes.EACH_WITHIN_S, tries=MOST_MODES)
 
 
 def _missing(vehicle: CheckedVehicle) -> list[int]:
     """Indices of modes that are yet to come."""
-    last = vehicle.of("AVAILABLE_MODES")
-    return [] if last is None else [k for k in range(1, last.number_modes + 1) if k not in vehicle.modes]
+    return standard_modes.missing((index, one.number_modes) for index, one in vehicle.modes.items())
 
 
 def _current_fault(vehicle: CheckedVehicle, content: Any) -> str:

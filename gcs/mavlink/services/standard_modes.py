@@ -3,7 +3,8 @@ autopilots has (https://mavlink.io/en/services/standard_modes.html)."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from gcs.mavlink.autopilots import End, FlightMode, Params, Profile
@@ -11,10 +12,13 @@ from skytender import mavlink as mav
 
 
 class ListedMode(NamedTuple):
-    """One of a vehicle's modes as it says: MAV_STANDARD_MODE, and the name of one that is none."""
+    """One of a vehicle's modes as it says: MAV_STANDARD_MODE, the name of one that is none, mode_index and
+    number_modes."""
 
     standard: int
     name: str
+    place: int
+    of: int
 
 
 Listed = Mapping[int, ListedMode]
@@ -30,6 +34,8 @@ _NAMES = {
     for value, name in mav.ENUMS["MAV_STANDARD_MODE"].items()
 }
 ASK_EVERY_S, ASK_TIMES = 2.0, 3
+EACH_WITHIN_S = 0.25
+"""So long after one question about modes the next missing one is asked for."""
 
 
 def named(profile: Profile, custom_mode: int) -> bool:
@@ -63,25 +69,50 @@ def ending(profile: Profile, end: End, listed: Listed) -> tuple[int, Params]:
     return profile.ending(end)
 
 
+def missing(listed: Iterable[tuple[int, int]]) -> list[int]:
+    """Places of modes that are yet to come, by (place, of how many) of those that came.
+
+    What a request for all leaves out is asked for one by one, as QGroundControl does: ArduPilots answer the first only.
+    """
+    came = dict(listed)
+    return [place for place in range(1, max(came.values(), default=0) + 1) if place not in came]
+
+
+def asked(place: int) -> tuple[int, Params]:
+    """The command that asks a vehicle for the mode at that place, or with 0 for all."""
+    return int(mav.MAV_CMD_REQUEST_MESSAGE), (float(mav.MAVLINK_MSG_ID_AVAILABLE_MODES), float(place))
+
+
+class _ModeQuestion(NamedTuple):
+    """The last one to a vehicle: the mode that nothing named, the furthest place, how often that, and when."""
+
+    nameless: int
+    place: int
+    times: int
+    at_s: float
+
+
 class ModeRequests:
-    """When vehicles are asked for their modes: while one flies a mode that nothing names, a few times."""
+    """When vehicles are asked for their modes: while one flies a mode that nothing names, a few times, and then for
+    each that has not come, as often."""
 
     def __init__(self) -> None:
-        self._asked: dict[int, tuple[int, int, float]] = {}
-        """by system id the nameless mode, how often it was asked for, and when again"""
+        self._asked: dict[int, _ModeQuestion] = {}
 
-    def due(self, sysid: int, profile: Profile, custom_mode: int, listed: Listed, now_s: float) -> bool:
-        """Whether to ask now; it counts as asked then."""
-        if named(profile, custom_mode) or custom_mode in listed:
-            return False
-        nameless, times, due_s = self._asked.get(sysid, (custom_mode, 0, now_s))
-        if nameless != custom_mode:
-            times, due_s = 0, now_s
-        if times >= ASK_TIMES or now_s < due_s:
-            return False
-        self._asked[sysid] = custom_mode, times + 1, now_s + ASK_EVERY_S
-        return True
-
-
-ASKED: tuple[int, Params] = int(mav.MAV_CMD_REQUEST_MESSAGE), (float(mav.MAVLINK_MSG_ID_AVAILABLE_MODES), 0.0)
-"""The command that asks for all modes of a vehicle."""
+    def due(self, sysid: int, profile: Profile, custom_mode: int, listed: Listed, now_s: float) -> int | None:
+        """The place to ask for now, 0 for all; it counts as asked then. None: nothing is to be asked."""
+        last = self._asked.get(sysid)
+        nameless = not named(profile, custom_mode) and custom_mode not in listed
+        if not nameless and last is None:
+            return None
+        place = next(iter(missing((one.place, one.of) for one in listed.values())), 0)
+        if not nameless and place == 0:
+            return None
+        if last is None or (nameless and last.nameless != custom_mode):
+            last = _ModeQuestion(custom_mode, place, 0, -math.inf)
+        further = place > last.place
+        times = 0 if further else last.times
+        if times >= ASK_TIMES or now_s < last.at_s + (EACH_WITHIN_S if further else ASK_EVERY_S):
+            return None
+        self._asked[sysid] = _ModeQuestion(last.nameless, max(place, last.place), times + 1, now_s)
+        return place

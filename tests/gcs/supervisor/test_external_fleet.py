@@ -225,12 +225,18 @@ def test_who_is_left_in_the_air_at_the_end_is_named() -> None:
     assert text.startswith("May still be flying: not heard for 12 s, then in offboard")
 
 
-def available(index: int, custom_mode: int, standard: int = 0, name: bytes = b"") -> Any:
-    return mav.mavlink_map[435](2, index, standard, custom_mode, 4, name)
+def available(index: int, custom_mode: int, standard: int = 0, name: bytes = b"", count: int = 2) -> Any:
+    return mav.mavlink_map[435](count, index, standard, custom_mode, 4, name)
 
 
 def asks(tower: Tower, now_s: float) -> bool:
     return tower.decide(now_s).get("modes") == mav.MAV_CMD_REQUEST_MESSAGE
+
+
+def asked_modes(tower: Tower, now_s: float) -> list[float]:
+    """Indices that it asks for, 0 for all."""
+    wishes, _ = tower.externals.decide(tower.fleet.snapshot(now_s))
+    return [wish.params[1] for wish in wishes if wish.token == "modes"]
 
 
 def test_a_mode_that_nothing_names_is_asked_for_a_few_times_and_named_as_the_vehicle_names_it() -> None:
@@ -248,6 +254,23 @@ def test_a_mode_that_nothing_names_is_asked_for_a_few_times_and_named_as_the_veh
     view = tower.fleet.snapshot(12.0).vehicle(3)
     assert (view.mode, view.mode_name) == ("other", "soar")
     assert not asks(tower, 30.0)
+
+
+@pytest.mark.parametrize("lost", [0, 3])
+def test_modes_that_come_one_by_one_are_asked_for_so(lost: int) -> None:
+    """An ArduCopter 4.8.0-dev answers a request for all with the first, and one for an index with that."""
+    tower, asked, names = Tower(), [], [b"Stabilize", b"Soar", b"Dive", b"Perch"]
+    tower.hear(0.0, heartbeat(autopilot=3, custom_mode=71))
+    for k in range(120):
+        for index in asked_modes(tower, 0.1 * k):
+            asked.append(index)
+            if index != lost or index == 0:
+                at = max(int(index), 1)
+                tower.hear(0.1 * k, available(at, 69 + at, name=names[at - 1], count=4))
+    assert asked == ([0, 2, 3, 4] if lost == 0 else [0, 2, 3, 3, 3])
+    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == "soar"
+    tower.hear(12.0, heartbeat(autopilot=3, custom_mode=73))
+    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == ("perch" if lost == 0 else "mode 73")
 
 
 def test_modes_that_have_changed_are_asked_for_anew() -> None:

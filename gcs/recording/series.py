@@ -253,9 +253,11 @@ def _battery_reports(
     if statuses is not None:
         several = (statuses["id"] != 0) | (statuses["battery_function"] > mav.MAV_BATTERY_FUNCTION_PROPULSION)
         first = int(np.argmax(several)) if several.any() else len(several)
-        rest = statuses[first:]
+        alone = min(first, 1)  # the last of battery 0 before the first of another goes with those after it
+        rest = statuses[first - alone :]
         reports, others = together(AUTOPILOT, zip(rest["t_s"].tolist(), _contents(rest), strict=True))
-        read += [battery_statuses(statuses[:first]), reports]
+        read += [battery_statuses(statuses[:first]), reports.take(slice(alone, None))]
+        others = [at for at in others if at >= alone]
         anew = [(float(t_s), float(place), "anew", None) for t_s, place in rest[["t_s", "place"]][others].tolist()]
         places.append(statuses["place"])
     if second_hand is not None:

@@ -6,7 +6,8 @@ that counts: it ends the flight. A battery is known by the component that report
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 from gcs.mavlink.battery import BatteryReport, BatteryReports, battery_status, voltage_v
@@ -58,6 +59,13 @@ class Batteries:
         report = battery_status(content, time_s)
         self._known[key] = VehicleBattery(compid, content.id, content.battery_function, report, volts)
         return {(one.compid, one.id) for one in self._flown_on(time_s)} != before
+
+    def begin_with(self, compid: int, first: Sequence[float]) -> None:
+        """Take over battery 0 of a component, which was the only one so far, by FIRST_BATTERY's readings of it."""
+        time_s, *words, volts, function = first
+        consumed_j, power_w, share, voltage = (None if math.isnan(word) else word for word in (*words, volts))
+        report = BatteryReport(time_s, consumed_j, power_w, share)
+        self._known[compid, 0] = VehicleBattery(compid, 0, int(function), report, voltage)
 
     @property
     def all(self) -> list[VehicleBattery]:

@@ -35,6 +35,7 @@ from gcs.telemetry.readings import (
     EAST,
     ELSEWHERE,
     END,
+    FIRST_BATTERY,
     FOUND,
     GIVEN_REPORTED_S,
     MESSAGE_S,
@@ -331,7 +332,11 @@ class Fleet:
 
     def _battery(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         """One battery of several: what counts is what they say together."""
-        track.readings[SEVERAL_BATTERIES] = 1.0
+        if not track.readings[SEVERAL_BATTERIES]:
+            track.readings[SEVERAL_BATTERIES] = 1.0
+            first = track.readings[FIRST_BATTERY].tolist()
+            if first[0] > -math.inf:
+                track.batteries.begin_with(AUTOPILOT, first)
         if track.batteries.add(AUTOPILOT, content, time_s):
             track.battery.begin_anew()
         track.doubts(track.battery.report(track.batteries.report(time_s), armed=track.armed), time_s)

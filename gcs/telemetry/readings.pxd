@@ -70,6 +70,12 @@ cdef struct Readings:
     double origin_alt
     double several_batteries  # 1 once it has reported another than number 0, or none that it flies on
     double message_s  # when anything but SYSTEM_TIME came from its autopilot
+    double first_s  # of battery 0, as long as it is the only one; -inf before its first report
+    double first_consumed_j
+    double first_power_w
+    double first_share
+    double first_v
+    double first_function
 
 cdef inline Readings* readings_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
     return <Readings*>&rows[i, 0]
@@ -91,9 +97,10 @@ cdef void _read_effort(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t stop, Readings* row, double now_s) noexcept nogil
 cdef int64_t _cells_mv(const unsigned char* data, Py_ssize_t at, Py_ssize_t stop) noexcept nogil
 cdef double _power_w(int64_t total_mv, int64_t current_ca) noexcept nogil
+cdef double _share(int64_t percent) noexcept nogil
 @cython.locals(armed=cython.bint, other=cython.bint)
 cdef bint _count_report(
-    Account* one, double* found, Readings* row, double now_s, double consumed_j, double power_w, int64_t percent,
+    Account* one, double* found, Readings* row, double now_s, double consumed_j, double power_w, double remaining,
     bint second) noexcept nogil
 
 cdef struct Stop:
@@ -101,7 +108,7 @@ cdef struct Stop:
     int why
 
 @cython.locals(counted=cython.bint, own=cython.bint, small=cython.bint, elsewhere=cython.bint, consumed_hj=int64_t,
-               total_mv=int64_t, percent=int64_t)
+               total_mv=int64_t, power_w=double, remaining=double)
 cdef Stop _read_run(
     const unsigned char* data, Py_ssize_t at, Py_ssize_t end, double now_s, Readings* row, Account* one,
     const unsigned char[::1] kept, double* found) noexcept nogil

@@ -60,17 +60,17 @@ from gcs.mavlink.battery import HECTOJOULE
 from skytender import mavlink as mav
 
 __all__ = [
-    "AUTOPILOT", "BASE_MODE", "BATTERY", "CLOCK_S", "CUSTOM_MODE", "DOWN", "EAST", "EFFORT", "EFFORT_S", "ELSEWHERE",
-    "END", "EXTERNAL", "FOUND", "FROM_ANYBODY", "FROM_AUTOPILOT", "GIVEN_REPORTED_S", "HEADING", "LANDED",
-    "LANDED_REPORTED", "MESSAGES", "MESSAGE_S", "MODE", "MOST_EFFORT", "NORTH", "ORIGIN_ALT", "ORIGIN_LAT",
-    "ORIGIN_LON", "PITCH", "PLACE", "POSITION_S", "POWER_W", "READINGS", "RECEIVED_REPORTED_S", "RECEIVED_S", "ROLL",
-    "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST", "V_NORTH", "Row",
-    "TelemetryReader", "kept_elsewhere", "new_readings",
+    "AUTOPILOT", "BASE_MODE", "BATTERY", "CLOCK_S", "CUSTOM_MODE", "DOWN", "EAST", "EFFORT", "EFFORT_S",
+    "ELSEWHERE", "END", "EXTERNAL", "FIRST_BATTERY", "FOUND", "FROM_ANYBODY", "FROM_AUTOPILOT", "GIVEN_REPORTED_S",
+    "HEADING", "LANDED", "LANDED_REPORTED", "MESSAGES", "MESSAGE_S", "MODE", "MOST_EFFORT", "NORTH", "ORIGIN_ALT",
+    "ORIGIN_LAT", "ORIGIN_LON", "PITCH", "PLACE", "POSITION_S", "POWER_W", "READINGS", "RECEIVED_REPORTED_S",
+    "RECEIVED_S", "ROLL", "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST",
+    "V_NORTH", "Row", "TelemetryReader", "kept_elsewhere", "new_readings",
 ]  # fmt: skip
 
 Row = NDArray[np.float64]
 
-READINGS = 29
+READINGS = 35
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -87,6 +87,7 @@ READINGS = 29
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
     MESSAGE_S,  # when anything but SYSTEM_TIME came from its autopilot
+    *FIRST_BATTERY,  # of number 0, as long as it is the only one: s (-inf before its first), J, W, share, V, function
 ) = range(READINGS)  # fmt: skip
 """Columns of a vehicle's row, in the order of the struct Readings in readings.pxd."""
 
@@ -108,7 +109,7 @@ def new_readings() -> Row:
     """(READINGS,) of a vehicle that has said nothing."""
     row = np.zeros(READINGS)
     row[[NORTH, EAST, DOWN, EFFORT_S, CLOCK_S, ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = NAN
-    row[[POSITION_S, RECEIVED_S, MESSAGE_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S]] = -INFINITY
+    row[[POSITION_S, RECEIVED_S, MESSAGE_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S, FIRST_BATTERY[0]]] = -INFINITY
     row[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]] = -1.0
     return row
 
@@ -223,11 +224,14 @@ def _power_w(total_mv: int, current_ca: int) -> Any:
     return 1e-2 * current_ca * (1e-3 * total_mv)
 
 
+def _share(percent: int) -> Any:
+    return 0.01 * percent if 0 <= percent <= 100 else NAN
+
+
 def _count_report(
-    one: Any, found: Any, row: Any, now_s: float, consumed_j: float, power_w: float, percent: int, second: bool
+    one: Any, found: Any, row: Any, now_s: float, consumed_j: float, power_w: float, remaining: float, second: bool
 ) -> bool:
     """Count a battery's report: whether nothing else follows from it."""
-    remaining = 0.01 * percent if 0 <= percent <= 100 else NAN
     armed = row.base_mode >= 0.0 and cython.cast(cython.int, row.base_mode) & _ARMED != 0
     report = count(one, now_s, consumed_j, power_w, remaining, second, armed)
     other = report.became == DRAWN and mean_power(one, now_s)
@@ -278,14 +282,18 @@ def _read_run(
         elif msgid == _BATTERY_STATUS:
             consumed_hj = i32(data, begin + 4, stop)
             consumed_j = NAN if consumed_hj < 0 else _HECTOJOULE * consumed_hj
-            power_w = _power_w(_cells_mv(data, begin, stop), i16(data, begin + 30, stop))
-            percent = i8(data, begin + 35, stop)
-            counted = not _count_report(one, found, row, now_s, consumed_j, power_w, percent, False)
+            total_mv = _cells_mv(data, begin, stop)
+            power_w = _power_w(total_mv, i16(data, begin + 30, stop))
+            remaining = _share(i8(data, begin + 35, stop))
+            row.first_s, row.first_consumed_j, row.first_power_w = now_s, consumed_j, power_w
+            row.first_share, row.first_v = remaining, 1e-3 * total_mv if total_mv else NAN
+            row.first_function = octet(data, begin + 33, stop)
+            counted = not _count_report(one, found, row, now_s, consumed_j, power_w, remaining, False)
         elif msgid == _SYS_STATUS:
             total_mv = u16(data, begin + 14, stop)
             power_w = _power_w(0 if total_mv == _NO_CELL else total_mv, i16(data, begin + 16, stop))
-            percent = i8(data, begin + 30, stop)
-            counted = not _count_report(one, found, row, now_s, NAN, power_w, percent, True)
+            remaining = _share(i8(data, begin + 30, stop))
+            counted = not _count_report(one, found, row, now_s, NAN, power_w, remaining, True)
         elif msgid == _EXTENDED_SYS_STATE:
             landed_state = octet(data, begin + 1, stop)
             row.landed_reported = 1.0

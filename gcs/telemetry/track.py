@@ -208,6 +208,7 @@ class Instant(NamedTuple):
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
             power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s,
+            *_,
         ) = readings  # fmt: skip
         age_s, _, remaining_j, drawn_j, initial_j, capacity_j = figures
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not

@@ -94,6 +94,15 @@ def test_a_session_and_a_monitor_know_the_emptiest_that_is_flown_on(words: list[
         assert {one.id for one in fleet.batteries(1)} <= every.keys()
 
 
+def test_the_emptiest_counts_from_the_first_word_of_another_on() -> None:
+    fleet = Fleet([Member(1, "pursuer", "pursuer 1", CAPACITY_J, CAPACITY_J, external=True)], GlobalOrigin(47, 8, 400))
+    for number, percent in ((0, 20), (1, 80), (2, 50), (0, 19)):
+        fleet.ingest(battery(number, percent, voltages=[15_000] + [65535] * 9), 1.0)
+        worst = 20 if number else percent
+        assert fleet.snapshot(1.0).vehicle(1).remaining_j == pytest.approx(0.01 * worst * CAPACITY_J)
+        assert not number or fleet.batteries(1)[0].voltage_v == 15.0
+
+
 def test_one_that_knows_nothing_hides_none_that_does() -> None:
     fleet = Fleet([Member(1, "pursuer", "pursuer 1", CAPACITY_J, CAPACITY_J, external=True)], GlobalOrigin(47, 8, 400))
     for k in range(4):
@@ -133,7 +142,8 @@ def test_a_battery_that_was_taken_out_counts_no_more_and_their_number_is_bounded
     assert len(batteries.all) == MOST_BATTERIES
 
 
-def test_a_report_keeps_the_account_that_the_session_kept(tmp_path: Path) -> None:
+@pytest.mark.parametrize("emptier", [0, 1])
+def test_a_report_keeps_the_account_that_the_session_kept(tmp_path: Path, emptier: int) -> None:
     scenario = Scenario.model_validate(
         {
             "schema": 1, "name": "batteries", "axes": "ned",
@@ -153,7 +163,9 @@ def test_a_report_keeps_the_account_that_the_session_kept(tmp_path: Path) -> Non
     live: list[float] = []
     with Recorder(folder) as recorder:
         for k in range(20):
-            frames = [beat(), battery(0, 90 - k), battery(1, 60 - 2 * k) if k > 4 else beat(), battery(2, 3, 4)]
+            left = (60 - 2 * k, 90 - k) if emptier == 0 else (90 - k, 60 - 2 * k)
+            frames = [beat(), battery(0, left[0]), battery(1, left[1]) if k > 4 else beat()]
+            frames += [battery(2, 3, 4)] if k > 6 else []
             for one in frames:
                 recorder.frames(epoch_us + 1_000_000 * k, [one.raw])
                 fleet.ingest(one, 1.0 * k)

@@ -67,7 +67,7 @@ def test_rows_of_tau_hold_in_steps_as_in_the_exact_solution() -> None:
     v, _ = draw(3)
     rows, times = draw(3 * 41, seed=3)[1].reshape(41, 3), np.linspace(0.0, 4.0, 41)
     exact = simulated_competition.simulate(v, rows, times, p=2, rate=1.0)
-    # A delay of one step of somebody who is not there makes it step.
+    # With any delay it goes in steps. This one is a fourth competitor's, whose state stays 0 and changes no other's.
     stepped = simulated_competition.simulate(
         [*v, 0.0], np.hstack([rows, rows[:, :1]]), times, p=2, rate=1.0, delay_s=[0, 0, 0, 1]
     )

@@ -87,6 +87,26 @@ def test_it_closes_when_the_tanker_is_killed_in_mid_transfer(tmp_path: Path) -> 
     assert outcome.vehicle(201)["energy"]["given_j"] == service["energy_j"] + lost_j
 
 
+def test_what_was_on_the_way_to_one_that_is_killed_is_lost_by_its_giver(tmp_path: Path) -> None:
+    """In the air and at a base. The truth is what each giver gave, without what the dead had received by their own
+    account; of that, what they said in the last 0.2 s, and in the tick at which they die, never arrives."""
+    content = small(
+        goal={"duration_s": 24.0, "refuelled_at_least": 0},
+        radio={"delay_s": 0.2},
+        bases=[{"name": "pad", "position_m": [0.0, 6.0, 0.0], "stock_j": 50_000.0}],
+        competition={"bids": "need"},
+        faults=[{"fault": "kill", "sysid": 1, "at_s": 14.0}, {"fault": "kill", "sysid": 2, "at_s": 18.0}],
+    )
+    battery = {"capacity_j": 24000, "initial_percent": 45}
+    content["vehicles"]["pursuers"].append({"sysid": 2, "start_m": [0, 3, 0], "battery": battery, "transfer": False})
+    outcome = fly(content, tmp_path, "--plain")
+    (base,), tanker = outcome.summary["bases"], outcome.vehicle(201)["energy"]
+    assert tanker["given_j"] == outcome.truth(201).energy[-1, 2]
+    for receiver, giver in ((1, tanker), (2, base)):
+        on_the_way_j = giver["given_j"] - outcome.truth(receiver).energy[-1, 1]
+        assert 0 < on_the_way_j <= giver["lost_j"] <= on_the_way_j + 2000.0 * (0.2 + 0.1)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("lost", ["first", "last"])
 def test_it_closes_when_the_first_or_last_counter_is_lost(clear: Outcome, tmp_path: Path, lost: str) -> None:

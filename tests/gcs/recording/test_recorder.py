@@ -49,6 +49,22 @@ def test_pymavlink_reads_back_every_frame_and_its_time(tmp_path: Path) -> None:
     log.close()
 
 
+def test_a_session_that_ends_has_recorded_the_answers_to_its_last_grant(scripted: Any) -> None:
+    session = scripted()
+    session.fly(3)
+    session.supervisor.finish(lambda: None)
+    log = mavutil.mavlink_connection(str(session.folder / TLOG), dialect="common")
+    recorded = []
+    while (message := log.recv_msg()) is not None:
+        recorded.append((message._timestamp, bytes(message.get_msgbuf())))
+    log.close()
+    answers = {frame.raw for frame in session.link.answered[-1]}
+    end_s = 1e-6 * session.supervisor.epoch_us + session.supervisor.time_s
+    assert answers
+    assert {raw for t_s, raw in recorded if t_s == pytest.approx(end_s, abs=1e-5) and raw in answers} == answers
+    assert recorded[-1][1] in answers
+
+
 def test_frames_side_by_side_are_recorded_and_counted_as_frames_apart(tmp_path: Path) -> None:
     raws = [attitude(k, sysid=k % 5 + 1) for k in range(40)]
     gaps, ends = b"?" + b"?".join(raws), np.cumsum([len(raw) + 1 for raw in raws])

@@ -42,6 +42,7 @@ def from_data(data: dict[str, Any], name: str = "campaign") -> CampaignRules:
 
 def checked(document: Document) -> CampaignRules:
     """The campaign that a document says. Raises ScenarioError."""
+    document.what = "the campaign"
     try:
         return CampaignRules.model_validate(document.data)
     except ValidationError as error:

@@ -17,6 +17,7 @@ from gcs.campaign.cluster import EngineError, check_scheduler
 from gcs.campaign.engine import Progress
 from gcs.campaign.plan import NotAllowed, make, read
 from gcs.campaign.runner import Runner, make_folder
+from gcs.scenario.document import path_of
 from gcs.scenario.parts.trust import require
 
 if TYPE_CHECKING:
@@ -53,10 +54,14 @@ class Campaign:
         if isinstance(campaign, Mapping):
             loaded = file.from_data(dict(campaign))
         else:
-            path = file.find(os.fspath(campaign))
+            wanted = "a file, the name of a shipped one, or its content as plain data"
+            path = file.find(path_of(campaign, "campaign", wanted))
             loaded, beside = file.load(path), [path.parent]
         changes = {key: value for key, value in (("sessions", sessions), ("seed", seed)) if value is not None}
-        self.plan = make(loaded.model_copy(update=changes), beside)
+        if changes:
+            plain = loaded.model_dump(mode="json", by_alias=True, exclude_none=True)
+            loaded = file.from_data(plain | changes, loaded.name)
+        self.plan = make(loaded, beside)
         try:
             self.plan.check()
         except NotAllowed as asks:
@@ -65,7 +70,7 @@ class Campaign:
             self.plan = replace(self.plan, trusted=True)
             self.plan.check()
         self._scheduler, self._workers = scheduler, workers
-        self._out = None if out is None else Path(out)
+        self._out = None if out is None else Path(path_of(out, "out"))
         self._folder: Path | None = None
 
     @property

@@ -30,6 +30,7 @@ from gcs.recording.tables import Column
 from gcs.report import page, plots
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings
+from gcs.scenario.document import path_of
 from gcs.scenario.model import Scenario
 
 ENERGY, SERVICES = "energy", "services"
@@ -162,7 +163,8 @@ def open(
     others: recordings beside it, as in `gcs replay`. only: names of the tables that are kept, for long recordings; all
     without it. What cannot be read is in `problems`. Raises RecordingError where nothing can be.
     """
-    paths = [Path(source), *map(Path, others)]
+    wanted = "a session's folder or a recording"
+    paths = [Path(path_of(one, "the source", wanted)) for one in (source, *others)]
     tables = _Gathered(only)
     with _refusals(), beside(paths) as opened:
         problems = opened.problems + export(opened.path, tables)

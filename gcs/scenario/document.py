@@ -89,6 +89,8 @@ class Document:
 
     file: str
     data: dict[str, Any] = field(default_factory=dict)
+    what: str = "the scenario"
+    """words for the whole of it"""
     marks: dict[KeyPath, _Marks] = field(default_factory=dict)
     origins: dict[KeyPath, KeyPath] = field(default_factory=dict)
     given: dict[KeyPath, str] = field(default_factory=dict)
@@ -107,6 +109,8 @@ class Document:
         """`message` at the value (or the key) of `path`, or of the nearest thing around it that the file does say."""
         if (label := self._label(path)) is not None:
             return Problem(label, None, None, message)
+        if not self.marks:  # plain data of a program, which has no lines
+            return Problem(self.file, None, None, message)
         path = self._written(path)
         while path and path not in self.marks:
             path, at_key = path[:-1], False
@@ -182,7 +186,7 @@ class Document:
         elif kind == "missing":
             choices = properties(schema, path[:-1]).get(str(last), {}).get("enum", [])
             choice = f" ({' or '.join(choices)})" if choices else ""
-            yield self.problem(path[:-1], f"{parent or 'the scenario'} lacks the key {last!r}{choice}")
+            yield self.problem(path[:-1], f"{parent or self.what} lacks the key {last!r}{choice}")
         elif value is None and kind.endswith("_type"):
             yield self.problem(path, f"{name} is left empty; give it a value or take the key out")
         elif "[key]" in details["loc"]:
@@ -215,8 +219,8 @@ def shown(value: Any) -> str:
         return {None: "nothing", True: "true", False: "false"}[value]
     if isinstance(value, str):
         return f"the text {value if len(value) <= 40 else value[:37] + '...'!r}"
-    if isinstance(value, list | dict):
-        return "a list" if isinstance(value, list) else "a block of keys"
+    if isinstance(value, list | tuple | dict):
+        return "a block of keys" if isinstance(value, dict) else "a list"
     if not isinstance(value, int | float):  # of a program, which sets keys
         return f"the class {value.__name__}" if isinstance(value, type) else f"a Python {type(value).__name__}"
     if not math.isfinite(value):
@@ -270,9 +274,16 @@ def properties(schema: dict[str, Any], path: KeyPath) -> dict[str, Any]:
     return {key: value for node in nodes for key, value in node.get("properties", {}).items()}
 
 
+def path_of(given: Any, what: str, wanted: str = "a path") -> str:
+    """A path that a program has given for `what`. Raises TypeError, one sentence, for something else."""
+    if isinstance(given, str | os.PathLike) and isinstance(path := os.fspath(given), str):
+        return path
+    raise TypeError(f"{what} is {shown(given)}: give {wanted}")
+
+
 def read(path: str | os.PathLike[str]) -> Document:
     """The document in the file at `path`. Raises ScenarioError for whatever keeps it from being read."""
-    file = os.fspath(path)
+    file = path_of(path, "the file")
 
     def fail(message: str) -> ScenarioError:
         return ScenarioError([Problem(file, None, None, message)])

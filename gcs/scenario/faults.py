@@ -15,9 +15,9 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import ValidationError
 
-from gcs.scenario.document import Conflict, Document, KeyPath
+from gcs.scenario.document import Conflict, KeyPath
 from gcs.scenario.parts.vehicles import VehicleBase
-from gcs.scenario.types import Coordinate, Exact, Fraction, Part, Seconds, SysId
+from gcs.scenario.types import Coordinate, Exact, Fraction, Part, Seconds, SysId, explained
 
 FaultKind = Literal[
     "kill", "hang", "blackout", "loss", "delay", "gcs_silent", "battery", "tanker_out", "motor", "gps_off", "gps_jump"
@@ -115,8 +115,7 @@ def in_flight(content: Any, vehicles: Iterable[VehicleBase], now_s: float, durat
     try:
         fault = Fault.model_validate(data)
     except ValidationError as error:
-        problems = Document("fault", data).explain(error, Fault.model_json_schema())
-        raise ValueError("; ".join(problem.message for problem in problems)) from None
+        raise ValueError(explained(error, Fault, data, "the fault")) from None
     if fault.at_s is not None and fault.at_s < now_s - ROUNDING_S:
         raise ValueError(f"at_s is {fault.at_s:g}, which is past: the next tick is at {now_s:g} s")
     if conflicts := list(fault_conflicts([fault], vehicles, duration_s)):

@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, ConfigDict, Field, ValidationError, model_validator
 
 from gcs.scenario import external
-from gcs.scenario.document import Conflict, Document, KeyPath, Problem, ScenarioError, conflict_error
+from gcs.scenario.document import Conflict, KeyPath, Problem, ScenarioError, conflict_error
 from gcs.scenario.faults import Fault, fault_conflicts
 from gcs.scenario.fence import NO_FENCE, FenceRules, fence_conflicts
 from gcs.scenario.parts import mission
@@ -29,7 +29,7 @@ from gcs.scenario.rules import (
     RefuellingRules,
 )
 from gcs.scenario.station import Forward, Station, station_conflicts
-from gcs.scenario.types import Count, Exact, Flag, Part, Plane
+from gcs.scenario.types import Count, Exact, Flag, Part, Plane, explained
 from gcs.scenario.weather import CALM, Wind
 from skytender import elementary
 
@@ -186,8 +186,7 @@ class Scenario(Part):
         try:
             return type(self).model_validate(changed)
         except ValidationError as error:
-            problems = Document(self.name, changed).explain(error, type(self).model_json_schema())
-            raise ValueError("; ".join(problem.message for problem in problems)) from None
+            raise ValueError(explained(error, type(self), changed, "the scenario")) from None
 
     @model_validator(mode="after")
     def _agrees(self) -> Self:

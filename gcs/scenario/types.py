@@ -13,12 +13,14 @@ from pydantic import (
     ConfigDict,
     Field,
     GetCoreSchemaHandler,
+    ValidationError,
     ValidationInfo,
     WithJsonSchema,
 )
 from pydantic_core import CoreSchema, core_schema
 
 from gcs.scenario.described import Described
+from gcs.scenario.document import MAX_SHOWN, Document
 from gcs.scenario.parts.reach import Shown
 
 MOST_M = 1e5
@@ -89,7 +91,31 @@ Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
 Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 
 
-class Part(Described, BaseModel):
+def explained(error: ValidationError, part: type[BaseModel], data: dict[str, Any], what: str) -> str:
+    """Mistakes in the keys of a part that is not read from a file, as one sentence; `what`: words for that part."""
+    problems = Document(part.__name__, data, what).explain(error, part.model_json_schema())
+    return "; ".join(problem.message for problem in problems[:MAX_SHOWN])
+
+
+if TYPE_CHECKING:
+    from pydantic._internal._model_construction import ModelMetaclass as _Made
+else:
+
+    class _Made(type(BaseModel)):
+        """Says in a sentence what is wrong with the keys by which a program makes a part; what is validated as plain
+        data, such as a file's, does not pass here."""
+
+        def __call__(cls, *values: Any, **keys: Any) -> Any:
+            if values:
+                raise TypeError(f"{cls.__name__} takes its keys by name: {cls.__name__}(**keys) for a block of them")
+            try:
+                return super().__call__(**keys)
+            except ValidationError as error:
+                what = explained(error, cls, keys, f"the {cls.__name__.lower()}")
+                raise ValueError(f"{cls.__name__}: {what}") from None
+
+
+class Part(Described, BaseModel, metaclass=_Made):
     """A block of keys: one that it does not know is refused, and what it says is not changed any more."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)

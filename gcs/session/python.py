@@ -34,6 +34,7 @@ from gcs.planner.request import PursuerPlanner
 from gcs.processes import plugin_process
 from gcs.recording.summary import FILE, Summary
 from gcs.refuelling.policies import RefuellingPolicy
+from gcs.scenario.document import path_of
 from gcs.scenario.faults import Fault
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
@@ -100,7 +101,7 @@ class Session:
         if isinstance(scenario, Scenario):
             loaded, file, key = scenario, None, None
         else:
-            file = find(os.fspath(scenario))
+            file = find(path_of(scenario, "scenario", "a file, the name of a shipped one, or a gcs.Scenario"))
             loaded, key = load(file), digest_of(file)
             folders.insert(0, file.parent)
         given = {PLANNER: planner, POLICY: policy}
@@ -113,13 +114,16 @@ class Session:
             raise ValueError("planner and policy as objects need lockstep=True: else the fleet does not wait for them")
         self._objects: Objects | None = None
         period_ms = round(1e3 * self.scenario.clock.period_s)
-        self._every_ms = period_ms if every_s is None else round(1e3 * every_s)
+        try:
+            self._every_ms = period_ms if every_s is None else round(1e3 * every_s)
+        except (TypeError, ValueError, OverflowError):
+            self._every_ms = 0
         if self._every_ms <= 0 or self._every_ms % period_ms:
             raise ValueError(
-                f"every_s is {every_s}; it must be a multiple of the scenario's period, {period_ms / 1e3} s"
+                f"every_s is {every_s!r}; it must be a multiple of the scenario's period, {period_ms / 1e3} s"
             )
         self._arguments = [word for folder in folders for word in ("--modules", str(folder.resolve()))]
-        self._out = None if out is None else Path(out)
+        self._out = None if out is None else Path(path_of(out, "out"))
         self._folder: Path | None = None
         self._process: Supervised | None = None
         self._channel: SessionChannel | None = None

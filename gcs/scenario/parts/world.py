@@ -15,11 +15,11 @@ from typing import Any, Literal
 import numpy as np
 from pydantic import ValidationError
 
-from gcs.scenario.document import Document, did_you_mean
+from gcs.scenario.document import did_you_mean
 from gcs.scenario.model import START_CLEARANCE_M, Scenario, route_conflicts
 from gcs.scenario.parts.bases import base_conflicts
 from gcs.scenario.parts.surroundings import Attractor, Obstacle
-from gcs.scenario.types import Part, Vec3
+from gcs.scenario.types import Part, Vec3, explained
 
 WORLD = "world"
 """Kind of decision of a change."""
@@ -260,8 +260,7 @@ def _validated(name: str, part: type[Part], content: Mapping[str, Any]) -> Any:
     try:
         return part.model_validate(data)
     except ValidationError as error:
-        problems = Document(name, data).explain(error, part.model_json_schema())
-        raise ValueError("; ".join(problem.message for problem in problems)) from None
+        raise ValueError(explained(error, part, data, f"the {name}")) from None
 
 
 def _plain(value: Any) -> Any:

@@ -1,9 +1,10 @@
-"""At least how many receivers every schedule of an instance loses: a relaxation, solved by CP-SAT to its optimum.
+"""At least how many receivers every schedule of an instance loses: by windows of time and by prices, whichever is more.
 
-A receiver that is kept until b has got, between a and b, at least what it draws until b less what it can have had at a,
-X. That takes givers' time between a and b, of which there is no more than (b - a) for each. The relaxation keeps as
-many receivers as fit into every such window [a, b] at once. It loses no more than any schedule that the verifier
-accepts:
+The bound by prices stands in gcs/benchmark/prices.py. That by windows is a relaxation, which CP-SAT solves to its
+optimum. A receiver that is kept until b has got, between a and b, at least what it draws until b less what it can have
+had at a, X. That takes givers' time between a and b, of which there is no more than (b - a) for each. The relaxation
+keeps as many receivers as fit into every such window [a, b] at once. It loses no more than any schedule that the
+verifier accepts:
 
 - Let a visit be all of a giver's consecutive services of one receiver. In q visits that take s seconds beside their
   setup, a receiver gets at most rate · s, and at most q times what it holds and what it draws meanwhile. So
@@ -25,11 +26,13 @@ windows up, by more than the verifier's tolerance allows over 1,000 services.
 from __future__ import annotations
 
 import math
+import time
 
 import numpy as np
 
+from gcs.benchmark import prices
 from gcs.benchmark.arrays import Arrays, Floats
-from gcs.extras import missing
+from gcs.extras import require
 
 WINDOW_S = 4.0
 SAMPLE_S = 1.0
@@ -39,17 +42,29 @@ SLACK_S = 0.1
 SLACK_J = 5.0
 UNIT_S = 1e-3
 """The solver's numbers are integers."""
+MOST_WORK = 1.0
+"""[choice] In CP-SAT's deterministic time, which is no matter of a machine's load."""
 
 
-def least_lost(arrays: Arrays, seconds: float = 10.0) -> int:
-    """At least so many are lost. Raises MissingExtra."""
-    try:
-        from ortools.sat.python import cp_model  # noqa: PLC0415 - an extra
-    except ImportError:
-        raise missing("a proven bound", "OR-Tools", "benchmark") from None
+def least_lost(arrays: Arrays, enough: int, seconds: float) -> int:
+    """At least so many are lost. What is tried ends where `enough` are, or after about so many seconds of processor
+    time. Raises MissingExtra."""
+    require("a proven bound", {"ortools": "OR-Tools", "scipy": "SciPy"}, "benchmark")
+    until_s = time.process_time() + seconds
+    ways_s, first_s = _least_ways_s(arrays)
+    lost = _by_windows(arrays, ways_s, first_s)
+    if lost < enough:
+        needs_j = np.maximum(_least_j(arrays, arrays.horizon_s), 0.0)
+        lost = max(lost, prices.least_lost(arrays, ways_s, first_s, needs_j, _most_j(arrays), enough, until_s))
+    return lost
+
+
+def _by_windows(arrays: Arrays, ways_s: Floats, first_s: Floats) -> int:
+    from ortools.sat.python import cp_model  # noqa: PLC0415 - an extra
+
     model = cp_model.CpModel()
     keeps = [model.NewBoolVar("") for _ in range(arrays.n)]
-    for work_s, most_s in _windows(arrays):
+    for work_s, most_s in _windows(arrays, ways_s, first_s):
         whole = [math.floor(one / UNIT_S) for one in work_s]
         if sum(whole) > (most := math.ceil((most_s + SLACK_S) / UNIT_S)):
             model.Add(sum(one * keep for one, keep in zip(whole, keeps, strict=True)) <= most)
@@ -57,7 +72,7 @@ def least_lost(arrays: Arrays, seconds: float = 10.0) -> int:
     model.Add(sum(math.floor(one) * keep for one, keep in zip(needs_j, keeps, strict=True)) <= _most_j(arrays))
     model.Maximize(sum(keeps))
     solver = cp_model.CpSolver()
-    solver.parameters.max_time_in_seconds = seconds
+    solver.parameters.max_deterministic_time = MOST_WORK
     solver.parameters.num_workers = 1
     solver.Solve(model)
     if solver.StatusName() not in ("OPTIMAL", "FEASIBLE"):
@@ -76,10 +91,9 @@ def _most_j(arrays: Arrays) -> int:
     return math.ceil(arrays.spare_j.sum() + arrays.stock_j.sum() + saved_w * arrays.horizon_s + SLACK_J)
 
 
-def _windows(arrays: Arrays) -> list[tuple[Floats, float]]:
+def _windows(arrays: Arrays, ways_s: Floats, first_s: Floats) -> list[tuple[Floats, float]]:
     """The giver's time (n,) that each receiver needs in a window, and how much there is."""
     found = []
-    ways_s, first_s = _least_ways_s(arrays)
     times = np.arange(WINDOW_S, arrays.horizon_s + 1e-9, WINDOW_S)
     givers = arrays.m + arrays.k
     fastest_w = max([arrays.rate_w, *arrays.base_rate_w]) + (arrays.power_w if arrays.k else 0.0)

@@ -1,10 +1,13 @@
-"""Gaps between proven bounds and verified schedules, as JSON lines; those of the 300 instances are in gaps.jsonl."""
+"""Gaps between proven bounds and verified schedules; those of the 300 instances are in gaps.jsonl.
+
+Tables of them, and of other results, are JSON lines, which are added to, so that a long run can be stopped and go on.
+"""
 
 from __future__ import annotations
 
 from importlib import resources
 from pathlib import Path
-from typing import Final
+from typing import TypeVar
 
 import msgspec
 from msgspec import Struct
@@ -27,26 +30,29 @@ class Gap(Struct):
         return self.lower == self.upper
 
 
-TABLE: Final = msgspec.json.Decoder(Gap)
+Row = TypeVar("Row", bound=Struct)
 
 
-def read(path: Path) -> list[Gap]:
-    """The table in a file. Raises FormatError."""
+def read(path: Path, kind: type[Row]) -> list[Row]:
+    """The table in a file, empty where there is none. Raises FormatError."""
+    if not path.exists():
+        return []
     try:
-        return TABLE.decode_lines(path.read_bytes())
+        return msgspec.json.Decoder(kind).decode_lines(path.read_bytes())
     except OSError as error:
         raise FormatError(f"{path}: {error.strerror}") from None
     except (msgspec.MsgspecError, UnicodeDecodeError) as error:
-        raise FormatError(f"{path} is no table of gaps (docs/refuelling-benchmark.md#bounds): {error}") from None
+        what = f"{kind.__name__.lower()}s"
+        raise FormatError(f"{path} is no table of {what} (docs/refuelling-benchmark.md): {error}") from None
 
 
-def add(path: Path, gap: Gap) -> None:
+def add(path: Path, row: Struct) -> None:
     """Append one line. Raises OSError."""
     with path.open("ab") as table:
-        table.write(msgspec.json.encode(gap) + b"\n")
+        table.write(msgspec.json.encode(row) + b"\n")
 
 
 def shipped() -> dict[str, Gap]:
     """Those of the 300 instances, by name, as `gcs benchmark solve --table` has found them."""
     text = resources.files("gcs").joinpath("benchmark", "gaps.jsonl").read_bytes()
-    return {gap.instance: gap for gap in TABLE.decode_lines(text)}
+    return {gap.instance: gap for gap in msgspec.json.Decoder(Gap).decode_lines(text)}

@@ -1,4 +1,4 @@
-"""The 300 instances: drawn by seed alone, the same on every machine.
+"""The 300 instances, and as many others for tuning: drawn by seed alone, the same on every machine.
 
 Three kinds of 100: `tankers` have nothing else; in `reloads` tankers carry half of what is needed and fetch the rest at
 bases; in `bases` receivers may go to bases as well. Within a kind receivers grow from 4 to 40 and, independently of
@@ -17,6 +17,8 @@ from gcs.benchmark.format import INSTANCE, BenchmarkBase, BenchmarkReceiver, Ben
 KINDS = ("tankers", "reloads", "bases")
 OF_A_KIND = 100
 FEWEST, MOST, MOST_TANKERS, MOST_BASES = 4, 40, 8, 3
+TUNING_SEED = 100_000
+"""Added to the seeds of the 300."""
 SETUP_S = 6.0
 """Of a service beside the way and the flow of energy, as flown sessions need it."""
 FULL, LANDS_AT = 0.9, 0.05
@@ -25,16 +27,16 @@ APART_M = 9.0
 """Of the field: a square with so much room for each receiver and half of it on every side."""
 
 
-def instances() -> Iterator[Instance]:
+def instances(tuning: bool = False) -> Iterator[Instance]:
     """All, in order."""
     for kind in KINDS:
         for number in range(OF_A_KIND):
-            yield instance(kind, number)
+            yield instance(kind, number, tuning)
 
 
-def instance(kind: str, number: int) -> Instance:
-    """Number 0 to 99 of a kind."""
-    seed = 1000 * (KINDS.index(kind) + 1) + number
+def instance(kind: str, number: int, tuning: bool = False) -> Instance:
+    """Number 0 to 99 of a kind: of the 300, or of those on which parameters may be chosen."""
+    seed = 1000 * (KINDS.index(kind) + 1) + number + (TUNING_SEED if tuning else 0)
     draw = random.Random(seed)
     count = FEWEST + (MOST - FEWEST) * number // (OF_A_KIND - 1)
     tightness = (number * 37 % OF_A_KIND) / (OF_A_KIND - 1)
@@ -51,8 +53,9 @@ def instance(kind: str, number: int) -> Instance:
     carried = {"tankers": 1.0, "reloads": 0.5, "bases": 0.7}[kind] * spare * sum(needed) / tankers
     bases = 0 if kind == "tankers" else draw.randint(1, MOST_BASES)
     fast_w, stock_j = 2.0 * rate_w, float(round(0.6 * spare * sum(needed) / max(bases, 1)))
+    name = f"{'tuning-' if tuning else ''}{kind}-{number:03}"
     return Instance(
-        INSTANCE, f"{kind}-{number:03}", kind, round(tightness, 3), seed, horizon_s, SETUP_S, rate_w, receivers,
+        INSTANCE, name, kind, round(tightness, 3), seed, horizon_s, SETUP_S, rate_w, receivers,
         [_tanker(draw, 201 + k, horizon_s, half_m, carried) for k in range(tankers)],
         [
             BenchmarkBase(f"base-{k + 1}", _place(draw, half_m, 0.0, 0.0), stock_j, fast_w)

@@ -18,10 +18,12 @@ from gcs.benchmark.gaps import Gap
 from gcs.benchmark.verifier import verify
 
 WIDTHS = (40, 150, 500, 1500)
+BOUNDS_SHARE = 0.5
+"""[choice] Of the time, for the bound at most; it is looked for after the narrowest searches."""
 
 
 def solve(
-    instance: Instance, seconds: float, least_lost: Callable[[Arrays], int] = bounds.least_lost
+    instance: Instance, seconds: float, least_lost: Callable[[Arrays, int, float], int] = bounds.least_lost
 ) -> tuple[Gap, Schedule]:
     """Search until the bound is met, or for so many seconds of processor time. Raises MissingExtra where a schedule
     loses a receiver and OR-Tools is not installed: one that loses none proves itself."""
@@ -29,9 +31,10 @@ def solve(
     arrays, lower = Arrays(instance), 0
     best = Schedule(SCHEDULE, instance.name, [])
     upper = lost_of(instance, best)
+    bounded = False
     for weights, width in _tries(instance.seed):
-        if width > WIDTHS[0] and lower == 0 and upper > 0:
-            lower = least_lost(arrays)
+        if width > WIDTHS[0] and upper > 0 and not bounded:
+            lower, bounded = least_lost(arrays, int(upper), BOUNDS_SHARE * seconds), True
         if upper <= lower or time.process_time() - began_s > seconds:
             break
         found = beam.search(arrays, weights, width, began_s + seconds)
@@ -42,7 +45,7 @@ def solve(
 
 def searched(arrays: Arrays, seconds: float) -> Schedule:
     """The best schedule that beam search finds in so many seconds of processor time, without a bound."""
-    return solve(arrays.instance, seconds, lambda _: 0)[1]
+    return solve(arrays.instance, seconds, lambda *_: 0)[1]
 
 
 def lost_of(instance: Instance, schedule: Schedule) -> float:

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from pathlib import Path
 
@@ -26,12 +27,14 @@ def benchmark() -> None:
 @benchmark.command(short_help="Write the 300 instances into a folder.")
 @click.argument("folder", type=click.Path(path_type=Path, file_okay=False))
 @click.option("--kind", type=click.Choice(("tankers", "reloads", "bases")), help="Only these 100.")
-def make(folder: Path, kind: str | None) -> int:
+@click.option("--tuning", is_flag=True, help="300 others of the same kinds, to choose a method's parameters on.")
+def make(folder: Path, kind: str | None, tuning: bool) -> int:
     """Write the instances into FOLDER, a JSON file each; the same bytes on every machine.
 
     \b
     Examples:
       gcs benchmark make instances
+      gcs benchmark make others --tuning
       gcs benchmark make instances --kind reloads
 
     \b
@@ -45,7 +48,7 @@ def make(folder: Path, kind: str | None) -> int:
     count = 0
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for one in instances():
+        for one in instances(tuning):
             if kind in (None, one.kind):
                 (folder / f"{one.name}.json").write_bytes(raw(one))
                 count += 1
@@ -133,7 +136,7 @@ def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: 
         raise click.UsageError("--out takes the schedule of one instance; name one, or leave it out.")
     left = 0
     try:
-        known = {one.instance for one in gaps.read(table)} if table is not None and table.exists() else set()
+        known = {one.instance for one in gaps.read(table, gaps.Gap)} if table is not None else set()
         for path in instances:
             given = format.read(path, format.Instance)
             if given.name in known:
@@ -158,14 +161,20 @@ def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: 
 @click.option("--methods", multiple=True, help="One of them; can be given more than once. All by default.")
 @click.option("--seconds", type=click.FloatRange(min=0.1), default=5.0, show_default=True, help="For each instance.")
 @click.option("--instances", type=click.Path(path_type=Path, file_okay=False, exists=True), help="A folder of them.")
-def compare(methods: tuple[str, ...], seconds: float, instances: Path | None) -> int:
+@click.option(
+    "--table",
+    "results_file",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Add a JSON line of each result there, and take those that it has.",
+)
+def compare(methods: tuple[str, ...], seconds: float, instances: Path | None, results_file: Path | None) -> int:
     """Let schedulers make a schedule of each instance, judge it, and print one table: how often a method loses a
-    receiver, how many it loses, how many more than the proven optimum, energy, way and wall time. Without --instances,
-    every fifth of the 300.
+    receiver, how many it loses, how many more than the proven optimum, energy, way and processor time, which --seconds
+    limits. Without --instances, every fifth of the 300.
 
     \b
     Examples:
-      gcs benchmark compare
+      gcs benchmark compare --table results.jsonl
       gcs benchmark compare --methods optimal --methods cp_sat --seconds 10 --instances instances
 
     \b
@@ -174,7 +183,7 @@ def compare(methods: tuple[str, ...], seconds: float, instances: Path | None) ->
       2    a method or a file is wrong, or a package is missing
     """
     from gcs.benchmark import compare as table
-    from gcs.benchmark import format
+    from gcs.benchmark import format, gaps
     from gcs.extras import MissingExtra, require
 
     wrong = [one for one in methods if one not in table.METHODS]
@@ -186,10 +195,19 @@ def compare(methods: tuple[str, ...], seconds: float, instances: Path | None) ->
         if instances is not None and not files:
             raise click.UsageError(f"{instances} has no JSON file of an instance.")
         given = [format.read(path, format.Instance) for path in files] or table.sample()
-        results = {method: table.run(method, given, seconds) for method in methods or table.METHODS}
+        rows = gaps.read(results_file, table.Result) if results_file is not None else []
+        known = {(row.method, row.instance): row for row in rows if row.seconds == seconds}
+        results: dict[str, list[table.Result]] = {}
+        for method, one in itertools.product(methods or table.METHODS, given):
+            row = known.get((method, one.name)) or table.run(method, one, seconds)
+            if results_file is not None and (method, one.name) not in known:
+                gaps.add(results_file, row)
+            results.setdefault(method, []).append(row)
     except (format.FormatError, MissingExtra) as error:
         click.echo(f"gcs: {error}", err=True)
         return BAD_INPUT
+    except OSError as error:
+        raise click.UsageError(f"{error.filename} cannot be written: {error.strerror}.") from None
     click.echo("\n".join(table.text(results)))
     return DONE
 

@@ -4,9 +4,9 @@ time windows, and a prize for each receiver that is served in its own."""
 from __future__ import annotations
 
 import math
+import time
 
 from pyvrp import Model
-from pyvrp.stop import MaxRuntime
 
 from gcs.benchmark.peers.rolling import UNIT_S, Jobs, Rolling
 
@@ -16,8 +16,8 @@ PRIZE = 100_000
 class PyVrp(Rolling):
     """Routes need not end anywhere: ways to their ends take no time."""
 
-    def plan(self, jobs: Jobs, seconds: float) -> dict[int, int]:
-        """The first job of each tanker that has one."""
+    def plan(self, jobs: Jobs, seconds: float) -> dict[int, int] | None:
+        """The first job of each tanker that has one; None where no plan was found in time."""
         model, n, m = Model(), len(jobs.receivers), len(jobs.tankers)
         served = [
             j for j in range(n)
@@ -46,10 +46,12 @@ class PyVrp(Rolling):
                     if i != j:
                         way = math.ceil(jobs.between_s[k, i, j] / UNIT_S)
                         model.add_edge(a, b, distance=way, duration=way, profile=profile)
-        best = model.solve(MaxRuntime(seconds), seed=1, collect_stats=False, display=False).best
+        until_s = time.process_time() + seconds
+        best = model.solve(lambda _: time.process_time() > until_s, seed=1, collect_stats=False, display=False).best
+        if not best.is_feasible():
+            return None
         found: dict[int, int] = {}
-        if best.is_feasible():
-            for route in best.routes():
-                first = next(visit for visit in route if visit.is_client())
-                found[route.vehicle_type()] = served[first.idx]
+        for route in best.routes():
+            first = next(visit for visit in route if visit.is_client())
+            found[route.vehicle_type()] = served[first.idx]
         return found

@@ -3,7 +3,8 @@
 What both see: the receivers that land first, MOST of them, each with the time from which it may be served, the time
 until which energy must flow, and how long its service takes; all tankers, with where and when they are free; ways
 between the places of now. The first receiver of each free tanker is served once it waits. An instance's time is shared
-among the calls that are still to be expected; when it is used up, the rest is by earliest deadline.
+among the calls that are still to be expected; when it is used up, the rest is by earliest deadline, and so is a call
+in which the solver finds nothing.
 """
 
 from __future__ import annotations
@@ -21,8 +22,8 @@ from gcs.benchmark.peers.flight import WANTS_FROM, DispatchedFlight
 MOST = 12
 UNIT_S = 0.1
 LEAST_S = 0.03
-SERVICES = 3.0
-"""Of a receiver, about."""
+SERVICES = 1.5
+"""[choice] Calls for a receiver, about."""
 AGAIN_S = 2.0
 """It is asked again when a tanker became free, a receiver began to wait, or after so long."""
 
@@ -91,6 +92,8 @@ class Rolling(ABC):
         jobs = jobs_of(flight)
         plan = self.plan(jobs, max(self._left_s / (1.0 + SERVICES * self._arrays.n * share), LEAST_S))
         self._left_s -= time.process_time() - began_s
+        if plan is None:
+            return FirstToLand().assign(flight)
         found = {}
         for k, j in plan.items():
             tanker, receiver = jobs.tankers[k], jobs.receivers[j]
@@ -99,5 +102,5 @@ class Rolling(ABC):
         return found
 
     @abstractmethod
-    def plan(self, jobs: Jobs, seconds: float) -> dict[int, int]:
-        """The first job of each tanker that has one."""
+    def plan(self, jobs: Jobs, seconds: float) -> dict[int, int] | None:
+        """The first job of each tanker that has one; None where no plan was found in time."""

@@ -39,6 +39,19 @@ def test_there_are_100_of_each_kind_with_what_the_format_has() -> None:
         assert found["lost"]
 
 
+def test_instances_for_tuning_are_others_of_the_same_kinds(tmp_path: Path) -> None:
+    of_the_300 = {one.name: one for one in instances()}
+    others = list(instances(tuning=True))
+    assert Counter(one.kind for one in others) == dict.fromkeys(KINDS, 100)
+    assert not {one.name for one in others} & of_the_300.keys()
+    assert not {one.seed for one in others} & {one.seed for one in of_the_300.values()}
+    first = of_the_300["tankers-000"]
+    assert (others[0].name, others[0].tightness) == ("tuning-tankers-000", first.tightness)
+    assert others[0].receivers != first.receivers
+    assert run_argv(["benchmark", "make", str(tmp_path), "--tuning", "--kind", "bases"]) == 0
+    assert format.read(tmp_path / "tuning-bases-099.json", format.Instance) == others[-1]
+
+
 def test_the_shipped_schema_is_that_of_the_types() -> None:
     text = resources.files("gcs").joinpath("schemas", "refuelling.schema.json").read_text(encoding="utf-8")
     assert json.loads(text) == format.schema()

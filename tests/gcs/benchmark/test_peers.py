@@ -100,14 +100,26 @@ def test_the_own_policies_serve_what_lands_first_when_both_can_be_kept() -> None
         assert schedule.services[0].receiver == one.receivers[1].id
 
 
-def test_the_command_prints_one_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_prints_one_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     for number in (0, 3):
         (tmp_path / f"{number}.json").write_bytes(format.raw(instance("tankers", number)))
     asked = ["benchmark", "compare", "--seconds", "1", "--instances", str(tmp_path)]
     assert run_argv([*asked, "--methods", "atcs", "--methods", "earliest_deadline"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
-    assert " ".join(head.split()) == "method loses some 95 % lost 95 % gap 95 % kJ way m wall s"
+    assert " ".join(head.split()) == "method loses some 95 % lost 95 % gap 95 % kJ way m CPU s"
     assert [row.split()[0] for row in rows] == ["atcs", "earliest_deadline"]
+    results = ["--table", str(tmp_path / "results.jsonl")]
+    assert run_argv([*asked, *results, "--methods", "atcs"]) == 0
+    head, row = capsys.readouterr().out.splitlines()
+    lines = (tmp_path / "results.jsonl").read_bytes()
+    with monkeypatch.context() as without:
+        without.setitem(compare.METHODS, "atcs", None)  # type: ignore[arg-type]
+        assert run_argv([*asked, *results, "--methods", "atcs"]) == 0
+    assert capsys.readouterr().out.splitlines() == [head, row]
+    assert (tmp_path / "results.jsonl").read_bytes() == lines
+    assert len(lines.splitlines()) == 2
     assert run_argv([*asked, "--methods", "magic"]) == 2
     assert "'magic' is no method; there are" in capsys.readouterr().err
 
@@ -116,6 +128,6 @@ def test_what_is_missing_is_said_in_one_sentence(monkeypatch: pytest.MonkeyPatch
     from gcs.benchmark import bounds  # noqa: PLC0415 - beside the module that is hidden
     from gcs.extras import MissingExtra  # noqa: PLC0415
 
-    monkeypatch.setitem(sys.modules, "ortools.sat.python", None)
+    monkeypatch.setitem(sys.modules, "ortools", None)
     with pytest.raises(MissingExtra, match=r"a proven bound needs OR-Tools, .*\[benchmark\]"):
-        bounds.least_lost(Arrays(instance("tankers", 0)))
+        bounds.least_lost(Arrays(instance("tankers", 0)), 1, 1.0)

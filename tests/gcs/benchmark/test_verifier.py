@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import copy
 import json
 import subprocess
@@ -102,6 +103,30 @@ def test_a_receiver_at_a_base_flies_there_and_back() -> None:
     assert verdict(stop | {"energy_j": 4_000.0}, bases=[INSTANCE["bases"][0] | {"stock_j": 3_000.0}])["problems"] == [
         "pad gives 1000 J more than it has"
     ]
+
+
+def imported(path: Path) -> set[str]:
+    """Modules that a file names in its imports, in functions too."""
+    nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+    plain = {name.name for node in nodes if isinstance(node, ast.Import) for name in node.names}
+    found = [node for node in nodes if isinstance(node, ast.ImportFrom)]
+    return plain | {f"{node.module}.{name.name}" for node in found for name in node.names}
+
+
+def test_it_shares_no_code_with_what_makes_schedules() -> None:
+    """It imports from Python alone, and of all other modules only those that judge call it."""
+    own = Path(verifier.__file__)
+    assert len(own.read_text(encoding="utf-8").splitlines()) <= 150
+    assert {name.split(".")[0] for name in imported(own)} <= sys.stdlib_module_names
+    root = own.parents[1]
+    users = {
+        path.relative_to(root).as_posix()
+        for path in root.rglob("*.py")
+        if any(name.startswith("gcs.benchmark.verifier") for name in imported(path))
+    }
+    assert users == {"benchmark/compare.py", "benchmark/solve.py", "cli/benchmark.py"}
+    for judge in ("compare", "solve"):
+        assert "gcs.benchmark.verifier.verify" in imported(own.with_name(f"{judge}.py"))
 
 
 def test_it_runs_by_itself(tmp_path: Path) -> None:

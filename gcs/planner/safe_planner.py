@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import STEERABLE
 from gcs.mavlink.setpoints import SetPoint, SetPoints
@@ -58,6 +59,9 @@ ACTS_M_S2 = 1.0
 """A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
 cause."""
 REPEAT_AFTER_S = 2.0
+ANSWERED_S = 0.25
+"""[choice] Offboard is asked for when set points have flowed for 0.2 s, and where nothing is lost the next report says
+that they are followed: one that has been sent set points for longer without that may follow them or not."""
 EVADES_M_S = 0.1
 """[choice] One of ours that flies by itself may evade others on board, and come back at any time: where it is faster,
 others also keep apart from where it would come to rest."""
@@ -101,6 +105,8 @@ class SafePlanner(TickPlanner):
         )
         """how long each flies on by a set point that no further one follows"""
         self._late = False
+        self._unsaid_s = np.zeros(n)
+        """for how long each has been sent set points without having said that it follows them"""
         failsafes = failsafes_of(scenario)
         self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if v.foreign is None}
         self._link_age = LinkAge(n)
@@ -171,9 +177,14 @@ class SafePlanner(TickPlanner):
             self.lag_s = LOOKAHEAD_S
             return
         known = ~(self._link_age.silent | np.isnan(columns.p_now_ned[:, 0]))
+        unsaid = self._led & ~columns.steerable & ~self._external
+        self._unsaid_s = np.where(unsaid, self._unsaid_s + request.period_s, 0.0)
         following = rows[(known & columns.steerable)[rows]]
         tracking.measure(following, columns.p_now_ned[following], request.snapshot.time_s, request.period_s, self.lag_s)
         lost = known & (~columns.steerable | (tracking.now_m > OFF_LEADER_M) | (self._external & self._late))
+        for row in np.flatnonzero(lost & self._doubtful).tolist():
+            ahead_ned = columns.p_now_ned[row] + self.lag_s * columns.v_ned[row]
+            lost[row] = elementary.distance(ahead_ned.tolist(), self._p_ned[row].tolist()) > OFF_LEADER_M
         for row in rows[lost[rows]].tolist():
             v_ned = self._within_speed(row, columns.v_ned[row])
             if self._external[row]:  # it brakes, or has to: it is led on from where it comes to rest
@@ -189,6 +200,15 @@ class SafePlanner(TickPlanner):
         half = len(lags_s) // 2
         median_s = lags_s[half] if len(lags_s) % 2 else (lags_s[half - 1] + lags_s[half]) / 2
         self.lag_s = max(median_s, LOOKAHEAD_S)
+
+    @property
+    def _doubtful(self) -> NDArray[np.bool_]:
+        """(n,) of which it is not known whether they follow the set points that they are sent.
+
+        Their leaders brake, and are not put back to where the vehicles are in every period, which would undo that: one
+        that follows comes to rest as one does that holds.
+        """
+        return self._unsaid_s > ANSWERED_S
 
     def _keep(self, points: SetPoints, columns: FleetColumns) -> None:
         """A leader for each set point."""
@@ -227,7 +247,7 @@ class SafePlanner(TickPlanner):
         rules, rows = self._scenario.planner, self._rows
         p = self._p_ned[rows]
         wanted_ned = points.v_ned + (points.p_ned - p) / SETTLE_S
-        wanted_ned[self._link_age.silent[rows] | self._late] = 0.0
+        wanted_ned[(self._link_age.silent | self._doubtful)[rows] | self._late] = 0.0
         floor = np.full((len(rows), 3), np.inf)
         floor[:, 2] = self._floors.at(columns.ground_down_m)[rows]
         margin_m = np.minimum(np.maximum(self.tracking.error_m[rows] + SPARE_M, LEAST_MARGIN_M), MOST_MARGIN_M)
@@ -308,7 +328,7 @@ class SafePlanner(TickPlanner):
         return others + self._traffic_reach.intruders(traffic, self.lag_s, rules.separation_m, self._attracting)
 
     def _unled(self, columns: FleetColumns) -> list[int]:
-        """Rows of those that live, follow no leader and are not surely on the ground."""
+        """Rows of those that live, do not surely follow a leader and are not surely on the ground."""
         unled = ~(self._led & columns.steerable & ~self._link_age.silent) & columns.alive
         if not unled.any():
             return []

@@ -212,6 +212,10 @@ class ArmingSequence:
             self._refusals.add(text)
         return again
 
+    def has_left(self, token: str) -> bool:
+        """Whether a command is of a stage that has ended."""
+        return token.startswith(ARMING) and not token.startswith(f"{ARMING} {self.stage}")
+
     def _come_down(self, view: VehicleView, now_s: float) -> list[CommandRequest]:
         """Land; and disarm where the autopilot does not so by itself."""
         if view.landed:

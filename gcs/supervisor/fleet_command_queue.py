@@ -72,9 +72,9 @@ class FleetCommandQueue:
         """Whether a command of this token has not ended yet, to whichever vehicle."""
         return any(other == token for _, other in self._under_way)
 
-    def withdraw(self, sysid: int) -> None:
+    def withdraw(self, sysid: int, by: tuple[str, ...] = (OPERATOR, ARMING)) -> None:
         """Drop what arming sequence or operator wanted before: it must not be repeated after what they want now."""
-        for token in self._queues[sysid].withdraw(lambda token: str(token).startswith((OPERATOR, ARMING))):
+        for token in self._queues[sysid].withdraw(lambda token: str(token).startswith(by)):
             self._under_way.discard((sysid, token))
 
     def on_ack(self, sysid: int, ack: Any, now_s: float) -> list[CommandResult]:

@@ -20,7 +20,7 @@ from gcs.link.peers.place_radio import is_place
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.codec import Frame, Message
-from gcs.mavlink.command_protocol import CommandResult
+from gcs.mavlink.command_protocol import ARMING, CommandResult
 from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.custom import make_planner
@@ -427,6 +427,8 @@ class Supervisor:
         if self.externals.settles(sysid, result, now_s):
             return
         text, arming = acknowledged(result), self.arming[sysid]
+        if result.outcome == "timeout" and arming.has_left(str(result.token)):
+            return
         if result.outcome == "accepted":
             self.events.append(Event(now_s, sysid, "info", text, "ack"))
         elif not arming.repeats(text):
@@ -480,6 +482,8 @@ class Supervisor:
             changed = arming.stage is not before
             if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):
                 self.command_queue.withdraw(sysid)
+            elif changed:
+                self.command_queue.withdraw(sysid, (ARMING,))
             if changed:
                 self._report_stage(view, arming, before, now_s)
             self.command_queue.put(sysid, requests)

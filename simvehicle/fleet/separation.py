@@ -67,7 +67,7 @@ GENTLE_SHARE = 0.5
 STANDS_M_S, STANDS_M = 0.1, 0.15
 """A peer that is slower, and lower, stands on the ground."""
 UNCHANGED_M_S2 = 1e-9
-_HOLDS = frozenset({Mode.HOLD, Mode.GUIDED})
+_KEPT_CLEAR = frozenset({Mode.HOLD, Mode.GUIDED, Mode.TAKEOFF})
 _GOING_DOWN = frozenset({Mode.LAND, Mode.TAKEOFF})
 _EVERYWHERE = (True, True, True)
 
@@ -154,9 +154,10 @@ class Separation:
         return True
 
     def _holds(self) -> bool:
-        """Whether it stays where it is, by order of a station that keeps all others away from there."""
+        """Whether it stays where it is, or climbs over it, by order of a station that keeps all others away from there
+        and could not foresee where it evades to."""
         vehicle = self._vehicle
-        held = vehicle.mode in _HOLDS and vehicle.ordered and not vehicle.alone(ALONE_S)
+        held = vehicle.mode in _KEPT_CLEAR and vehicle.ordered and not vehicle.alone(ALONE_S)
         return held and not (vehicle.leads and elementary.norm(self._v_ned) > STANDS_M_S)
 
     def release(self) -> None:

@@ -1,12 +1,16 @@
-"""The filtered planner and vehicles that have fallen silent: who stands where they may be gives way."""
+"""The filtered planner and vehicles that have fallen silent, or follow their leaders or not: others keep away from
+where they may be."""
 
 import math
+from collections import deque
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
 from views import view
 
 from gcs.mavlink.autopilots import FlightMode
+from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.planner import Planner
 from gcs.planner.request import PlanRequest
 from gcs.planner.safe_planner import SafePlanner
@@ -17,11 +21,15 @@ PERIOD_S, SPEED_M_S = 0.1, 3.0
 AHEAD_M = 10.0
 
 
-def scenario() -> Scenario:
+def scenario(
+    starts: Sequence[Vec3] = ((AHEAD_M, 0.0, -5.0), (0.0, 0.0, -5.0)),
+    goals: Sequence[Vec3] = ((AHEAD_M, 0.0, -5.0), (30.0, 0.0, -5.0)),
+) -> Scenario:
+    """Vehicles 1 and so on, in the air at these places, each with one way point."""
     battery = {"capacity_j": 24_000.0}
     pursuers: list[dict[str, Any]] = [
-        {"sysid": 1, "start_m": (AHEAD_M, 0.0, -5.0), "waypoints_m": [(AHEAD_M, 0.0, -5.0)]},
-        {"sysid": 2, "start_m": (0.0, 0.0, -5.0), "waypoints_m": [(30.0, 0.0, -5.0)]},
+        {"sysid": sysid, "start_m": start, "waypoints_m": [goal]}
+        for sysid, (start, goal) in enumerate(zip(starts, goals, strict=True), 1)
     ]
     return Scenario.model_validate(
         {
@@ -75,6 +83,37 @@ def nearest_to_rest_m(mode: FlightMode) -> float:
 @pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.TAKEOFF, FlightMode.RETURN])
 def test_one_that_flies_by_itself_may_stop_and_come_back_at_any_time(mode: FlightMode) -> None:
     assert nearest_to_rest_m(mode) >= scenario().planner.separation_m
+
+
+class Follower:
+    """A vehicle that is where its leader was four periods ago, on the way that it flies at a constant velocity."""
+
+    def __init__(self, p_ned: Vec3, v_ned: Vec3 = (0.0, 0.0, 0.0)) -> None:
+        way = [tuple(x + PERIOD_S * k * v for x, v in zip(p_ned, v_ned, strict=True)) for k in range(4)]
+        self._way: deque[tuple[Any, Any]] = deque((place, v_ned) for place in way)
+
+    def fly(self) -> tuple[Vec3, Vec3]:
+        return self._way.popleft()
+
+    def receive(self, point: SetPoint) -> None:
+        self._way.append((point.p_ned, point.v_ned))
+
+
+@pytest.mark.parametrize("gap_m", [2.0, 2.5, 3.0])
+@pytest.mark.parametrize("mode", [FlightMode.TAKEOFF, FlightMode.HOLD])
+def test_one_that_follows_set_points_without_having_said_so_comes_to_rest(mode: FlightMode, gap_m: float) -> None:
+    """Its HEARTBEATs are lost, and another vehicle hovers on its way."""
+    content = scenario()
+    planner, follower = SafePlanner(content, Planner(content)), Follower((0.0, 0.0, -5.0), (2.0, 0.0, 0.0))
+    other = (gap_m + 0.6, 0.0, -5.0)
+    for tick in range(40):
+        p_ned, v_ned = follower.fly()
+        vehicles = (view(1, p_ned=other), view(2, p_ned=p_ned, v_ned=v_ned, mode=mode))
+        snapshot = FleetSnapshot(20.0 + tick * PERIOD_S, vehicles, ())
+        (point,) = planner.plan(PlanRequest(snapshot, frozenset({2}), PERIOD_S))
+        follower.receive(point)
+        assert math.dist(p_ned, other) >= content.planner.separation_m
+    assert math.hypot(*v_ned) < 0.1
 
 
 def meets_m(approaches: frozenset[int]) -> list[float]:

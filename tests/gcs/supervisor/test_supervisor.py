@@ -8,7 +8,7 @@ import pytest
 from gcs.mavlink import codec
 from gcs.supervisor.arming import Stage
 
-HOLD, SET_MODE = 4 << 16 | 3 << 24, 176
+HOLD, OFFBOARD, SET_MODE = 4 << 16 | 3 << 24, 6 << 16, 176
 
 
 def test_the_first_grant_is_time_zero_and_every_tick_grants_one_period_more(scripted: Any) -> None:
@@ -159,6 +159,21 @@ def test_in_silence_a_pilots_command_is_repeated_but_never_lined_up(scripted: An
     deaf.acks = [SET_MODE]
     session.fly(5)
     assert len(_set_modes(session)) <= len(sent) + 1
+
+
+def test_what_a_stage_asked_for_is_not_repeated_once_its_vehicle_has_gone_on(scripted: Any) -> None:
+    """It would bring the vehicle back: a take-off repeated in offboard ends that."""
+    session = scripted()
+    deaf = session.link.vehicles[1, 1]
+    deaf.hear, deaf.custom_mode = (lambda _: None), HOLD
+    session.fly(12)
+    assert _set_modes(session)
+    deaf.custom_mode = OFFBOARD
+    session.fly(1)
+    sent = _set_modes(session)
+    session.fly(30)
+    assert _set_modes(session) == sent
+    assert not [event for event in session.supervisor.events if "timed out" in event.text]
 
 
 def _set_modes(session: Any) -> list[int]:

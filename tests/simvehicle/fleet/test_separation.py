@@ -368,6 +368,31 @@ def test_only_a_vehicle_that_the_station_holds_stays_where_another_comes(ordered
     assert (math.dist(vehicle.p_ned, places[1]) < 0.05) == stays
 
 
+@pytest.mark.parametrize(("heard", "climbs"), [(True, True), (False, False)])
+def test_one_that_takes_off_by_order_climbs_as_the_station_foresees(heard: bool, climbs: bool) -> None:
+    """The station leads another one past its column, 0.7 m beside it; without a station it evades that."""
+    rules = rules_of({1: (0.0, 0.0, 0.0), 2: (5.0, 1.2, 0.0)}, {1: 10.0, 2: 12.0})
+    vehicle = Vehicle(IDENTITIES["px4"], Parameters({"COM_DL_LOSS_T": 30.0}), FRAME, Start((0.0, 0.0, 0.0)))
+    vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, 1, rules)
+    vehicle.set_clock(0, 0)
+    vehicle.receive_gcs_heartbeat()
+    vehicle.trigger(Trigger.ARM)
+    vehicle.take_off(2.5)
+    connection = Connection(1)
+    services, writer = Services(vehicle, 1, [connection]), common.MAVLink(None, 2, 1)
+    aside_m = 0.0
+    for tick in range(60):
+        if heard:
+            vehicle.receive_gcs_heartbeat()
+        north = 5.0 - 0.1 * tick
+        place = common.MAVLink_local_position_ned_message(100 * tick, north, 0.7, -2.5, -1.0, 0.0, 0.0)
+        for frame in split(bytes(place.pack(writer))):
+            services.receive(frame, connection)
+        vehicle.advance(100 * (tick + 1))
+        aside_m = max(aside_m, math.hypot(*vehicle.p_ned[:2]))
+    assert (aside_m < 0.05) == climbs
+
+
 @pytest.mark.parametrize(
     ("changed", "sentence"),
     [

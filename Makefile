@@ -42,15 +42,14 @@ check: $(DEV_READY)
 	  $(VENV)/bin/python -m pytest -n auto --dist loadfile --no-loadscope-reorder $(FAST); tested=$$?; \
 	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
-# The tests are imported once before they run, and what is compiled then is kept: else each worker would compile all of
-# it. Many tests wait for real time: four workers for each of two processors keep those busy. mypy runs beside them.
+# The tests are imported once, and workers are forked from there. Many tests wait for real time: four workers for each of
+# two processors keep those busy. mypy runs beside them.
 test: CHOSEN := -m "not slow"
 test test-all: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \
-	  $(VENV)/bin/python -m pytest --collect-only -qq >/dev/null; \
-	  $(VENV)/bin/python -m pytest -n 8 --dist loadfile --no-loadscope-reorder $(CHOSEN); tested=$$?; \
+	  $(VENV)/bin/python tests/support/forked.py 8 --dist loadfile --no-loadscope-reorder $(CHOSEN); tested=$$?; \
 	  wait $$typed || tested=1; cat $(VENV)/mypy.log; exit $$tested
 
 # What a release needs, as far as it needs no network: lint, types and the fast tests; the source archive, and of it a

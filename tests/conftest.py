@@ -23,8 +23,10 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 # session's matrices are far too small for them, and the tests start hundreds of processes.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-# What tests let scenarios use is no answer of whoever runs them.
-os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="skytender-tests-")
+
+def pytest_configure() -> None:
+    """What tests let scenarios use is no answer of whoever runs them, nor of another worker."""
+    os.environ["XDG_STATE_HOME"] = tempfile.mkdtemp(prefix="skytender-tests-")
 
 
 def pytest_collectstart() -> None:

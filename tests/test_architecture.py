@@ -79,10 +79,15 @@ def modules(package: str) -> dict[str, Path]:
 
 
 @functools.cache
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
+@functools.cache
 def imports(path: Path) -> set[str]:
     """Absolute names that a module imports anywhere, `from a import b` as both `a` and `a.b`."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(tree(path)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -180,11 +185,7 @@ def test_top_level_holds_nothing_else() -> None:
 @functools.cache
 def definitions(program: str) -> list[tuple[str, ast.AST]]:
     """(module, node) of every syntax node of a program."""
-    return [
-        (name, node)
-        for name, path in modules(program).items()
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-    ]
+    return [(name, node) for name, path in modules(program).items() for node in ast.walk(tree(path))]
 
 
 def test_no_two_classes_have_one_name() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import os
 import pkgutil
@@ -86,6 +87,7 @@ def there(page: Path, anchor: str | None) -> bool:
     return anchor is None or anchor in anchors(text)
 
 
+@functools.cache
 def made() -> dict[Path, str]:
     """Text of every generated file, by where the site has it."""
     return {GENERATED / name: text for name, text in generated().pages().items()}

@@ -116,18 +116,18 @@ LIMITS = (0.0, -0.0, 1.0, -1.0, math.inf, -math.inf, math.nan)
 
 
 @pytest.mark.parametrize("x", [0.0, 0.3, 1.0, 2.5, math.inf, math.nan])
-@pytest.mark.parametrize("y", [-math.inf, -2.5, 0.0, 0.5, math.inf, math.nan])
-def test_limits_of_a_power_are_as_in_c(x: float, y: float) -> None:
-    expected = math.inf if x == 0.0 and y < 0.0 else math.pow(x, y)  # Python raises where C gives infinity
-    assert elementary.pow(x, y) == pytest.approx(expected, rel=1e-15, nan_ok=True)
+def test_limits_of_a_power_are_as_in_c(x: float) -> None:
+    for y in (-math.inf, -2.5, 0.0, 0.5, math.inf, math.nan):
+        expected = math.inf if x == 0.0 and y < 0.0 else math.pow(x, y)  # Python raises where C gives infinity
+        assert elementary.pow(x, y) == pytest.approx(expected, rel=1e-15, nan_ok=True), y
 
 
 @pytest.mark.parametrize("x", LIMITS)
-@pytest.mark.parametrize("y", LIMITS)
-def test_the_angle_of_each_quadrant_is_as_in_c(y: float, x: float) -> None:
-    ours, c = elementary.atan2(y, x), math.atan2(y, x)
-    assert ours == pytest.approx(c, rel=3e-16, nan_ok=True)
-    assert math.isnan(c) or math.copysign(1.0, ours) == math.copysign(1.0, c)
+def test_the_angle_of_each_quadrant_is_as_in_c(x: float) -> None:
+    for y in LIMITS:
+        ours, c = elementary.atan2(y, x), math.atan2(y, x)
+        assert ours == pytest.approx(c, rel=3e-16, nan_ok=True), y
+        assert math.isnan(c) or math.copysign(1.0, ours) == math.copysign(1.0, c), y
 
 
 def test_arrays_hold_what_numbers_give() -> None:

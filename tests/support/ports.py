@@ -6,32 +6,35 @@ given away between the moment it is found free and the moment the program opens 
 
 from __future__ import annotations
 
+import functools
 import itertools
 import os
 import socket
+from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
-_WORKER, _WORKERS = (
-    int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw")),
-    int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1")),
-)
 # Above the ports that MAVLink's programs open by default.
 _LOWEST, _HIGHEST = 15_000, 65_535
-_KERNELS_FIRST, _KERNELS_LAST = map(int, Path("/proc/sys/net/ipv4/ip_local_port_range").read_text().split())
-_PORTS = [
-    port
-    for port in range(_LOWEST, _HIGHEST + 1)
-    if not _KERNELS_FIRST <= port <= _KERNELS_LAST and port % _WORKERS == _WORKER
-]
-# Two runs beside each other begin at different places; none is given twice, since a vehicle of the test before may
-# still speak to it.
-_left = itertools.islice(itertools.cycle(_PORTS), os.getpid() % len(_PORTS), None)
+
+
+@functools.cache
+def _ports() -> tuple[int, Iterator[int]]:
+    """How many are this worker's, and all of them again and again; of the process that asks first, for a worker may be
+    a fork of one that has imported this."""
+    worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    first, last = map(int, Path("/proc/sys/net/ipv4/ip_local_port_range").read_text().split())
+    ports = [n for n in range(_LOWEST, _HIGHEST + 1) if not first <= n <= last and n % workers == worker]
+    # Two runs beside each other begin at different places; none is given twice, since a vehicle of the test before may
+    # still speak to it.
+    return len(ports), itertools.islice(itertools.cycle(ports), os.getpid() % len(ports), None)
 
 
 def free_port(host: str = "127.0.0.1") -> int:
     """A port that neither UDP nor TCP has open at `host`, for this test alone."""
-    for port in itertools.islice(_left, len(_PORTS)):
+    count, left = _ports()
+    for port in itertools.islice(left, count):
         with ExitStack() as opened:
             try:
                 for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM):

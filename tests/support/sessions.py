@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 import psutil
 import yaml
+from commands import gcs
 from patience import PATIENCE_S
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega
@@ -228,6 +229,16 @@ def read_truth(path: Path) -> Truth:
     return Truth(head, table[:, 0], table[:, 2 : 2 + STATE], table[:, 2 + STATE :], thrust)
 
 
+def run_words(scenario: Mapping[str, Any] | str, folder: Path, *options: str, report: bool = False) -> list[str]:
+    """Words of `gcs` that fly a scenario into `folder / "session"`."""
+    name = scenario
+    if isinstance(scenario, Mapping):
+        name = str(folder / "scenario.yaml")
+        Path(name).write_text(yaml.safe_dump(dict(scenario), sort_keys=False), encoding="utf-8")
+    shown = [] if report else ["--no-report"]
+    return ["run", name, "--trust", "--out", str(folder / "session"), *shown, *options]
+
+
 class Running:
     """`gcs run` as a live process."""
 
@@ -241,25 +252,9 @@ class Running:
         report: bool = False,
     ):
         self.folder = folder / "session"
-        name = scenario
-        if isinstance(scenario, Mapping):
-            path = folder / "scenario.yaml"
-            path.write_text(yaml.safe_dump(dict(scenario), sort_keys=False), encoding="utf-8")
-            name = str(path)
-
         limit = [] if file_limit is None else ["prlimit", f"--fsize={file_limit}"]
         self.process = subprocess.Popen(
-            [
-                *limit,
-                *GCS,
-                "run",
-                str(name),
-                "--trust",
-                "--out",
-                str(self.folder),
-                *([] if report else ["--no-report"]),
-                *options,
-            ],
+            [*limit, *GCS, *run_words(scenario, folder, *options, report=report)],
             stdout=subprocess.PIPE if stdout is None else os.open(stdout, os.O_WRONLY),
             stderr=subprocess.PIPE,
             text=True,
@@ -313,10 +308,17 @@ class Running:
             self.process.communicate(timeout=10)
 
 
-def fly(
+def fly(scenario: Mapping[str, Any] | str, folder: Path, *options: str) -> Outcome:
+    """Run a session to its end; the command in this process, all that it starts in processes of its own."""
+    folder.mkdir(parents=True, exist_ok=True)
+    done = gcs(*run_words(scenario, folder, *options))
+    return Outcome(done.returncode, folder / "session", done.stdout, done.stderr)
+
+
+def fly_apart(
     scenario: Mapping[str, Any] | str, folder: Path, *options: str, patience_s: float = PATIENCE_S, **kwargs: Any
 ) -> Outcome:
-    """Run a session to its end."""
+    """The same with the command in a process of its own, as threads and limits need it."""
     folder.mkdir(parents=True, exist_ok=True)
     running = Running(scenario, folder, *options, **kwargs)
     try:

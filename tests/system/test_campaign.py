@@ -19,6 +19,7 @@ import dask
 import psutil
 import pytest
 import yaml
+from commands import gcs
 from distributed.security import Security
 from sessions import GCS
 
@@ -90,7 +91,7 @@ def test_a_row_has_the_digest_of_gcs_run(reference: list[dict[str, Any]], tmp_pa
     words = [word for key, value in settings.items() for word in ("--set", f"{key}={value!r}")]
     out = tmp_path / "session"
     options = ["--lockstep", "--quiet", "--no-report", "--seed", str(row["seed"]), "--out", str(out)]
-    subprocess.run([*GCS, "run", "paper/example1", *words, *options], check=False)
+    gcs("run", "paper/example1", *words, *options)
     assert json.loads((out / "summary.json").read_text(encoding="utf-8"))["digest"] == row["digest"]
 
 
@@ -269,7 +270,7 @@ def test_a_session_that_cannot_be_flown_or_takes_too_long_is_a_row(tmp_path: Pat
     assert errors[3] == errors[2]
 
 
-def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
+def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     content = {**CAMPAIGN, "sessions": 1, "expect": {"min_clearance_m": {"at_least": 50.0}}, "keep": "failed"}
     (tmp_path / "small.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
     run = [*GCS, "campaign", "run", "small.yaml", "--workers", "1", "--out", "out", "--plain"]
@@ -279,12 +280,10 @@ def test_the_command_flies_keeps_tells_and_repeats(tmp_path: Path) -> None:
     assert "below 50" in done.stdout
     assert "cruise_m_s 1.5  0 of 1" in done.stdout
     assert (tmp_path / "out" / "sessions" / "1" / "session.tlog").is_file()
-    status = subprocess.run(
-        [*GCS, "campaign", "status", "out"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
+    monkeypatch.chdir(tmp_path)
+    status = gcs("campaign", "status", "out")
     assert (status.returncode, status.stdout.splitlines()[0]) == (0, "small: 2 of 2 sessions")
-    again = [*GCS, "campaign", "fly", "out", "1", "--out", "again", "--quiet"]
-    assert subprocess.run(again, cwd=tmp_path, check=False).returncode in (0, 1)
+    assert gcs("campaign", "fly", "out", "1", "--out", "again", "--quiet").returncode in (0, 1)
     first, second = (
         json.loads((tmp_path / folder / "summary.json").read_text(encoding="utf-8"))["digest"]
         for folder in ("out/sessions/1", "again")
@@ -434,7 +433,9 @@ def test_a_search_is_the_same_with_one_worker_and_with_two(tmp_path: Path) -> No
     assert worst[0] == worst[1]
 
 
-def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path: Path) -> None:
+def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """1 and 2 fly head on without the filter; everybody and everything else is far away."""
     others = [(i, 8.0 + 4.0 * i) for i in range(3, 11)]
     ways = [(1, [-6.0, 0.0, -5.0], [6.0, 0.0, -5.0]), (2, [6.0, 0.05, -5.0], [-6.0, 0.05, -5.0])]
@@ -450,8 +451,8 @@ def test_ten_vehicles_and_twenty_obstacles_shrink_to_the_two_that_meet(tmp_path:
         "planner": {"cruise_m_s": 3.0, "safety": False},
     }  # fmt: skip
     (tmp_path / "ten.yaml").write_text(yaml.safe_dump(scenario), encoding="utf-8")
-    command = ["campaign", "shrink", "ten.yaml", "--expect", "min_separation_m>=0.6", "--out", "small.yaml"]
-    done = subprocess.run([*GCS, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    monkeypatch.chdir(tmp_path)
+    done = gcs("campaign", "shrink", "ten.yaml", "--expect", "min_separation_m>=0.6", "--out", "small.yaml")
     assert done.returncode == 0, done.stderr
     assert "still fails: 2 pursuers\n" in done.stdout
     small = yaml.safe_load((tmp_path / "small.yaml").read_text(encoding="utf-8"))

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from sessions import DIGESTS, SIMPLER, Outcome, demo, fly, small
+from sessions import DIGESTS, SIMPLER, Outcome, demo, fly, fly_apart, small
 from yaml import safe_load
 
 PURSUERS, TARGET, TANKER = (1, 2, 3, 4, 5), 101, 201
@@ -21,7 +21,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
         patch.delenv("OPENBLAS_NUM_THREADS")  # the fork server forks beside OpenBLAS's threads, as it does for a user
         for name, value in SIMPLER.items():
             patch.setenv(name, value)
-        return fly(demo(), tmp_path_factory.mktemp("demo"), "--plain")
+        return fly_apart(demo(), tmp_path_factory.mktemp("demo"), "--plain")
 
 
 def test_it_meets_its_goal_and_has_its_digest_on_a_simpler_processor(flown: Outcome) -> None:

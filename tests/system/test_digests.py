@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from sessions import DIGESTS, SIMPLER, fly
+from sessions import DIGESTS, SIMPLER, fly_apart
 
 
 @pytest.mark.parametrize("scenario", ["paper/example1", "paper/example3", "paper/example4"])
@@ -17,5 +17,5 @@ def test_a_session_has_one_digest_on_every_processor(
 ) -> None:
     for name, value in SIMPLER.items():
         monkeypatch.setenv(name, value)
-    outcome = fly(scenario, tmp_path, "--lockstep", "--quiet")
+    outcome = fly_apart(scenario, tmp_path, "--lockstep", "--quiet")
     assert outcome.summary["digest"].startswith(f"sha256:{DIGESTS[scenario]}")

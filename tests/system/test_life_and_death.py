@@ -13,7 +13,7 @@ import numpy as np
 import psutil
 import pytest
 import yaml
-from sessions import GCS, Outcome, Running, all_gone, fly, merged, small
+from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, small
 
 PACED = {"clock": {"mode": "real", "speed": 5.0}, "goal": {"duration_s": 300.0, "refuelled_at_least": 0}}
 
@@ -264,7 +264,7 @@ def test_a_vehicle_that_may_not_arm_says_so_once(tmp_path: Path) -> None:
 def test_a_vehicle_that_cannot_start_is_named_with_its_last_lines_and_there_is_no_report(tmp_path: Path) -> None:
     content = small()
     content["vehicles"]["pursuers"][0]["params"] = {"MPC_TKO_SPEED": 99.0}
-    outcome = fly(content, tmp_path, "--plain", report=True)
+    outcome = fly_apart(content, tmp_path, "--plain", report=True)
     assert outcome.status != 0
     assert "report" not in outcome.stdout + outcome.stderr
     assert not (outcome.folder / "report.html").exists()
@@ -307,7 +307,7 @@ def test_on_a_disk_that_fills_there_is_room_for_what_the_session_came_to(tmp_pat
 
 
 def test_a_full_disk_stops_the_session_with_closed_files(tmp_path: Path) -> None:
-    outcome = fly(small(truth=False), tmp_path, "--plain", file_limit=200_000)
+    outcome = fly_apart(small(truth=False), tmp_path, "--plain", file_limit=200_000)
     assert outcome.status == 1
     assert "session.tlog" in outcome.stderr
     assert "Traceback" not in outcome.stderr

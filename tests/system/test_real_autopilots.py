@@ -16,7 +16,7 @@ import pytest
 import yaml
 from launched import first_heartbeat, launched
 from on_our_physics import GUEST, assert_refuelled, assert_reported_where_it_is, mixed, several
-from sessions import ROOT, Outcome, demo, fly
+from sessions import ROOT, Outcome, demo, fly, fly_apart
 
 STAND_IN = ROOT / "tests" / "peers" / "json_arducopter.py"
 REAL = os.environ.get("SKYTENDER_ARDUCOPTER", "")
@@ -125,7 +125,7 @@ def test_it_is_launched_for_other_ground_stations_too(tmp_path: Path) -> None:
 def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
     """It has no GNSS, so that it never knows its place."""
     params = {"GPS_TYPE": 0.0, "GPS1_TYPE": 0.0}
-    outcome = fly(with_copter(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
+    outcome = fly_apart(with_copter(REAL, params=params), tmp_path, "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 1
     assert "was not ready in 120 s of its time: " in outcome.stderr
     assert "Traceback" not in outcome.stderr
@@ -140,7 +140,7 @@ def test_two_of_ours_and_two_real_ones_meet_the_goal_of_the_demo(tmp_path: Path)
     for pursuer in pursuers[2:]:
         pursuer["autopilot"] = {"ardupilot": REAL}
     content["vehicles"]["pursuers"] = pursuers
-    outcome = fly(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
+    outcome = fly_apart(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 0, outcome.stdout
     assert {3, 4} <= {service["receiver"] for service in outcome.summary["refuelling"]}
 

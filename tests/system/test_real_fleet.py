@@ -21,7 +21,7 @@ import yaml
 from commands import gcs
 from ports import free_port
 from real_simulators import ARDUCOPTER, FIRST_PX4, ORIGIN, PX4, PX4_PORT, simulator
-from sessions import Outcome, fly
+from sessions import Outcome, fly_apart
 from strangers import strangers
 
 SPEED = 3.0
@@ -130,7 +130,7 @@ def flown(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
         set_s = time.monotonic() - began_s
         assert not any(one.returncode for one in done), [one.stdout + one.stderr for one in done]
         checked = json.loads(gcs("check", str(file), "--wait-ready", "120", "--json").stdout)
-        outcome = fly(made, folder, patience_s=FETCHED_WITHIN_S)
+        outcome = fly_apart(made, folder, patience_s=FETCHED_WITHIN_S)
         own = {sysid: max(p for p in (folder / str(sysid)).rglob("*") if p.suffix in (".BIN", ".ulg"))
                for sysid in fleet.sysids}  # fmt: skip
         yield Flown(fleet, outcome, set_s, checked, own)

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from mission_files import ORIGIN, waypoint, write_plan
-from sessions import fly
+from sessions import fly_apart
 from ways import at_grants, nearest_m
 
 ARDUCOPTER, PX4 = os.environ.get("SKYTENDER_ARDUCOPTER", ""), os.environ.get("SKYTENDER_PX4", "")
@@ -53,7 +53,7 @@ def test_nine_fly_one_plan_of_20_items_which_six_others_cross(tmp_path: Path, ki
         "goal": {"duration_s": 400.0}, "planner": {"cruise_m_s": 2.5, "separation_m": SEPARATION_M},
         "vehicles": {"defaults": {"battery": {"capacity_j": 400_000}, "takeoff_m": 4}, "pursuers": pursuers},
     }  # fmt: skip
-    outcome = fly(content, tmp_path, "--plain", patience_s=PATIENCE_S)
+    outcome = fly_apart(content, tmp_path, "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 0, outcome.summary["outcome_text"]
     nearest = nearest_m(at_grants(outcome, [one["sysid"] for one in pursuers]))
     print(f"nearest: {nearest:.2f} m; {outcome.summary['digest']}; {outcome.summary['wall_time_s']:.0f} s of wall time")

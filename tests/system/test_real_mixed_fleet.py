@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sessions import Outcome, demo, fly, small
+from sessions import Outcome, demo, fly_apart, small
 
 ARDUCOPTER, PX4 = os.environ.get("SKYTENDER_ARDUCOPTER", ""), os.environ.get("SKYTENDER_PX4", "")
 PATIENCE_S = 600.0
@@ -32,7 +32,7 @@ def test_two_of_ours_two_arducopters_and_a_px4_meet_the_goal_of_the_demo(tmp_pat
     pursuers = content["vehicles"]["pursuers"]
     for pursuer, kind in zip(pursuers[2:], ("ardupilot", "ardupilot", "px4"), strict=True):
         pursuer.update(real(PX4 if kind == "px4" else ARDUCOPTER, kind))
-    outcome = fly(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
+    outcome = fly_apart(content, tmp_path / "session", "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 0, outcome.stdout
     assert outcome.summary["outcome"] == "met"
     services = outcome.summary["refuelling"]
@@ -66,7 +66,7 @@ def failing(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
             {"fault": "motor", "sysid": sysid, "at_s": MOTOR_S},
         )
     ]
-    return fly(content, tmp_path_factory.mktemp("failing"), "--plain", patience_s=PATIENCE_S)
+    return fly_apart(content, tmp_path_factory.mktemp("failing"), "--plain", patience_s=PATIENCE_S)
 
 
 def between(outcome: Outcome, sysid: int, kind: str, begin_s: float, end_s: float) -> list[tuple[float, Any]]:

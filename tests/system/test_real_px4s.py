@@ -13,7 +13,7 @@ import psutil
 import pytest
 from launched import first_heartbeat, launched
 from on_our_physics import GUEST, assert_refuelled, assert_reported_where_it_is, mixed, several
-from sessions import ROOT, Outcome, Running, demo, fly
+from sessions import ROOT, Outcome, Running, demo, fly, fly_apart
 
 STAND_IN = ROOT / "tests" / "peers" / "hil_px4.py"
 REAL = os.environ.get("SKYTENDER_PX4", "")
@@ -120,7 +120,7 @@ def test_it_is_launched_for_other_ground_stations_too(px4: str, tmp_path: Path) 
 def test_a_real_one_that_is_never_ready_says_why(tmp_path: Path) -> None:
     """It wants one satellite more than there are, so that it never knows its place. It says so once: by its link, or
     before that is up, in its last lines."""
-    outcome = fly(with_px4(REAL, params={"EKF2_REQ_NSATS": 13.0}), tmp_path, "--plain", patience_s=PATIENCE_S)
+    outcome = fly_apart(with_px4(REAL, params={"EKF2_REQ_NSATS": 13.0}), tmp_path, "--plain", patience_s=PATIENCE_S)
     assert outcome.status == 1
     assert "was not ready in 120 s of its time" in outcome.stderr
     assert "not enough GPS Satellites" in outcome.stderr

@@ -19,7 +19,7 @@ from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect
-from sessions import Outcome, demo, fly, merged
+from sessions import Outcome, demo, fly_apart, merged
 from web import Watched, until
 
 from gcs.cli.main import run_argv
@@ -71,7 +71,7 @@ def copied(flown: Outcome, folder: Path) -> Path:
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
     """Of the demo 32 s: two refuellings, and the goal missed."""
     changes = {"goal": {"duration_s": 32}}
-    return fly(merged(demo(), changes), tmp_path_factory.mktemp("report"), "--plain", report=True)
+    return fly_apart(merged(demo(), changes), tmp_path_factory.mktemp("report"), "--plain", report=True)
 
 
 @pytest.fixture(scope="module")

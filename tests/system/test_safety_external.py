@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from ports import free_port
 from pymavlink.dialects.v20 import common as mav
-from sessions import Outcome, fly, read_truth
+from sessions import Outcome, fly_apart, read_truth
 from strangers import SIMVEHICLE, strangers
 from ways import between, nearest_m, of_truths
 
@@ -67,7 +67,7 @@ def fly_across(folder: Path) -> Flown:
     command, truths = fleet(folder, starts, port)
     planner = {"cruise_m_s": 4.0, "separation_m": 2.0}
     with strangers(folder / "logs", command):
-        return Flown(fly(scenario(blocks, 24.0, planner=planner), folder), truths)
+        return Flown(fly_apart(scenario(blocks, 24.0, planner=planner), folder), truths)
 
 
 def fly_on_a_ring(folder: Path) -> Flown:
@@ -87,7 +87,7 @@ def fly_on_a_ring(folder: Path) -> Flown:
     ]  # fmt: skip
     command, truths = fleet(folder, starts, port)
     with strangers(folder / "logs", command):
-        return Flown(fly(content, folder), truths)
+        return Flown(fly_apart(content, folder), truths)
 
 
 def shift(data: bytes, off_ned: tuple[float, float]) -> bytes:
@@ -154,7 +154,8 @@ def fly_off(folder: Path) -> Flown:
             for i, start in enumerate(starts)
         ]  # fmt: skip
         stack.enter_context(strangers(folder / "logs", *commands))
-        return Flown(fly(scenario(blocks, 26.0, planner={"cruise_m_s": 2.0, "separation_m": 1.0}), folder), truths)
+        content = scenario(blocks, 26.0, planner={"cruise_m_s": 2.0, "separation_m": 1.0})
+        return Flown(fly_apart(content, folder), truths)
 
 
 FLIGHTS: dict[str, Callable[[Path], Flown]] = {

@@ -149,15 +149,15 @@ def test_exported(version: int, tmp_path: Path) -> None:
             assert list(row) == [*field_units.OWN, *(column.name for column in shape.columns)]
 
 
-@pytest.mark.parametrize("raw", [raw for _, raw in spoken(1)])
-def test_a_frame_turned_into_mavlink_1_is_what_pymavlink_packs(raw: bytes) -> None:
-    split = codec.split(raw)
-    (frame,) = split.older
-    if split.unknown:
-        with pytest.raises(ValueError, match="cannot be sent in MAVLink 1"):
-            dialect.older_form(frame.raw)
-    else:
-        assert dialect.older_form(frame.raw) == raw
+def test_a_frame_turned_into_mavlink_1_is_what_pymavlink_packs() -> None:
+    for _, raw in spoken(1):
+        split = codec.split(raw)
+        (frame,) = split.older
+        if split.unknown:
+            with pytest.raises(ValueError, match="cannot be sent in MAVLink 1"):
+                dialect.older_form(frame.raw)
+        else:
+            assert dialect.older_form(frame.raw) == raw
 
 
 def test_extension_fields_and_a_signature_are_left_out_in_mavlink_1() -> None:

@@ -1,5 +1,6 @@
 """The vehicle's codec against pymavlink, on what a vehicle sends and obeys, and on what is no message."""
 
+import itertools
 import struct
 from typing import Any
 
@@ -111,10 +112,10 @@ def test_message_with_any_payload_of_any_length_is_read_like_pymavlink(msgid: in
     assert_reads_like_pymavlink(peer_frame(name_of(msgid), data.draw(st.binary(min_size=1, max_size=size))))
 
 
-@pytest.mark.parametrize("msgid", SPOKEN, ids=name_of)
-def test_payload_longer_than_known_is_read_as_far_as_known(msgid: int) -> None:
-    size = CLASSES[msgid].unpacker.size
-    assert_reads_like_pymavlink(peer_frame(name_of(msgid), bytes(i % 90 + 32 for i in range(min(size + 5, 255)))))
+def test_payload_longer_than_known_is_read_as_far_as_known() -> None:
+    for msgid in SPOKEN:
+        size = CLASSES[msgid].unpacker.size
+        assert_reads_like_pymavlink(peer_frame(name_of(msgid), bytes(i % 90 + 32 for i in range(min(size + 5, 255)))))
 
 
 def heartbeat(seq: int = 0) -> bytes:
@@ -141,11 +142,10 @@ def test_mavlink_1_is_passed_over() -> None:
     assert [frame.seq for frame in codec.split(old + heartbeat(9) + old)] == [9]
 
 
-@pytest.mark.parametrize("at", range(len(heartbeat())))
-def test_any_single_wrong_byte_keeps_the_frame_out(at: int) -> None:
+def test_any_single_wrong_byte_keeps_the_frame_out() -> None:
     good = heartbeat()
-    for flip in (1, 0x80, 0xFF):
-        assert list(codec.split(good[:at] + bytes([good[at] ^ flip]) + good[at + 1 :])) == []
+    for at, flip in itertools.product(range(len(good)), (1, 0x80, 0xFF)):
+        assert list(codec.split(good[:at] + bytes([good[at] ^ flip]) + good[at + 1 :])) == [], at
 
 
 @pytest.mark.parametrize("msgid", [8, 380, 11030, 0xFFFFFF])

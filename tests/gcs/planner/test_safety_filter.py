@@ -182,9 +182,10 @@ def test_braking_never_lowers_what_the_kernels_say_of_it(seed):
 def test_one_period_of_braking_leads_along_the_same_way(seed):
     rng = np.random.default_rng(seed)
     v, b = rng.normal(size=(1, 3)) * rng.choice([0.01, 1.0, 5.0]), np.array([[rng.uniform(1, 8)]])
-    whole = way(np.zeros((1, 3)), v, brake(v, b), b, 400)
+    periods = math.ceil(float(np.linalg.norm(v)) / (b[0, 0] * DT)) + 2
+    whole = way(np.zeros((1, 3)), v, brake(v, b), b, periods)
     u = brake(v, b)
-    tail = way(DT * v + 0.5 * DT * DT * u, v + DT * u, brake(v + DT * u, b), b, 399)
+    tail = way(DT * v + 0.5 * DT * DT * u, v + DT * u, brake(v + DT * u, b), b, periods - 1)
     assert np.abs(whole[SUB + 1 :] - tail).max() < 1e-12
     assert np.linalg.norm(whole[-1]) == pytest.approx(stop_way(float(np.linalg.norm(v)), float(b[0, 0]), DT), abs=1e-9)
 

@@ -182,10 +182,17 @@ class Vehicles:
         self.before = datagrams
 
 
+def twelve() -> Scenario:
+    """The fleet with its first twelve pursuers and 77, which never joins, of two hundred."""
+    fleet = load(find("fleet"))
+    kept = tuple(one for one in fleet.vehicles.pursuers if one.sysid in {*range(1, 13), 77})
+    return fleet.model_copy(update={"vehicles": fleet.vehicles.model_copy(update={"pursuers": kept})})
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_datagrams_of_whole_answers_are_received_as_frame_by_frame(seed: int, tmp_path: Path) -> None:
     rng = random.Random(seed)
-    scenario = load(find("fleet"))
+    scenario = twelve()
     keys = [(sysid, 1) for sysid in range(1, 13)]
     addresses = {key: k // (1, 4, 12)[seed % 3] for k, key in enumerate(keys)}
     both = [Side(scenario, addresses, tmp_path / str(alone), alone=alone) for alone in (False, True)]
@@ -225,7 +232,7 @@ def test_a_tick_that_does_not_fit_the_buffer_is_received_all_the_same(
     rng = random.Random(1)
     keys = [(sysid, 1) for sysid in range(1, 13)]
     addresses = {key: key[0] for key in keys}
-    side = Side(load(find("fleet")), addresses, tmp_path / "one", alone=False)
+    side = Side(twelve(), addresses, tmp_path / "one", alone=False)
     vehicles = Vehicles(rng, addresses)
     for tick in range(20):
         side.grant(keys, 100 * tick)

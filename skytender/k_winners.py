@@ -75,6 +75,50 @@ def read(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -
     return Reading(winners, ties, 1.0 if ahead is None else share_of(last.ln_v - ahead.ln_v, p))
 
 
+def meant(competitors: Sequence[Competitor], k: int, *, p: float, tie_s: float) -> Reading:
+    """The k that the law comes to name if the bids stay as they are."""
+    return read([one._replace(ln_v=-one.time_s) for one in competitors], k, p=p, tie_s=tie_s)
+
+
+class Standings:
+    """Since when each number of winners has been clear without a break: when the states name them, by the share that
+    is asked, and the bids mean the same ones."""
+
+    def __init__(self, *, p: float, tie_s: float, share: float) -> None:
+        self._p, self._tie_s, self._share = p, tie_s, share
+        self._readings: dict[int, Reading] = {}
+        self._since_s: dict[int, float] = {}
+
+    def advance(self, competitors: Sequence[Competitor], places: int, now_s: float) -> None:
+        """Read the competition at a time, for every k up to `places` that leaves a loser."""
+        before, self._readings = self._readings, {}
+        for k in range(1, min(places, len(competitors) - 1) + 1):
+            now = self._readings[k] = read(competitors, k, p=self._p, tie_s=self._tie_s)
+            was, by_bids = before.get(k), meant(competitors, k, p=self._p, tie_s=self._tie_s)
+            changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
+            clear = now.share >= self._share and set(now.winners) ^ set(by_bids.winners) <= by_bids.ties
+            if changed or not clear:
+                self._since_s.pop(k, None)
+            if clear:
+                self._since_s.setdefault(k, now_s)
+
+    def reading(self, k: int) -> Reading | None:
+        """The k first as they were last read; None where all win."""
+        return self._readings.get(k)
+
+    def clear_s(self, k: int, now_s: float) -> float:
+        """For how long they have been clear; below 0 while they are not."""
+        return now_s - self._since_s[k] if k in self._since_s else -1.0
+
+    def without(self, sysid: int) -> None:
+        """One has left: what was clear of k places is clear of one less without it."""
+        others = {k - 1: now for k, now in self._readings.items() if k > 1 and sysid in now.winners}
+        self._since_s = {k: self._since_s[k + 1] for k in others if k + 1 in self._since_s}
+        self._readings = {
+            k: now._replace(winners=tuple(one for one in now.winners if one != sysid)) for k, now in others.items()
+        }
+
+
 def share_of(ln_ratio: float, p: float) -> float:
     """Share of the first of two in the sum of their v^p, from the logarithm of their ratio."""
     return 1.0 / (1.0 + elementary.exp(-min(p * ln_ratio, 700.0))) if ln_ratio > -700.0 / p else 0.0

@@ -185,7 +185,7 @@ def fleet_rules(scenario: Scenario) -> dict[str, Any]:
     vehicles, shares = scenario.vehicles, math.ceil(len(scenario.vehicles.all) / PEERS_A_TICK)
     transit_m = max((failsafe_of(vehicle, scenario).altitude_m for vehicle in vehicles.all), default=0.0)
     return {
-        **scenario.competition.model_dump(exclude={"enabled", "where", "policy", "bids"}),
+        **scenario.competition.model_dump(exclude={"enabled", "where", "policy"}),
         **scenario.refuelling.model_dump(exclude={"enabled"}),
         "transfers_until_s": transfers_until_s(scenario),
         "separation_m": scenario.planner.separation_m,

@@ -28,13 +28,15 @@ _ROUNDING_S = 1e-6
 
 @dataclass(frozen=True)
 class CompetitionState:
-    """The competition as it stands, by system id: state v, bid τ and need; the leader and its share."""
+    """The competition as it stands, by system id: state v, bid τ and need; the leader and its share; and with bids by
+    losses what each gains (docs/model/competition.md#likely-losses)."""
 
     v: dict[int, float] = field(default_factory=dict)
     tau: dict[int, float] = field(default_factory=dict)
     need: dict[int, float] = field(default_factory=dict)
     leader: int | None = None
     share: float = 0.0
+    gain: dict[int, float] = field(default_factory=dict)
 
     def without(self, sysid: int) -> CompetitionState:
         """The competition once this one has been given a giver: none leads."""

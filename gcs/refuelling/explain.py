@@ -11,8 +11,11 @@ from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, Vec3
+from skytender.rolling_horizon import COST
 
 HISTORY = 20
+MOST_MORE = 1.0
+"""Vehicles that a plan is said to lose at most if another one is served first."""
 
 
 def competition_of(competition_state: CompetitionState, rules: CompetitionRules) -> dict[str, Any]:
@@ -81,7 +84,9 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
-    if service.by == "competition" and competition.bids == "time":
+    if service.by == "competition" and competition.bids == "losses":
+        reason = f"{_gained(service.gain)} ({need})"
+    elif service.by == "competition" and competition.bids == "time":
         reason = f"it has the least flight time left, and has led for {competition.dwell_s:g} s ({need})"
     elif service.by == "competition" and competition.bids == "effort":
         reason = (
@@ -98,7 +103,9 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
         reason = f"no vehicle held {100.0 * competition.share:.0f} % of the competition within"
         reason += f" {competition.decide_within_s:g} s, and it was ahead with {need}"
     elif service.by == "urgency":
-        urgent_s = 2.0 * competition.dwell_s if competition.bids == "time" else rules.hold_s + rules.reserve_s
+        urgent_s = (
+            2.0 * competition.dwell_s if competition.bids in {"losses", "time"} else rules.hold_s + rules.reserve_s
+        )
         reason = f"it would be empty within {urgent_s:g} s of the rendezvous"
     elif service.by == "operator":
         reason = f"the operator asked for it ({need})"
@@ -117,6 +124,16 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     )
     when = "next" if service.phase in (Phase.JOIN, Phase.LAND) else "now"
     return f"{receiver[:1].upper()}{receiver[1:]} is refuelled {when}{where}: {reason}{met}."
+
+
+def _gained(gain: float | None) -> str:
+    """Why the competition by likely losses chose a vehicle."""
+    if gain is None:
+        return "it won the competition of the vehicles"
+    more = min(gain / COST, MOST_MORE)
+    if more < 0.05:
+        return "no other order of services is likely to lose fewer vehicles"
+    return f"served later, {'at least ' if more == MOST_MORE else ''}{more:.1f} vehicles more would likely be lost"
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:

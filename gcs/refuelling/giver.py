@@ -77,18 +77,23 @@ class ServiceTimes:
         self._fit()
 
     def learn(self, services: Iterable[Service], rate_w: Callable[[Service], float]) -> None:
-        """Take in those that have ended as they should; `rate_w` is the power of a service's giver."""
+        """Take in those that have ended as they should; `rate_w` is the power of a service's giver. The time that a
+        transfer lost because it was broken off counts as passed after the last joule."""
         for service in services:
             if service.number in self._learnt or service.phase is not Phase.DONE:
                 continue
             self._learnt.add(service.number)
-            if service.start_s is None or service.end_s is None or service.meets_in_s is None or service.breaks:
+            if service.start_s is None or service.end_s is None or service.meets_in_s is None:
                 continue
-            row = np.array([1.0, service.meets_in_s])
-            self._gram += np.outer(row, row)
-            self._moment += row * (service.start_s - service.decided_at_s)
+            begun_s = service.start_s
+            if service.breaks:
+                begun_s = service.decided_at_s + self.begins_in_s(service.meets_in_s)
+            else:
+                row = np.array([1.0, service.meets_in_s])
+                self._gram += np.outer(row, row)
+                self._moment += row * (service.start_s - service.decided_at_s)
             self._ends += 1.0
-            self._end_sum_s += max(service.end_s - service.start_s - service.energy_j / rate_w(service), 0.0)
+            self._end_sum_s += max(service.end_s - begun_s - service.energy_j / rate_w(service), 0.0)
             self._fit()
 
     def _fit(self) -> None:

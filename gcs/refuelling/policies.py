@@ -11,7 +11,7 @@ a time, a vehicle that would not last until a rendezvous goes first (docs/protoc
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -19,21 +19,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
-from gcs.refuelling.rolling_horizon import Planned, Receivers, plan
+from gcs.refuelling.service_plan import plan_services
 from gcs.scenario.guard import Guard, Nonsense, PluginFault
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
 from skytender.assignment import least_cost
+from skytender.service_plan import LONGEST_S
 
 WINNER_TAKE_ALL = "winner_take_all"
-MOST_PLANNED = 24
-"""Most vehicles that are planned for: the first to land."""
-PLANNED_S = 90.0
-"""How far ahead."""
-MARGIN_S = 3.0
-"""Beyond the session's end: estimates of which vehicles last until then are as wrong as that."""
-LONGEST_S = 1e6
 AUCTION_S = 0.01
 """How far a tanker raises its bid at least."""
 
@@ -178,42 +172,38 @@ class MostEmptyFirst(_Stateless):
 
 class Optimal(_Assigning):
     """Plans all services of all tankers ahead, for vehicles that want energy or soon will, and flies the first
-    (gcs/refuelling/rolling_horizon.py) [choice]."""
+    (skytender/rolling_horizon.py) [choice]."""
 
     def __init__(self, scenario: Scenario) -> None:
         self._need_from = scenario.competition.need_from
 
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker: the first ones of the best plan, matched by the least time."""
-        views = soonest((*request.candidates, *request.later), request.rules)
+        views = in_order_of_landing((*request.candidates, *request.later), request.rules)
         free = _free(request)
         waiting = {view.sysid for view in request.candidates}
         winners = list(request.candidates)
         if len(winners) > len(free):
-            planned = self._planned(request, views)
-            named = [views[i] for i, s in zip(planned.first, planned.starts_s, strict=True) if i >= 0 and s == 0.0]
+            assert request.times is not None
+            best = plan_services(
+                views,
+                waiting,
+                request.givers,
+                request.times,
+                request.rules,
+                need_from=self._need_from,
+                left_s=request.left_s,
+            )
+            named = [views[i] for i, s in zip(best.first, best.starts_s, strict=True) if i >= 0 and s == 0.0]
             winners = [view for view in named if view.sysid in waiting]
             others = [view for view in views if view.sysid in waiting and view not in winners]
             winners += others[: len(free) - len(winners)]  # vehicles that the plan gives up are better than none
         return _pairs(match(free, winners))
 
-    def _planned(self, request: RefuellingRequest, views: Sequence[VehicleView]) -> Planned:
-        assert request.times is not None
-        rules = request.rules
-        fleet = Receivers(
-            np.array([view.p_now_ned() for view in views]),
-            np.array([min(lasts_s(view, rules.lands_at), LONGEST_S) for view in views]),
-            np.array([max(view.power_w, 1e-3) for view in views]),
-            np.array([(rules.until - rules.lands_at) * view.capacity_j for view in views]),
-            np.array([(1.0 - self._need_from - rules.lands_at) * view.capacity_j for view in views]),
-        )
-        horizon_s = min(request.left_s + MARGIN_S, PLANNED_S)
-        return plan(fleet, request.givers, request.times, rate_w=rules.rate_w, horizon_s=horizon_s)
 
-
-def soonest(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:
-    """The first vehicles to land, at most MOST_PLANNED."""
-    return sorted(views, key=lambda view: (lasts_s(view, rules.lands_at), view.sysid))[:MOST_PLANNED]
+def in_order_of_landing(views: Iterable[VehicleView], rules: RefuellingRules) -> list[VehicleView]:
+    """Vehicles, the first to land first."""
+    return sorted(views, key=lambda view: (lasts_s(view, rules.lands_at), view.sysid))
 
 
 class EarliestDeadline(_Assigning):
@@ -222,7 +212,7 @@ class EarliestDeadline(_Assigning):
     def assign(self, request: RefuellingRequest) -> dict[int, int]:
         """Receiver by free tanker."""
         free = _free(request)
-        return _pairs(match(free, soonest(request.candidates, request.rules)[: len(free)]))
+        return _pairs(match(free, in_order_of_landing(request.candidates, request.rules)[: len(free)]))
 
 
 class Hungarian(_Assigning):

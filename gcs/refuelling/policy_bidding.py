@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from gcs.refuelling.bidding import (
@@ -14,6 +15,7 @@ from gcs.refuelling.bidding import (
     urgent_of,
 )
 from gcs.refuelling.giver import Giver, ServiceTimes
+from gcs.refuelling.loss_bidding import LossBidding
 from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, GuardedPolicy, PolicyCalls, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
 from gcs.scenario.guard import Guard, PluginFault
@@ -136,12 +138,14 @@ class PluginPolicy(PolicyCalls):
         return []  # the supervisor has them of the process
 
 
-def make_competition(rules: CompetitionRules, refuelling: RefuellingRules) -> BiddingRule:
-    """The competition by time, or the paper's by need or by control effort."""
-    if rules.bids != "time":
-        kind = NeedBidding if rules.bids == "need" else EffortBidding
-        return kind(rules, refuelling.hold_s + refuelling.reserve_s)
-    return TimeBidding(rules, refuelling)
+def make_competition(rules: CompetitionRules, refuelling: RefuellingRules, end_s: float = math.inf) -> BiddingRule:
+    """The competition by likely losses until the session's end, by time, or the paper's by need or control effort."""
+    if rules.bids == "losses":
+        return LossBidding(rules, refuelling, end_s)
+    if rules.bids == "time":
+        return TimeBidding(rules, refuelling)
+    kind = NeedBidding if rules.bids == "need" else EffortBidding
+    return kind(rules, refuelling.hold_s + refuelling.reserve_s)
 
 
 def make_bidding(scenario: Scenario, own: PluginClient | None) -> tuple[BiddingRule, PolicyCalls | None]:
@@ -152,7 +156,7 @@ def make_bidding(scenario: Scenario, own: PluginClient | None) -> tuple[BiddingR
     if own is not None:
         policy = PluginPolicy(own)
     elif name == WINNER_TAKE_ALL:
-        return make_competition(rules, scenario.refuelling), None
+        return make_competition(rules, scenario.refuelling, scenario.goal.duration_s), None
     else:
         policy = GuardedPolicy(SHIPPED[name](scenario), Guard(f"policy {name}"))
     speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}

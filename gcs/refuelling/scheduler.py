@@ -56,7 +56,9 @@ class Scheduler:
         they fly to a base. `transfers_until_s`: session time at which transfers are stopped."""
         competes = competition.enabled and refuelling.enabled
         self._bidding = (own or make_competition(competition, refuelling)) if competes else None
-        self._base_bidding = make_competition(competition, refuelling) if competes and bases else None
+        self._base_bidding = (
+            make_competition(competition, refuelling, transfers_until_s) if competes and bases else None
+        )
         self._rules = refuelling
         self._cruise_m_s = cruise_m_s
         self._need_from = competition.need_from
@@ -329,6 +331,7 @@ class Scheduler:
         bids = {sysid: competition_state.tau[sysid] for sysid in competition_state.v or competition_state.tau}
         service = Service(len(self.services) + 1, view.sysid, tanker, by, bids, now_s, phase_since_s=now_s)
         service.need, service.share = view.need, competition_state.share
+        service.gain = competition_state.gain.get(view.sysid)
         service.need_is_largest = view.need >= max(competition_state.need.values(), default=0.0)
         self.services.append(service)
         return service

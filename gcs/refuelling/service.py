@@ -70,8 +70,9 @@ class Service:
     need: float = 0.0
     need_is_largest: bool = True
     share: float = 0.0
+    gain: float | None = None
     meets_in_s: float | None = None
-    """as was known at the decision: needs, and how long the way to each other was"""
+    """as was known at the decision: needs, what its service gained, and how long the way to each other was"""
     base: str | None = None
     why_base: str = ""
     """why no tanker could serve it"""

@@ -20,7 +20,7 @@ from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match, nearest_s,
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
-from skytender.k_winners import Competitor, Reading, bounded, read
+from skytender.k_winners import Competitor, Standings, bounded, meant, read
 from skytender.winner_take_all import advance_ln
 
 HOPELESS_S = -3.0
@@ -41,17 +41,17 @@ class TimeBidding:
         self._refuelling = refuelling
         self._ln_v: dict[int, float] = {}
         self._competing: list[Competitor] = []
-        self._readings: dict[int, Reading] = {}
-        self._held_since_s: dict[int, float] = {}
+        self._standings = Standings(p=rules.p, tie_s=rules.tie_s, share=rules.share)
         self._begun_s: float | None = None
         self._last_s: float | None = None
         self._times: ServiceTimes | None = None
         self._tau: NDArray[np.float64] = np.empty(0)
-        self._spare_s: dict[int, float] = {}
         self.bids_s: dict[int, float] = {}
         """each competitor's bid on its scale of time, 0 to the horizon: the least is the greatest bid"""
         self.slack_s: dict[int, float] = {}
         """time until each competitor must land, less the time until energy can reach it if it is served first"""
+        self.gain: dict[int, float] = {}
+        """with bids by losses, each competitor's"""
         self.competition_state = CompetitionState()
 
     def advance(
@@ -75,26 +75,38 @@ class TimeBidding:
         if not competitors:
             self._forget()
             return
-        self._compete(competitors, dt_s, givers, max(len(givers), 1))
-        self._watch(now_s, max(len(givers), 1))
+        self.bids_s = self._bids_s(now_s, competitors, able, givers)
+        self._compete(competitors, dt_s, max(len(givers), 1))
+        self._standings.advance(self._competing, max(len(givers), 1), now_s)
+        self._begun_s = now_s if self._begun_s is None else self._begun_s
         self._show({view.sysid: view.need for view in competitors})
 
     def _forget(self) -> None:
-        self._ln_v, self._competing, self._readings, self._held_since_s = {}, [], {}, {}
+        self._ln_v, self._competing = {}, []
+        self._standings.advance((), 0, 0.0)
         self._begun_s = None
         self.competition_state = CompetitionState()
 
-    def _compete(self, competitors: Sequence[VehicleView], dt_s: float, givers: Sequence[Giver], places: int) -> None:
-        """Advance the law by one tick."""
-        rules = self._rules
+    def _bids_s(
+        self, now_s: float, competitors: Sequence[VehicleView], able: Sequence[VehicleView], givers: Sequence[Giver]
+    ) -> dict[int, float]:
+        """The bid of each competitor, of the vehicles that are `able` to be served."""
         assert self._times is not None
         passed_s = served_if_passed_over_s(givers, competitors, self._times, self._refuelling)
         left_s = [lasts_s(view, self._refuelling.lands_at) for view in competitors]
-        self._spare_s = {
-            view.sysid: left + way - passed
-            for view, left, way, passed in zip(competitors, left_s, ways_s(givers, competitors), passed_s, strict=True)
+        spare_s = (
+            left + way - passed for left, way, passed in zip(left_s, ways_s(givers, competitors), passed_s, strict=True)
+        )
+        return {
+            view.sysid: self._rules.horizon_s
+            if self.slack_s[view.sysid] < HOPELESS_S
+            else min(max(spare + LATEST_S, 0.0), self._rules.horizon_s)
+            for view, spare in zip(competitors, spare_s, strict=True)
         }
-        self.bids_s = {view.sysid: self._bid_s(view.sysid) for view in competitors}
+
+    def _compete(self, competitors: Sequence[VehicleView], dt_s: float, places: int) -> None:
+        """Advance the law by one tick."""
+        rules = self._rules
         bids_s = list(self.bids_s.values())
         begins = self._beginnings(self.bids_s, places)
         above = 1.0 - np.array(bids_s) / rules.horizon_s
@@ -120,11 +132,6 @@ class TimeBidding:
             for sysid, bid_s in bids_s.items()
         }
 
-    def _bid_s(self, sysid: int) -> float:
-        if self.slack_s[sysid] < HOPELESS_S:
-            return self._rules.horizon_s
-        return min(max(self._spare_s[sysid] + LATEST_S, 0.0), self._rules.horizon_s)
-
     def _rank(self, view: VehicleView) -> tuple[float, ...]:
         """Order of vehicles that tie: the hopeless last, then need to the percent, way to the second, system id."""
         slack_s = self.slack_s[view.sysid]
@@ -132,28 +139,13 @@ class TimeBidding:
         way = round(way_s) if math.isfinite(way_s) else 0
         return (float(slack_s < HOPELESS_S), -round(100.0 * view.need), way, view.sysid)
 
-    def _watch(self, now_s: float, places: int) -> None:
-        """Since when each number of winners has been clear without a break."""
-        rules = self._rules
-        if self._begun_s is None:
-            self._begun_s = now_s
-        before, self._readings = self._readings, {}
-        for k in range(1, min(places, len(self._competing) - 1) + 1):
-            now = self._readings[k] = read(self._competing, k, p=rules.p, tie_s=rules.tie_s)
-            was = before.get(k)
-            changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
-            if changed or now.share < rules.share:
-                self._held_since_s.pop(k, None)
-            if now.share >= rules.share:
-                self._held_since_s.setdefault(k, now_s)
-
     def _show(self, need: dict[int, float]) -> None:
         """Write the competition's state for others to show: states over the leader's, bids, first reading."""
         v = {one.sysid: elementary.exp(max(one.ln_v, -700.0)) for one in self._competing}
         tau = {one.sysid: float(t) for one, t in zip(self._competing, self._tau, strict=True)}
-        first = self._readings.get(1)
+        first = self._standings.reading(1)
         leader, held = (first.winners[0], first.share) if first else (self._competing[0].sysid, 1.0)
-        self.competition_state = CompetitionState(v, tau, need, leader, held)
+        self.competition_state = CompetitionState(v, tau, need, leader, held, dict(self.gain))
 
     def awards(self, snapshot: FleetSnapshot, free: Sequence[Giver]) -> Iterable[Award]:
         """The next services, each receiver matched to its giver; none while that is undecided."""
@@ -162,13 +154,12 @@ class TimeBidding:
         k, now_s, rules = len(free), snapshot.time_s, self._rules
         if k >= len(self._competing):
             return self._matched([one.sysid for one in self._competing], "unopposed", snapshot, free)
-        since_s = self._held_since_s.get(k)
-        if since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
-            return self._matched(self._readings[k].winners, "competition", snapshot, free)
+        reading = self._standings.reading(k)
+        if reading is not None and self._standings.clear_s(k, now_s) >= rules.dwell_s - _ROUNDING_S:
+            return self._matched(reading.winners, "competition", snapshot, free)
         least_s = min((s for s in self.slack_s.values() if s >= HOPELESS_S), default=math.inf)
         if least_s <= 2.0 * rules.dwell_s:
-            by_bid = [one._replace(ln_v=-one.time_s) for one in self._competing]
-            winners = read(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
+            winners = meant(self._competing, k, p=rules.p, tie_s=rules.tie_s).winners
             return self._matched(winners, "urgency", snapshot, free)
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
             return self._matched(self.likely(k), "timeout", snapshot, free)
@@ -195,18 +186,12 @@ class TimeBidding:
         del self._ln_v[sysid]
         self._competing = [one for one in self._competing if one.sysid != sysid]
         self.competition_state = self.competition_state.without(sysid)
-        others = {k - 1: now for k, now in self._readings.items() if k > 1 and sysid in now.winners}
-        self._held_since_s = {k: self._held_since_s[k + 1] for k in others if k + 1 in self._held_since_s}
-        self._readings = {
-            k: now._replace(winners=tuple(one for one in now.winners if one != sysid)) for k, now in others.items()
-        }
+        self._standings.without(sysid)
         self._begun_s = now_s if self.competition_state.v else None
 
     def _matched(self, winners: Sequence[int], by: str, snapshot: FleetSnapshot, free: Sequence[Giver]) -> list[Award]:
         """The winners' givers. A winner that its giver would reach too late leaves its place to the next one in time:
         another giver that is free soon may be nearer."""
-        assert self._times is not None
-        begins_in_s = self._times.begins_in_s
         pairs = match(free, [snapshot.vehicle(sysid) for sysid in winners])
         others = [one.sysid for one in sorted(self._competing, key=lambda one: (-one.ln_v, one.rank))]
         others = [sysid for sysid in others if sysid not in winners]
@@ -214,10 +199,15 @@ class TimeBidding:
         for giver, winner in pairs:
             view = winner
             for candidate in (winner, *map(snapshot.vehicle, others)):
-                if begins_in_s(giver.way_s(candidate)) <= lasts_s(candidate, self._refuelling.lands_at):
+                if self._in_time(giver, candidate):
                     view = candidate
                     break
             if view.sysid in others:
                 others.remove(view.sysid)
             found.append(Award(giver, view.sysid, by))
         return found
+
+    def _in_time(self, giver: Giver, view: VehicleView) -> bool:
+        """Whether a free giver can be with a vehicle before it lands."""
+        assert self._times is not None
+        return self._times.begins_in_s(giver.way_s(view)) <= lasts_s(view, self._refuelling.lands_at)

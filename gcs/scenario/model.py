@@ -338,7 +338,11 @@ def _onboard_rules(s: Scenario) -> list[tuple[Any, KeyPath, str]]:
         ),
         (s.bases, where, "bases are the supervisor's: leave them out, or where: supervisor"),
         (rules.policy != "winner_take_all", where, "on board there is the policy winner_take_all alone"),
-        (rules.bids != "time", where, "on board there are bids by time alone"),
+        (
+            rules.bids not in {"losses", "time"},
+            where,
+            "on board there are bids by losses and by time alone",
+        ),
         (
             len(vehicles.all) > MOST_PEERS,
             where,

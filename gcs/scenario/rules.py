@@ -154,14 +154,16 @@ class CompetitionRules(Part):
     """the competition, one to compare it with, or MODULE:CLASS; others use need_from alone"""
     p: Annotated[float, Exact(ge=1, le=100)] = 2.0
     """exponent of the law, at least 1"""
-    bids: Literal["time", "need", "effort"] = "time"
-    """`time`: as many winners at once as tankers are free, by the time that each has left; `need`: one winner after
-    another by the share of the battery that is gone, stretched between the least and the greatest as in the paper;
-    `effort`: the same by the control effort since energy last arrived, the paper's control energy"""
+    bids: Literal["losses", "time", "need", "effort"] = "losses"
+    """`losses`: as many winners at once as tankers are free, by what is likely to be lost if another is served first;
+    `time`: the same by the time that each has left; `need`: one winner after another by the share of the battery that
+    is gone, stretched between the least and the greatest as in the paper; `effort`: the same by the control effort
+    since energy last arrived, the paper's control energy"""
     horizon_s: Positive = 60.0
-    """with bids by time: a vehicle with so long left beyond the time until it can be served bids `floor`, s"""
+    """scale of the bids, s: with bids by time a vehicle with so long left beyond the time until it can be served bids
+    `floor`"""
     tie_s: Seconds = 2.0
-    """with bids by time: vehicles that differ by less tie, s"""
+    """with bids by losses or time: vehicles tie whose bids differ by less, on the scale of `horizon_s`, s"""
     rate: Positive = 20.0
     """rate c of the law, 1/s; larger decides faster"""
     floor: Positive = 0.01
@@ -173,7 +175,7 @@ class CompetitionRules(Part):
     share: Annotated[float, Exact(gt=0, lt=1)] = 0.9
     """share of v^p that the last winner must hold against the next one, 0 to 1; with bids by need or effort, of the
     sum less the floor's own"""
-    dwell_s: Seconds = 1.0
+    dwell_s: Seconds = 0.5
     """how long it must hold that share, s"""
     decide_within_s: Seconds = 30.0
     """after so long without a winner the greatest state is served, s"""

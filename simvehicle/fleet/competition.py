@@ -18,7 +18,7 @@ from simvehicle.fleet.peers import DecidedBy, PeerReport
 from simvehicle.fleet.rules import FleetRules
 from skytender import elementary
 from skytender.assignment import least_cost
-from skytender.k_winners import Competitor, Reading, bounded, read
+from skytender.k_winners import Competitor, Standings, bounded, meant, read
 from skytender.winner_take_all import advance_ln
 
 _ROUNDING_S = 1e-6
@@ -40,8 +40,7 @@ class FleetCompetition:
         self._ln_v: dict[int, float] = {}
         self._bidders: list[Competitor] = []
         self._reports: Mapping[int, PeerReport] = {}
-        self._standings: dict[int, Reading] = {}
-        self._held_since_s: dict[int, float] = {}
+        self._standings = Standings(p=rules.p, tie_s=rules.tie_s, share=rules.share)
         self._begun_s: float | None = None
         self._last_s: float | None = None
 
@@ -52,7 +51,8 @@ class FleetCompetition:
         self._last_s = now_s
         self._reports = dict(sorted(competing.items()))
         if not competing:
-            self._ln_v, self._bidders, self._standings, self._held_since_s, self._begun_s = {}, [], {}, {}, None
+            self._ln_v, self._bidders, self._begun_s = {}, [], None
+            self._standings.advance((), 0, now_s)
             return
         begins = self._beginnings(places)
         bids_s = {sysid: report.bid_s for sysid, report in self._reports.items()}
@@ -62,10 +62,11 @@ class FleetCompetition:
         ln_v = bounded(ln_v, places, rules.floor)
         self._ln_v = dict(zip(bids_s, map(float, ln_v), strict=True))
         self._bidders = [
-            Competitor(sysid, self._ln_v[sysid], report.bid_s, _rank(sysid, report))
+            Competitor(sysid, self._ln_v[sysid], report.bid_s, self._rank(sysid, report))
             for sysid, report in self._reports.items()
         ]
-        self._watch(now_s, places)
+        self._standings.advance(self._bidders, places, now_s)
+        self._begun_s = now_s if self._begun_s is None else self._begun_s
 
     def ln_v_of(self, sysid: int) -> float:
         """Logarithm of a competitor's state over the greatest one."""
@@ -78,13 +79,12 @@ class FleetCompetition:
         k, rules = len(free), self._rules
         if k >= len(self._bidders):
             return self._matched(now_s, [one.sysid for one in self._bidders], DecidedBy.UNOPPOSED, free)
-        since_s = self._held_since_s.get(k)
-        if since_s is not None and now_s - since_s >= rules.dwell_s - _ROUNDING_S:
-            return self._matched(now_s, self._standings[k].winners, DecidedBy.COMPETITION, free)
+        reading = self._standings.reading(k)
+        if reading is not None and self._standings.clear_s(k, now_s) >= rules.dwell_s - _ROUNDING_S:
+            return self._matched(now_s, reading.winners, DecidedBy.COMPETITION, free)
         slacks_s = [report.slack_s for report in self._reports.values()]
         if min((s for s in slacks_s if s >= HOPELESS_S), default=math.inf) <= 2.0 * rules.dwell_s:
-            by_bid = [one._replace(ln_v=-one.time_s) for one in self._bidders]
-            winners = read(by_bid, k, p=rules.p, tie_s=rules.tie_s).winners
+            winners = meant(self._bidders, k, p=rules.p, tie_s=rules.tie_s).winners
             return self._matched(now_s, winners, DecidedBy.URGENCY, free)
         if self._begun_s is not None and now_s - self._begun_s >= rules.decide_within_s:
             winners = read(self._bidders, k, p=rules.p, tie_s=rules.tie_s).winners
@@ -102,24 +102,9 @@ class FleetCompetition:
             begins[sysid] = self._ln_v[sysid if sysid in self._ln_v else nearest]
         return begins
 
-    def _watch(self, now_s: float, places: int) -> None:
-        """Since when each number of winners has been clear without a break."""
-        rules = self._rules
-        if self._begun_s is None:
-            self._begun_s = now_s
-        before, self._standings = self._standings, {}
-        for k in range(1, min(places, len(self._bidders) - 1) + 1):
-            now = self._standings[k] = read(self._bidders, k, p=rules.p, tie_s=rules.tie_s)
-            was = before.get(k)
-            changed = was is None or not (set(was.winners) ^ set(now.winners)) <= now.ties
-            if changed or now.share < rules.share:
-                self._held_since_s.pop(k, None)
-            if now.share >= rules.share:
-                self._held_since_s.setdefault(k, now_s)
-
     def _matched(self, now_s: float, winners: Sequence[int], by: DecidedBy, free: Sequence[Offer]) -> list[FleetAward]:
-        """The winners' tankers, by the least sum of the ways' times. A winner that its tanker would reach too late
-        leaves its place to the next one in time."""
+        """The winners' tankers, by the least sum of the ways' times. With bids by time a winner that its tanker would
+        reach too late leaves its place to the next one in time."""
         cost_s = [[self._way_s(now_s, offer, sysid) for offer in free] for sysid in winners]
         _, tanker_of = least_cost(np.reshape(cost_s, (len(winners), len(free))))
         others = [one.sysid for one in sorted(self._bidders, key=lambda one: (-one.ln_v, one.rank))]
@@ -129,7 +114,8 @@ class FleetCompetition:
             chosen = winner
             for candidate in (winner, *others):
                 lasts = lasts_s(self._reports[candidate], now_s, self._rules.lands_at)
-                if begins_s(self._way_s(now_s, free[i], candidate)) <= lasts:
+                weighed = self._rules.bids == "losses"
+                if weighed or begins_s(self._way_s(now_s, free[i], candidate)) <= lasts:
                     chosen = candidate
                     break
             if chosen in others:
@@ -137,12 +123,14 @@ class FleetCompetition:
             found.append(FleetAward(chosen, free[i].sysid, by))
         return found
 
+    def _rank(self, sysid: int, report: PeerReport) -> tuple[float, ...]:
+        """Order of vehicles that tie: with bids by losses the greatest bid, then least time left, need, system id;
+        by time the hopeless last, then need to the percent, way to the second, system id."""
+        if self._rules.bids == "losses":
+            return report.bid_s, report.slack_s, -report.need, sysid
+        return float(report.slack_s < HOPELESS_S), -round(100.0 * report.need), round(report.way_s), sysid
+
     def _way_s(self, now_s: float, offer: Offer, sysid: int) -> float:
         report = self._reports[sysid]
         offset = [there - here for there, here in zip(report.p_at(now_s), offer.p_ned, strict=True)]
         return meeting_s(offset, report.v_ned, offer.speed_m_s)
-
-
-def _rank(sysid: int, report: PeerReport) -> tuple[float, ...]:
-    """Order of vehicles that tie: the hopeless last, then need to the percent, way to the second, system id."""
-    return (float(report.slack_s < HOPELESS_S), -round(100.0 * report.need), round(report.way_s), sysid)

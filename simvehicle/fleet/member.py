@@ -14,6 +14,7 @@ from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.bids import Offer, offers, own_bid
 from simvehicle.fleet.competition import FleetCompetition
+from simvehicle.fleet.loss_bids import LossBids
 from simvehicle.fleet.peers import PeerReport, Peers, PeerStage, ServiceReport, as_sent
 from simvehicle.fleet.receiver import OrderToPeer, Receiver, ReceiverPhase
 from simvehicle.fleet.routes import Surroundings, meeting_place, route
@@ -44,6 +45,7 @@ class FleetMember:
         self._rules = rules
         self.peers = Peers()
         self._competition = FleetCompetition(rules)
+        self._loss_bids = LossBids(sysid, rules) if rules.bids == "losses" else None
         self.receiver = Receiver(vehicle, sysid, rules) if sysid in rules.pursuers else None
         self.tanker = TankerDuty(vehicle, sysid, rules) if sysid in rules.tankers else None
         level = sorted(rules.tankers).index(sysid) if sysid in rules.tankers else 0
@@ -189,7 +191,10 @@ class FleetMember:
                 way_s=own.way_s,
             )
         others = {sysid: peer for sysid, peer in peers.items() if peer.stage is PeerStage.COMPETES}
-        bid = own_bid(now_s, report, others, offers(now_s, peers, self._rules), self._rules)
+        givers = offers(now_s, peers, self._rules)
+        bid = own_bid(now_s, report, others, givers, self._rules)
+        if bid.competes and self._loss_bids is not None:
+            bid = bid._replace(bid_s=self._loss_bids.bid_s(now_s, report, peers, givers))
         return report._replace(
             stage=PeerStage.COMPETES if up and bid.competes and self._power_w > 0.0 else PeerStage.APART,
             bid_s=bid.bid_s,

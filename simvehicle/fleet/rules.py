@@ -44,6 +44,8 @@ class TankerShare(NamedTuple):
 class FleetRules:
     """Competition, service and distances; names and units are as in the scenario's keys."""
 
+    bids: str
+    """`losses` or `time`"""
     p: float
     rate: float
     floor: float
@@ -93,6 +95,7 @@ def read_rules(content: Any) -> FleetRules:
             for one in content["obstacles"]
         )
         special: dict[str, Any] = {
+            "bids": str(content["bids"]),
             "tops_up": bool(content["tops_up"]),
             "limit_j": None if content["limit_j"] is None else float(content["limit_j"]),
             "pursuers": tuple(int(sysid) for sysid in content["pursuers"]),

@@ -33,7 +33,7 @@ DIGESTS = {
     "paper/example2": "5e9963ac",
     "paper/example3": "c7d0a668",
     "paper/example4": "e3d5d00d",
-    "demo": "b4369f70",
+    "demo": "b10e7156",
 }
 """First digits of the digests of shipped scenarios; the changelog names each change."""
 SIMPLER = {

@@ -37,7 +37,7 @@ from gcs.campaign.families.parts import (
 )
 from gcs.campaign.families.silence import silence
 from gcs.campaign.families.silent_ways import SILENT_FROM_S, clearance_over, floats_over
-from gcs.campaign.families.tight import tight
+from gcs.campaign.families.tight import tight, tight_gusts
 from gcs.campaign.families.turning import silent_traffic, turning
 from skytender import elementary, elementwise
 from skytender import geometry as shapes
@@ -340,6 +340,7 @@ _MAKERS: dict[str, Callable[[np.random.Generator], Document]] = {
     "blackout": _blackout,
     "poor_tracking": _poor_tracking,
     "tight": tight,
+    "tight_gusts": tight_gusts,
     "silence": silence,
     "accuracy": accuracy,
     "turning": turning,

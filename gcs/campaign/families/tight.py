@@ -24,6 +24,7 @@ WIDE_M = 12.0
 DURATION_S = 80.0
 MOST_TANKERS = 3
 FEWEST, MOST = 4, 12
+MOST_WIND_M_S, LEAST_TURBULENCE_M_S, MOST_TURBULENCE_M_S = 6.0, 5.0, 12.0
 
 
 def tight(rng: np.random.Generator) -> Document:
@@ -66,6 +67,17 @@ def tight(rng: np.random.Generator) -> Document:
         "planner": {"separation_m": 0.6},
         "competition": {"need_from": 0.4},
     }
+
+
+def tight_gusts(rng: np.random.Generator) -> Document:
+    """The same on rotors in wind and turbulence, so that consumption is random and differs between vehicles."""
+    document = tight(rng)
+    document["vehicles"]["defaults"] = {"plant": "rotors"}
+    document["wind"] = {
+        "speed_m_s": round(float(rng.uniform(0.0, MOST_WIND_M_S)), 1),
+        "turbulence_m_s": round(float(rng.uniform(LEAST_TURBULENCE_M_S, MOST_TURBULENCE_M_S)), 1),
+    }
+    return document
 
 
 def _places(rng: np.random.Generator, n: int) -> list[np.ndarray[tuple[int], np.dtype[np.float64]]]:

@@ -102,13 +102,14 @@ def world(
     *views: VehicleView,
     bases: tuple[Base, ...] = (PAD,),
     rules: RefuellingRules | None = None,
+    competition: CompetitionRules | None = None,
     transfers_until_s: float = math.inf,
     **changed: Any,
 ) -> World:
     seen = views or (view(1),)
     unable = {one.sysid: False for one in seen if one.role == "pursuer"}
     schedule = Scheduler(
-        CompetitionRules(),
+        competition or CompetitionRules(),
         rules or RefuellingRules(hold_s=1.0),
         (),
         bases=bases,
@@ -223,8 +224,8 @@ def test_without_a_base_who_cannot_take_a_transfer_is_served_by_nobody() -> None
 
 
 def test_one_that_would_not_last_goes_first() -> None:
-    game = world(view(1, initial_j=2_000.0), view(2, initial_j=5_000.0, power_w=200.0))
-    service = game.until(Phase.DONE)
+    lasts, hungry = view(1, initial_j=2_000.0), view(2, initial_j=5_000.0, power_w=200.0)
+    service = world(lasts, hungry, competition=CompetitionRules(bids="time")).until(Phase.DONE)
     assert (service.receiver, service.by) == (2, "competition")  # 1 is emptier, but lasts longer
 
 

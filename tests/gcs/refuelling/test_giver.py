@@ -36,7 +36,6 @@ def test_what_is_learnt_is_the_least_squares_fit_with_the_first_guess_as_four_se
 def test_each_service_is_learnt_once_and_only_if_it_went_as_it_should() -> None:
     times = ServiceTimes(3.0, 1.0, 1.0)
     bad = [
-        served(1, 2.0, 30.0, 5.0, 10_000, breaks=1),
         served(2, 2.0, 30.0, 5.0, 10_000, start_s=None),
         served(3, 2.0, 30.0, 5.0, 10_000, phase=Phase.TRANSFER),
     ]
@@ -47,6 +46,13 @@ def test_each_service_is_learnt_once_and_only_if_it_went_as_it_should() -> None:
     once = times.start_s
     times.learn(good, lambda _: 2e3)
     assert times.start_s == once > 3.0
+
+
+def test_what_a_broken_off_transfer_costs_is_learnt_as_time_at_its_end() -> None:
+    """By hand: decided at 10 s, energy expected from 15 s on for 5 s, ended at 45 s: 25 s were lost."""
+    times = ServiceTimes(3.0, 1.0, 1.0)
+    times.learn([served(1, 2.0, 30.0, 5.0, 10_000, breaks=1)], lambda _: 2e3)
+    assert (times.start_s, times.per_way, times.end_s) == pytest.approx((3.0, 1.0, (4 * 1.0 + 25.0) / 5))
 
 
 def test_a_vehicle_lasts_until_the_charge_at_which_it_lands() -> None:

@@ -356,7 +356,7 @@ def test_the_record_of_a_service_is_the_summarys() -> None:
     record = play().until(Phase.DONE).record()
     assert list(record) == ["receiver", "tanker", "by", "decided_at_s", "joined_at_s", "start_s", "end_s", "energy_j",
                             "bids"]  # fmt: skip
-    assert (record["receiver"], record["tanker"], record["by"], record["bids"]) == (1, 201, "unopposed", {"1": 0.01})
+    assert (record["receiver"], record["tanker"], record["by"], record["bids"]) == (1, 201, "unopposed", {"1": 1.0})
 
 
 def test_when_a_tanker_fails_in_the_middle_another_goes_on_with_its_receiver() -> None:

@@ -23,7 +23,7 @@ BASE = {"name": "A", "position_m": [9.0, 9.0, 0.0], "stock_j": 1e5}
         ({"refuelling": {"enabled": False}}, "it needs a pursuer, a tanker"),
         ({"bases": [BASE]}, "bases are the supervisor's"),
         ({"competition": {"policy": "optimal"}}, "the policy winner_take_all alone"),
-        ({"competition": {"bids": "need"}}, "bids by time alone"),
+        ({"competition": {"bids": "need"}}, "bids by losses and by time alone"),
         ({"radio": {"ground_blackouts": [{"from_s": 9.0, "to_s": 9.0}]}}, "to_s must be after from_s"),
         ({"radio": {"splits": [{"sysids": [1], "from_s": 9.0, "to_s": 8.0}]}}, "to_s must be after from_s"),
         ({"radio": {"splits": [{"sysids": [1, 7], "from_s": 0.0, "to_s": 8.0}]}}, "there is no vehicle 7"),

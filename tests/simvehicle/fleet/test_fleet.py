@@ -7,6 +7,7 @@ import math
 from statistics import median
 from typing import Any
 
+import pytest
 from fleets import FleetInProcess, agreement, on_board, random_fleet
 
 LOSSY = {"loss": 0.2, "delay_s": 0.2}
@@ -14,16 +15,21 @@ SIX = {sysid: ((3.0 * sysid - 10.0, 2.0 * (sysid % 2), -3.0), 30.0 + 3.0 * sysid
 TWO = {201: (-8.0, 5.0, -8.0), 202: (8.0, 5.0, -9.0)}
 
 
-def test_ten_vehicles_agree_within_two_seconds_of_the_central_competition() -> None:
+@pytest.mark.parametrize("bids", ["time", "losses"])
+def test_ten_vehicles_agree_within_two_seconds_of_the_central_competition(bids: str) -> None:
     """Both over 20 % loss and 0.2 s of delay, in the same flights; the median, and everyone before long."""
     late_s, same = [], 0
     for seed in range(5):
-        one = agreement(random_fleet(seed, pursuers=10, tankers=1, half_m=12.0, percent=(25.0, 49.0), radio=LOSSY))
+        content = random_fleet(seed, pursuers=10, tankers=1, half_m=12.0, percent=(25.0, 49.0), radio=LOSSY)
+        content["competition"] |= {"bids": bids}
+        one = agreement(content)
         late_s.append(one.agreed_s - one.central_s)
         same += one.on_board == one.central
     assert median(late_s) <= 2.0
     assert max(late_s) <= 4.0
-    assert same >= 4  # bids that differ by less than the tie are anybody's
+    # Bids by time that differ by less than the tie may win alike. With bids by losses each plans from what it has
+    # received, and one tanker cannot keep all ten: orders that lose as many are as good.
+    assert same >= 4 or bids == "losses"
 
 
 class Watch:

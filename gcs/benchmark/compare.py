@@ -15,7 +15,7 @@ from gcs.benchmark.format import Instance, Schedule, plain
 from gcs.benchmark.generator import KINDS, OF_A_KIND, instance
 from gcs.benchmark.peers.dispatching import ApparentTardiness, FirstToLand, LeastWays, NearestPair
 from gcs.benchmark.peers.flight import DispatchedFlight
-from gcs.benchmark.peers.own import CompetitionByTime, PlannedAhead
+from gcs.benchmark.peers.own import PlannedAhead, WinnerTakeAll
 from gcs.benchmark.solve import searched
 from gcs.benchmark.verifier import verify
 from gcs.campaign.statistics import Interval, aligned, mean, wilson
@@ -40,7 +40,7 @@ def _py_vrp(arrays: Arrays, seconds: float) -> Schedule:
 METHODS: dict[str, Method] = {
     "beam_search": searched,
     "optimal": lambda arrays, _: DispatchedFlight(arrays).flown(PlannedAhead(arrays)),
-    "winner_take_all": lambda arrays, _: DispatchedFlight(arrays).flown(CompetitionByTime(arrays)),
+    "winner_take_all": lambda arrays, _: DispatchedFlight(arrays).flown(WinnerTakeAll(arrays)),
     "cp_sat": _cp_sat,
     "pyvrp": _py_vrp,
     "atcs": lambda arrays, _: DispatchedFlight(arrays).flown(ApparentTardiness()),

@@ -21,7 +21,7 @@ from skytender.service_plan import AGAIN_S, below_greatest, gain_of
 
 
 class _Situation(NamedTuple):
-    """What a plan is made anew for."""
+    """Competitors and givers that a plan was made for."""
 
     competitors: frozenset[int]
     free: frozenset[int | str]

@@ -12,8 +12,8 @@ from gcs.benchmark.arrays import Arrays
 from gcs.benchmark.peers.flight import FULL, WANTS_FROM, DispatchedFlight
 from gcs.mavlink.autopilots import PX4, FlightMode
 from gcs.refuelling.giver import Giver, ServiceTimes
+from gcs.refuelling.loss_bidding import LossBidding
 from gcs.refuelling.policies import Optimal, RefuellingRequest
-from gcs.refuelling.time_bidding import TimeBidding
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 
@@ -88,12 +88,12 @@ class PlannedAhead(_Own):
         return self.by_index(self._policy.assign(request))
 
 
-class CompetitionByTime(_Own):
-    """The competition by time."""
+class WinnerTakeAll(_Own):
+    """The competition, with bids by losses."""
 
     def __init__(self, arrays: Arrays) -> None:
         super().__init__(arrays)
-        self._bidding = TimeBidding(self.competition, self.refuelling)
+        self._bidding = LossBidding(self.competition, self.refuelling, arrays.horizon_s)
 
     def assign(self, flight: DispatchedFlight) -> dict[int, int]:
         """Receiver by tanker."""

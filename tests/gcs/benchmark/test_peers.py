@@ -16,7 +16,7 @@ from gcs.benchmark.generator import instance
 from gcs.benchmark.peers.cp_sat import CpSat
 from gcs.benchmark.peers.dispatching import ApparentTardiness, FirstToLand, LeastWays, NearestPair
 from gcs.benchmark.peers.flight import DispatchedFlight
-from gcs.benchmark.peers.own import CompetitionByTime, PlannedAhead
+from gcs.benchmark.peers.own import PlannedAhead, WinnerTakeAll
 from gcs.benchmark.peers.py_vrp import PyVrp
 from gcs.benchmark.peers.rolling import jobs_of
 from gcs.benchmark.verifier import verify
@@ -94,7 +94,7 @@ def test_a_plan_serves_both_where_only_one_order_does(solver: type[CpSat] | type
 def test_the_own_policies_serve_what_lands_first_when_both_can_be_kept() -> None:
     one = standing([(2.0, 0.0), (6.0, 0.0)], [(0.0, 0.0)], [70.0, 25.0])
     arrays = Arrays(one)
-    for rule in (PlannedAhead(arrays), CompetitionByTime(arrays)):
+    for rule in (PlannedAhead(arrays), WinnerTakeAll(arrays)):
         schedule = DispatchedFlight(arrays).flown(rule)
         assert verify(plain(one), plain(schedule))["lost"] == []
         assert schedule.services[0].receiver == one.receivers[1].id

@@ -54,7 +54,8 @@ def test_every_scenario_loads_and_its_starts_allow_what_is_wanted(name: str, tmp
         path.write_text(yaml.safe_dump(document, sort_keys=False))
         scenario = load(path)
         assert (scenario.name, scenario.seed) == (f"{name}-{seed}", seed)
-        longest_s = {"tight": DURATION_S, "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S,
+        longest_s = {"tight": DURATION_S, "tight_gusts": DURATION_S,
+                         "delay": 2.0 * LONGEST_S, "silence": SILENT_BEFORE_S + COMES_DOWN_S,
                      "accuracy": MOST_S,
                      **dict.fromkeys(DENSE, DENSE_S)}.get(name, LONGEST_S)  # fmt: skip
         assert 20 <= scenario.goal.duration_s <= longest_s

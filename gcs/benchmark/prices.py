@@ -32,6 +32,7 @@ import math
 import time
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from gcs.benchmark.arrays import Arrays, Floats, Ints
 
@@ -89,14 +90,14 @@ class CheapestPlans:
         chosen = np.full((self.steps, self.n, self._j + 1), -1)
         begun: dict[int, tuple[Floats, Floats]] = {}
         each, to = np.arange(self.n)[:, None, None], np.arange(self._j + 1)[None, None, :]
-        full_paid = np.interp(self._full_s, self._grid_s, paid)
+        full_paid = _until(self._full_s, paid)
         full_step = np.clip(self._full_s // STEP_S, 0, self.steps).astype(np.int64)
         for t in range(self.steps - 1, -1, -1):
             begun[t] = self._begun(t, paid)
             cost = begun[t][1]
             end = np.clip((t * STEP_S + self._takes_s) // STEP_S, t + 1, self.steps).astype(np.int64)
             after = np.maximum(end[:, self._index], full_step[:, None, :])
-            last_paid = np.interp((t + 1) * STEP_S - self._way_s[t], self._grid_s, paid)
+            last_paid = _until((t + 1) * STEP_S - self._way_s[t], paid)
             costs = np.maximum(cost[:, self._index], full_paid[:, None, :] - last_paid[:, None, None])
             costs = costs + left[after, each, to]
             may = (self._more > 0) & (self._lands_s + SLACK_S >= t * STEP_S + self._setup_s)[:, :, None]
@@ -119,7 +120,7 @@ class CheapestPlans:
             np.clip(np.ceil((low_s + takes_s) / STEP_S) * STEP_S - takes_s, low_s, high_s),
             np.clip(np.ceil((low_s - way_s) / STEP_S) * STEP_S + way_s + 0.0 * takes_s, low_s, high_s),
         ])  # fmt: skip
-        costs = np.interp(at_s + takes_s, self._grid_s, paid) - np.interp(at_s - way_s, self._grid_s, paid)
+        costs = _until(at_s + takes_s, paid) - _until(at_s - way_s, paid)
         best = costs.argmin(axis=0)[None]
         may = (high_s >= self._first_s[:, None]) & (low_s + takes_s <= self._horizon_s + SLACK_S)
         cost = np.where(may, np.take_along_axis(costs, best, 0)[0], NEVER)
@@ -137,7 +138,7 @@ class CheapestPlans:
             begins_s, cost = (float(one[i, unit]) for one in begun[t])
             ends_s, way_s = begins_s + self._takes_s[i, unit], self._way_s[t, i]
             last_s, full_s = (t + 1) * STEP_S, float(self._full_s[i, to])
-            if np.subtract(*np.interp([full_s, last_s - way_s], self._grid_s, paid)) > cost:
+            if _until(full_s, paid) - _until(last_s - way_s, paid) > cost:
                 begins_s, ends_s = last_s, full_s
             held_s = np.minimum(ends_s, self._grid_s[1:]) - np.maximum(begins_s - way_s, self._grid_s[:-1])
             used_s += np.clip(held_s, 0.0, None)
@@ -189,3 +190,10 @@ def _dual(columns: Floats, n: int, has: Floats) -> tuple[Floats, float]:
 
     found = linprog(-np.ones(len(columns)), A_ub=columns.T, b_ub=np.concatenate([has, np.ones(n)]), method="highs")
     return np.maximum(-found.ineqlin.marginals[: len(has)], 0.0), n + float(found.fun)
+
+
+def _until(at_s: ArrayLike, paid: Floats) -> Floats:
+    """What is paid until some times, of what is paid until each end of a step."""
+    steps = np.clip(np.asarray(at_s, np.float64) / STEP_S, 0.0, len(paid) - 1.0)
+    whole = np.minimum(steps.astype(np.int64), len(paid) - 2)
+    return np.asarray(paid[whole] + (steps - whole) * (paid[whole + 1] - paid[whole]))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from skytender.k_winners import Competitor, bounded, read, share_of
+from skytender.k_winners import Competitor, Standings, bounded, read, share_of
 from skytender.winner_take_all import advance, advance_ln
 
 
@@ -104,3 +104,30 @@ def test_one_that_was_last_of_many_comes_back_in_bounded_time() -> None:
         if (ln_v := bounded(advance_ln(ln_v, tau, 0.1, p=2.0, rate=10.0), places, 0.01)).argmax() == n - 1
     )
     assert ticks * 0.1 <= 9 * 4.61 / (10.0 * 0.1) + 0.2
+
+
+def test_a_set_is_clear_only_while_states_and_bids_name_it_and_counts_from_then_on() -> None:
+    standings = Standings(p=2.0, tie_s=2.0, share=0.9)
+    states = [0.0, -3.0, -4.0]
+    standings.advance(competitors(states, [0.0, 30.0, 60.0]), 2, 1.0)
+    standings.advance(competitors(states, [0.0, 30.0, 60.0]), 2, 1.5)
+    assert standings.clear_s(1, 1.5) == 0.5
+    standings.advance(competitors(states, [60.0, 30.0, 0.0]), 2, 2.0)  # the bids jump, the states still name vehicle 1
+    assert standings.clear_s(1, 2.0) < 0.0
+    standings.advance(competitors([-4.0, -3.0, 0.0], [60.0, 30.0, 0.0]), 2, 2.5)
+    found = standings.reading(1)
+    assert found is not None
+    assert found.winners == (3,)
+    assert standings.clear_s(1, 3.0) == 0.5
+    assert standings.reading(3) is None
+
+
+def test_what_was_clear_of_two_places_is_clear_of_one_when_a_winner_has_left() -> None:
+    standings = Standings(p=2.0, tie_s=2.0, share=0.9)
+    standings.advance(competitors([0.0, -3.0, -9.0], [0.0, 30.0, 60.0]), 2, 4.0)
+    standings.without(1)
+    found = standings.reading(1)
+    assert found is not None
+    assert found.winners == (2,)
+    assert standings.clear_s(1, 4.5) == 0.5
+    assert standings.reading(2) is None

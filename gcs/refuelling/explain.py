@@ -14,8 +14,8 @@ from gcs.telemetry.state import FleetSnapshot, Vec3
 from skytender.rolling_horizon import COST
 
 HISTORY = 20
-MOST_MORE = 1.0
-"""Vehicles that a plan is said to lose at most if another one is served first."""
+LEAST_MORE, MOST_MORE = 0.05, 1.0
+"""Vehicles that are said to be lost more if another is served first: from so many on, and at most."""
 
 
 def competition_of(competition_state: CompetitionState, rules: CompetitionRules) -> dict[str, Any]:
@@ -131,9 +131,10 @@ def _gained(gain: float | None) -> str:
     if gain is None:
         return "it won the competition of the vehicles"
     more = min(gain / COST, MOST_MORE)
-    if more < 0.05:
-        return "no other order of services is likely to lose fewer vehicles"
-    return f"served later, {'at least ' if more == MOST_MORE else ''}{more:.1f} vehicles more would likely be lost"
+    if more < LEAST_MORE:
+        return "no order of services that begins with another is likely to lose fewer vehicles"
+    at_least = "at least " if more == MOST_MORE else ""
+    return f"if another were served first, {at_least}{more:.1f} vehicles more would likely be lost"
 
 
 def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:

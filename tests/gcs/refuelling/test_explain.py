@@ -1,5 +1,6 @@
 """Competition and services for a person: numbers that agree with geometry, and sentences that say the reason."""
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -60,6 +61,20 @@ def test_why_by_effort_names_what_competed() -> None:
     rules = COMPETITION.model_copy(update={"bids": "effort"})
     text = why(service(share=0.99991), snapshot(RECEIVER, TANKER), RULES, rules)
     assert "had used most control effort since it last received energy, and held 99.99 % of the competition" in text
+
+
+@pytest.mark.parametrize(
+    ("gain", "words"),
+    [
+        (math.inf, "if another were served first, at least 1.0 vehicles more would likely be lost (its need 0.71)"),
+        (4.0, "if another were served first, 0.5 vehicles more would likely be lost"),
+        (0.0, "no order of services that begins with another is likely to lose fewer vehicles"),
+        (None, "it won the competition of the vehicles"),
+    ],
+)
+def test_why_by_losses_says_how_many_vehicles_more_would_be_lost(gain: float | None, words: str) -> None:
+    rules = COMPETITION.model_copy(update={"bids": "losses"})
+    assert words in why(service(gain=gain), snapshot(RECEIVER, TANKER), RULES, rules)
 
 
 def test_the_runner_up_is_the_next_behind_the_leader() -> None:

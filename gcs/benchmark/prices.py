@@ -193,7 +193,7 @@ def _dual(columns: Floats, n: int, has: Floats) -> tuple[Floats, float]:
 
 
 def _until(at_s: ArrayLike, paid: Floats) -> Floats:
-    """What is paid until some times, of what is paid until each end of a step."""
+    """Payments until some times, from the sums until each end of a step."""
     steps = np.clip(np.asarray(at_s, np.float64) / STEP_S, 0.0, len(paid) - 1.0)
     whole = np.minimum(steps.astype(np.int64), len(paid) - 2)
     return np.asarray(paid[whole] + (steps - whole) * (paid[whole + 1] - paid[whole]))

@@ -150,7 +150,7 @@ def charged(tmp_path_factory: pytest.TempPathFactory) -> Outcome:
         "origin": dict(zip(("lat_deg", "lon_deg", "alt_m"), ORIGIN, strict=True)),
         "vehicles": {"pursuers": [pursuer]},
         "bases": [{"name": "pad", "position_m": list(PAD_M), "stock_j": STOCK_J, "rate_w": RATE_W}],
-        "competition": {"bids": "need", "need_from": 0.15},
+        "competition": {"bids": "need", "need_from": 0.15, "dwell_s": 1.0},
         "goal": {"duration_s": 28.0, "refuelled_at_least": 1},  # between the end of its charging and its next landing
     }
     copter = [*ARDUCOPTER, "--sysid", str(COPTER), "--connect", f"udpout:127.0.0.1:{port}", *own_origin(COPTER)]

@@ -41,7 +41,7 @@ class CompetitionState:
     def without(self, sysid: int) -> CompetitionState:
         """The competition once this one has been given a giver: none leads."""
         v = {key: value for key, value in self.v.items() if key != sysid}
-        return CompetitionState(v, self.tau, self.need)
+        return CompetitionState(v, self.tau, self.need, gain=self.gain)
 
 
 NO_COMPETITION = CompetitionState()

@@ -75,11 +75,11 @@ class FleetLink:
         return one_by_one(self, grants)
 
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]:
         if key in self._external.joined:
             return self._external.grant(key, messages, relayed)
-        return self._fleet.grant(key, t_ms, unix_us, messages, relayed)
+        return self._fleet.grant(key, t_ms, unix_us, messages, relayed, air)
 
     def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
         def wait() -> None:

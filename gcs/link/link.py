@@ -43,17 +43,18 @@ class TickGrants(NamedTuple):
     heartbeat_due: Collection[int]
     """system ids of the vehicles that get our HEARTBEAT"""
     points: PlacedSetPoints
-    more: Mapping[Key, tuple[Sequence[Message], Sequence[bytes]]]
-    """of vehicles that get more, or less, than HEARTBEAT and set point: all messages, and frames as they are"""
+    more: Mapping[Key, tuple[Sequence[Message], Sequence[bytes], bytes]]
+    """of vehicles that get more, or less, than HEARTBEAT and set point: all messages, frames as they are, and what
+    other vehicles have broadcast"""
 
-    def content(self, key: Key) -> tuple[Sequence[Message], Sequence[bytes]]:
-        """Messages for one of `keys`, and frames as they are."""
+    def content(self, key: Key) -> tuple[Sequence[Message], Sequence[bytes], bytes]:
+        """Messages for one of `keys`, frames as they are, and what other vehicles have broadcast."""
         if key in self.more:
             return self.more[key]
         messages = [OUR_HEARTBEAT] if key[0] in self.heartbeat_due else []
         if key[0] in self.points.sysids:
             messages.append(self.points.message(key[0]))
-        return messages, ()
+        return messages, (), b""
 
 
 class TickLink(Protocol):
@@ -67,9 +68,10 @@ class TickLink(Protocol):
         """Hold a vehicle no longer: an unfinished answer is dropped, the others go on."""
 
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]:
-        """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames."""
+        """Send one vehicle what is for it up to a time, at `flush` at the latest; the frames. `air`: what others have
+        broadcast, which goes out now or never."""
 
     def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         """Send each vehicle its messages, at `flush` at the latest; the frames, in order."""
@@ -107,7 +109,7 @@ class TickLink(Protocol):
 
 class _Granting(Protocol):
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]: ...
 
 

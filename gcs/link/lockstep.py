@@ -193,15 +193,17 @@ class LockstepLink(TickLink):
         self._waiting.discard(key)
 
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]:
         """Send one vehicle its bundle up to T, at `flush` at the latest; the frames that it holds. What does not fit
-        waits for the next one."""
+        waits for the next one, but for `air`, which may take a bundle beyond DATAGRAM_BYTES."""
         peer = self._peers[key]
         if not peer.waiting and not relayed and len(messages) <= SURELY_FIT:
             frames = [self._frame(peer, message) for message in messages]
         else:
             frames = self._fitting(peer, messages, relayed)
+        if air:
+            frames.append(air)
         frames.append(self._frame(peer, codec.Message(_SYSTEM_TIME, (unix_us, t_ms))))
         peer.bundle, peer.bundle_ms = peer.marker + b"".join(frames), t_ms
         peer.collector.begin(t_ms)

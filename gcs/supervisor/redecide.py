@@ -144,7 +144,7 @@ class RecordedLink(TickLink):
         self._granted.discard(key)
 
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]:
         self._granted.add(key)
         return []

@@ -594,8 +594,8 @@ class Supervisor:
 
     def _content(
         self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, heartbeat_due: bool
-    ) -> tuple[list[Message], list[bytes]]:
-        """All that goes to a vehicle now, after the radio: messages, and frames as they are."""
+    ) -> tuple[list[Message], list[bytes], bytes]:
+        """All that goes to a vehicle now, after the radio: messages, frames as they are, what others have broadcast."""
         copies = self.quality.copies(sysid)
         messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if heartbeat_due else []
         messages += self.command_queue.pop(sysid)
@@ -603,13 +603,14 @@ class Supervisor:
         messages += relays.get(sysid, ())
         messages += self._forwarded.pop(sysid)
         messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", self.time_s, messages)]
-        foreign = [m.raw for m in messages if isinstance(m, Relay)]
-        if self._peer_radio is not None:
-            foreign += self._peer_radio.receive(sysid, self.time_s)
         own = [m for m in messages if isinstance(m, Message)]
+        air = b""
+        if self._peer_radio is not None:
+            air = self._peer_radio.receive(sysid, self.time_s)
         if self._place_radio is not None:
-            foreign += self._place_radio.deliver(sysid, self.time_s, led=any(one.msgid == _SET_POINT for one in own))
-        return own, foreign
+            led = any(one.msgid == _SET_POINT for one in own)
+            air += self._place_radio.deliver(sysid, self.time_s, led=led, beside_bytes=len(air))
+        return own, [m.raw for m in messages if isinstance(m, Relay)], air
 
     _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()

@@ -96,10 +96,14 @@ class ScriptedLink:
         self._granted.pop(key, None)
 
     def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes]
+        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
     ) -> list[bytes]:
         end = codec.message("SYSTEM_TIME", time_unix_usec=unix_us, time_boot_ms=t_ms)
-        raws = [codec.frame(m, 0, 255, 190) for m in messages] + list(relayed) + [codec.frame(end, 0, 255, 190)]
+        raws = [codec.frame(m, 0, 255, 190) for m in messages] + [
+            *relayed,
+            *([air] if air else []),
+            codec.frame(end, 0, 255, 190),
+        ]
         frames = codec.split(b"".join(raws)).frames
         self.bundles.append((t_ms, key, frames))
         self._granted[key] = t_ms

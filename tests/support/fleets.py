@@ -167,9 +167,8 @@ class FleetInProcess:
         self.now_ms += PERIOD_MS
         for sysid, vehicle in self.vehicles.items():
             services, connection = self._services[sysid], self._connections[sysid]
-            for raw in inbox[sysid]:
-                for frame in split(raw):
-                    services.receive(frame, connection)
+            for frame in split(inbox[sysid]):
+                services.receive(frame, connection)
             vehicle.advance(self.now_ms)
             services.decide()
             services.report()

@@ -8,17 +8,20 @@ vehicle's blackout silences it towards its peers too.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 
 from gcs.link.impairment import Burst, Impairment
 from gcs.mavlink import codec
-from gcs.mavlink.codec import Frame
+from gcs.mavlink.codec import LARGEST_FRAME, Frame
 from gcs.scenario.parts.radio import RadioSplit
 
 _COUNTERS = frozenset({"XferOut", "XferIn"})
 _NAMED_VALUE_INT = codec.msgid("NAMED_VALUE_INT")
 _BROADCAST = frozenset({codec.msgid("DEBUG_FLOAT_ARRAY"), codec.msgid("FOLLOW_TARGET")})
 _ADDRESSED = frozenset({codec.msgid("COMMAND_LONG"), codec.msgid("COMMAND_ACK")})
+MOST_BYTES = 11_000
+"""Of other vehicles' frames in a bundle: with what a shared datagram holds besides it stays within 16,384 bytes."""
 
 
 class PeerRadio:
@@ -47,8 +50,9 @@ class PeerRadio:
         addressed = ((_reader(frame), frame.raw) for frame in frames)
         self._sent[sysid] = [(reader, raw) for reader, raw in addressed if reader is not None]
 
-    def receive(self, sysid: int, t_s: float) -> list[bytes]:
-        """Frames that reach a vehicle at a session time, in the order of their senders; once per tick and vehicle."""
+    def receive(self, sysid: int, t_s: float) -> bytes:
+        """Frames that reach a vehicle at a session time, in the order of their senders, as one piece; once per tick and
+        vehicle."""
         received: list[bytes] = []
         for sender in self._sysids:
             if sender == sysid:
@@ -56,7 +60,7 @@ class PeerRadio:
             frames = [raw for reader, raw in self._sent.get(sender, ()) if reader in (0, sysid)]
             dark = apart(sender, sysid, t_s, self._blackouts, self._splits)
             received += self._radio.apply(sysid, sender, t_s, frames, dark=dark)
-        return received
+        return fitting(received, t_s, MOST_BYTES // 2)  # the places of peers need room too
 
 
 def apart(a: int, b: int, t_s: float, blackouts: Iterable[Burst], splits: Iterable[RadioSplit]) -> bool:
@@ -64,6 +68,15 @@ def apart(a: int, b: int, t_s: float, blackouts: Iterable[Burst], splits: Iterab
     if any(blackout.sysid in (a, b) and blackout.from_s <= t_s < blackout.to_s for blackout in blackouts):
         return True
     return any(s.from_s <= t_s < s.to_s and (a in s.sysids) != (b in s.sysids) for s in splits)
+
+
+def fitting(frames: Sequence[bytes], t_s: float, most_bytes: int) -> bytes:
+    """As many frames as fit, in one piece: of too many another part in each tick."""
+    size = sum(map(len, frames))
+    if size <= most_bytes:
+        return b"".join(frames)
+    parts = math.ceil(size / (most_bytes - LARGEST_FRAME))
+    return b"".join(frames[round(10.0 * t_s) % parts :: parts])
 
 
 def _reader(frame: Frame) -> int | None:

@@ -7,22 +7,17 @@ delays as that one does, and goes on while the station's own radio is dead.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 
 from gcs.link.impairment import Burst, Impairment
-from gcs.link.peers.peer_radio import apart
+from gcs.link.peers.peer_radio import MOST_BYTES, apart, fitting
 from gcs.mavlink import codec
-from gcs.mavlink.codec import LARGEST_FRAME, Frame
+from gcs.mavlink.codec import Frame
 from gcs.mavlink.ids import STATION, TRAFFIC
 from gcs.scenario.parts.radio import RadioSplit
 
 _PLACE, _LEADER = codec.msgid("LOCAL_POSITION_NED"), codec.msgid("POSITION_TARGET_LOCAL_NED")
 _AIRCRAFT = codec.msgid("ADSB_VEHICLE")
-MOST_BYTES = 11_000
-"""Of places in a bundle: with what a shared datagram holds besides it stays within 16,384 bytes."""
-
-
 SELDOM = 3
 """[choice] Ticks: a vehicle foresees its peers for longer."""
 _SYSID_AT, _COMPID_AT, _ID_AT = 5, 6, slice(7, 10)  # in a frame
@@ -48,7 +43,9 @@ class PlaceRadio:
         self._blackouts, self._splits = tuple(blackouts), tuple(splits)
         self._sent: Mapping[int, Sequence[Frame]] = {}
         self._places: dict[int, list[bytes]] = {}
-        self._all: bytes | None = None
+        self._all: list[bytes] | None = None
+        self._all_fitting: dict[int, bytes] = {}
+        """by room"""
         self._flying: Collection[int] = ()
         self._ticks = 0
         self.listening: frozenset[int] = frozenset()
@@ -64,6 +61,7 @@ class PlaceRadio:
         """Take what vehicles have sent since the last tick, by system id."""
         self._sent, self._all = frames, None
         self._places.clear()
+        self._all_fitting.clear()
 
     def begin(self, flying: Collection[int], steered: Container[int], *, seldom: bool = False) -> None:
         """Begin a tick's deliveries. `flying`: vehicles that may be in the air; `steered`: those to which a set point
@@ -74,32 +72,34 @@ class PlaceRadio:
         led: Container[int] = () if self._splits else steered
         self.listening = frozenset(sysid for sysid in self._members if sysid in self._flying and sysid not in led)
 
-    def deliver(self, sysid: int, t_s: float, *, led: bool) -> list[bytes]:
+    def deliver(self, sysid: int, t_s: float, *, led: bool, beside_bytes: int = 0) -> bytes:
         """Places that reach a vehicle at a session time, as one piece of data, once per tick; `led`: a set point has
         reached it. One that is led, or on the ground, has no use for them, and they are kept from it to save time;
-        but what a split may soon keep from it."""
+        but what a split may soon keep from it. `beside_bytes` of other frames go with them."""
         needs = sysid in self._flying and sysid in self._members and not (led and not self._splits)
         if not needs and (self._radio.prompt or sysid not in self._members):
-            return []
-        received = self._received(sysid, t_s)
+            return b""
+        received = self._received(sysid, t_s, MOST_BYTES - beside_bytes)
         if not needs or not received:
-            return []
+            return b""
         self.delivered = True
-        return [received]
+        return received
 
-    def _received(self, sysid: int, t_s: float) -> bytes:
+    def _received(self, sysid: int, t_s: float, most_bytes: int) -> bytes:
         """Frames in the order of their senders; where nothing is lost, the vehicle's own are among them."""
         if self._radio.clear and not self._blackouts and not self._splits:
             if self._all is None:
-                self._all = _fitting([raw for sender in self._senders for raw in self._of(sender)], t_s)
-            return self._all
+                self._all = [raw for sender in self._senders for raw in self._of(sender)]
+            if most_bytes not in self._all_fitting:
+                self._all_fitting[most_bytes] = _fitting(self._all, t_s, most_bytes)
+            return self._all_fitting[most_bytes]
         received: list[bytes] = []
         for sender in self._senders:
             if sender != sysid:
                 splits = () if sender == TRAFFIC[0] else self._splits
                 dark = apart(sender, sysid, t_s, self._blackouts, splits)
                 received += self._radio.apply(sysid, sender, t_s, self._of(sender), dark=dark)
-        return _fitting(received, t_s)
+        return _fitting(received, t_s, most_bytes)
 
     def _of(self, sender: int) -> list[bytes]:
         places = self._places.get(sender)
@@ -126,13 +126,10 @@ def _leads(raw: bytes) -> bool:
     return not raw[_MASK_AT] & _NO_ACCELERATION
 
 
-def _fitting(frames: list[bytes], t_s: float) -> bytes:
-    """As many frames as a bundle holds, in one piece: of a vehicle with a leader that alone, and of too many another
-    part in each tick."""
-    if sum(map(len, frames)) <= MOST_BYTES:
-        return b"".join(frames)
-    leaders = [raw for raw in frames if raw[_ID_AT.start] == _LEADER]
-    led = {raw[_SYSID_AT] for raw in leaders}
-    some = leaders + [raw for raw in frames if raw[_ID_AT.start] != _LEADER and raw[_SYSID_AT] not in led]
-    parts = math.ceil(sum(map(len, some)) / (MOST_BYTES - LARGEST_FRAME))
-    return b"".join(some[round(10.0 * t_s) % parts :: parts])
+def _fitting(frames: list[bytes], t_s: float, most_bytes: int) -> bytes:
+    """As many frames as fit, in one piece; where not all do, of a vehicle with a leader that alone."""
+    if sum(map(len, frames)) > most_bytes:
+        leaders = [raw for raw in frames if raw[_ID_AT.start] == _LEADER]
+        led = {raw[_SYSID_AT] for raw in leaders}
+        frames = leaders + [raw for raw in frames if raw[_ID_AT.start] != _LEADER and raw[_SYSID_AT] not in led]
+    return fitting(frames, t_s, most_bytes)

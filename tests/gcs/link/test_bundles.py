@@ -91,11 +91,12 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
         steered = [key[0] for key in there if key != TRAFFIC and draw.random() < (1.0 if tick % 3 else 0.9)]
         values = np.array([[number(draw) for _ in range(6)] for _ in steered]).reshape(-1, 6)
         points = PlacedSetPoints(max(t_ms - 100, 0), tuple(steered), values)
-        more: dict[Key, tuple[list[Message], list[bytes]]] = {}
+        more: dict[Key, tuple[list[Message], list[bytes], bytes]] = {}
         for key in there if tick % 4 == 0 else ():
             if draw.random() < 0.05:
                 relayed = [codec.frame(LONG, 7, 3, 1)] * draw.choice([0, 0, 2])
-                more[key] = [COMMAND] * draw.choice([0, 1, 3]) + [LONG] * draw.choice([0, 0, 40]), relayed
+                messages = [COMMAND] * draw.choice([0, 1, 3]) + [LONG] * draw.choice([0, 0, 40])
+                more[key] = messages, relayed, codec.frame(LONG, 8, 4, 1) * draw.choice([0, 0, 20])
         heartbeat_due = {key[0] for key in there if key != TRAFFIC and (tick % 10 == 0 or draw.random() < 0.01)}
         grants = TickGrants(t_ms, 1_767_225_600_000_000 + 1000 * t_ms, there, heartbeat_due, points, more)
         assert at_once.link.grant_all(grants) == one_by_one(single.link, grants)

@@ -129,6 +129,21 @@ def test_what_does_not_fit_into_1400_bytes_waits_for_the_next_bundle_in_order(
     assert [int(t[:4]) for t in texts] == list(range(60))
 
 
+def test_what_peers_have_broadcast_goes_out_at_once_beside_what_waits(
+    link: LockstepLink, made_vehicles: list[Vehicle]
+) -> None:
+    (one,) = join(link, made_vehicles, 1)
+    air = b"".join(codec.encode("HEARTBEAT", seq, 201, 1, **BEAT) for seq in range(200))
+    for tick in range(6):
+        link.grant((1, 1), 100 * tick, 0, [text(k) for k in range(60)] if tick == 0 else [], [], air)
+        one.pump()
+        collect(link, lambda: None)
+    assert [bundle.count(air) for bundle in one.bundles] == [1] * 6
+    assert max(len(bundle) for bundle in one.bundles) <= DATAGRAM_BYTES + len(air)
+    texts = [codec.fields(frame).text for frame in one.heard if frame.msgid == codec.msgid("STATUSTEXT")]
+    assert [int(t[:4]) for t in texts] == list(range(60))
+
+
 def test_who_leaves_in_mid_tick_is_not_waited_for_and_the_others_go_on(
     link: LockstepLink, made_vehicles: list[Vehicle]
 ) -> None:

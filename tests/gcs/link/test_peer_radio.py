@@ -8,7 +8,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from gcs.link.impairment import Burst, Impairment
-from gcs.link.peers.peer_radio import PeerRadio
+from gcs.link.peers.peer_radio import MOST_BYTES, PeerRadio
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.scenario.parts.radio import RadioSplit
@@ -39,20 +39,25 @@ def counter(sysid: int, name: bytes) -> Frame:
     return frame(sysid, "NAMED_VALUE_INT", time_boot_ms=0, name=name, value=5)
 
 
+def heard(radio: PeerRadio, reader: int, t_s: float = 0.0) -> list[bytes]:
+    """The frames that come."""
+    return [frame.raw for frame in codec.split(radio.receive(reader, t_s)).frames]
+
+
 def test_a_broadcast_reaches_all_others_as_it_is_and_an_order_only_its_reader() -> None:
     radio = PeerRadio(VEHICLES, Impairment())
     sent = [report(1), order(1, 201), counter(1, b"XferIn")]
     radio.send(1, sent)
-    assert radio.receive(1, 0.0) == []
-    assert radio.receive(2, 0.0) == [sent[0].raw, sent[2].raw]
-    assert radio.receive(201, 0.0) == [one.raw for one in sent]
+    assert heard(radio, 1) == []
+    assert heard(radio, 2) == [sent[0].raw, sent[2].raw]
+    assert heard(radio, 201) == [one.raw for one in sent]
 
 
 def test_what_is_the_ground_stations_stays_there() -> None:
     radio = PeerRadio(VEHICLES, Impairment())
     heartbeat = frame(1, "HEARTBEAT", type=2, autopilot=12, base_mode=0, custom_mode=0, system_status=4)
     radio.send(1, [heartbeat, counter(1, b"Other"), order(1, 255)])
-    assert radio.receive(2, 0.0) == []
+    assert heard(radio, 2) == []
 
 
 def test_frames_come_in_the_order_of_their_senders() -> None:
@@ -60,7 +65,19 @@ def test_frames_come_in_the_order_of_their_senders() -> None:
     frames = {sysid: report(sysid) for sysid in (201, 3, 2)}
     for sysid, one in frames.items():
         radio.send(sysid, [one])
-    assert radio.receive(1, 0.0) == [frames[sysid].raw for sysid in (2, 3, 201)]
+    assert heard(radio, 1) == [frames[sysid].raw for sysid in (2, 3, 201)]
+
+
+def test_of_more_than_fit_into_a_bundle_all_come_within_a_few_ticks() -> None:
+    sysids = range(1, 41)
+    radio, seen = PeerRadio(sysids, Impairment()), set[int]()
+    for tick in range(3):
+        for sysid in sysids:
+            radio.send(sysid, [report(sysid)])
+        raws = heard(radio, 1, 0.1 * tick)
+        assert sum(map(len, raws)) <= MOST_BYTES // 2
+        seen |= {raw[5] for raw in raws}
+    assert seen == set(sysids) - {1}
 
 
 def received(radio: PeerRadio, reader: int, ticks: int = 400, sender: int = 1) -> list[tuple[int, int]]:
@@ -68,7 +85,7 @@ def received(radio: PeerRadio, reader: int, ticks: int = 400, sender: int = 1) -
     found = []
     for tick in range(ticks):
         radio.send(sender, [report(sender, tick % 256)])
-        found += [(tick, raw[4]) for raw in radio.receive(reader, 0.1 * tick)]
+        found += [(tick, raw[4]) for raw in heard(radio, reader, 0.1 * tick)]
     return found
 
 

@@ -26,6 +26,8 @@ from skytender import elementary
 PERIOD_MS = 100
 UP_WITHIN_S = 1.0
 """So long after the first one the others may take before anything is decided."""
+REPORTS_BEFORE = 2
+"""[choice] Reports of each vehicle, once all are up, before anything is decided: the first bids know no tankers yet."""
 POWER_KEPT = 0.9
 """Share of the smoothed draw that a tick keeps: about a second's mean [choice]."""
 SERVICE_EVERY_S = 0.5
@@ -58,6 +60,7 @@ class FleetMember:
         self._service_s = 0.0
         self._next_service = 0
         self._first_up_s: float | None = None
+        self._all_up_s: float | None = None
         self._seen_up: set[int] = set()
         self._settled = False
         self._goal_ned: Vec3 | None = None
@@ -106,7 +109,7 @@ class FleetMember:
         self._report(now_s, peers, up, before)
 
     def _note_up(self, now_s: float, peers: Mapping[int, PeerReport], up: bool) -> None:
-        """Whether everyone could be served by now, or has had its time after the first one."""
+        """Whether all could be served, and have said their bids since, or have had their time after the first."""
         if self._settled:
             return
         self._seen_up |= {sysid for sysid in self._rules.pursuers if sysid in peers and peers[sysid].up}
@@ -114,8 +117,11 @@ class FleetMember:
             self._seen_up.add(self._sysid)
         if self._seen_up and self._first_up_s is None:
             self._first_up_s = now_s
+        if self._all_up_s is None and self._seen_up.issuperset(self._rules.pursuers):
+            self._all_up_s = now_s
         waited = self._first_up_s is not None and now_s - self._first_up_s >= UP_WITHIN_S
-        self._settled = waited or self._seen_up.issuperset(self._rules.pursuers)
+        said_s = REPORTS_BEFORE * self._rules.report_every_s
+        self._settled = waited or (self._all_up_s is not None and now_s - self._all_up_s >= said_s)
 
     def _compete(self, now_s: float, peers: Mapping[int, PeerReport]) -> None:
         """Run the competition over the bids that are known, and call the tanker where it is won."""

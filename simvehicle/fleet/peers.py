@@ -106,13 +106,14 @@ ROW = len(row_of(PeerReport(0.0)))
 _KINDS: tuple[Any, ...] = tuple(map(type, PeerReport._field_defaults.values()))  # of all fields but the time
 BY = ROW - 4
 """Place in a row of the rule; a vector is behind it."""
+_STAGES, _RULES = frozenset(PeerStage), frozenset(DecidedBy)
 
 
 def report_of(time_s: float, row: Sequence[float]) -> PeerReport | None:
     """A report from the numbers that came; None where they are none."""
     if len(row) < ROW or not all(map(math.isfinite, row[:ROW])) or max(map(abs, row[3:9])) > FARTHEST_M:
         return None
-    if row[0] not in tuple(PeerStage) or row[BY] not in tuple(DecidedBy) or not 0.0 <= row[1] <= 255.0:
+    if row[0] not in _STAGES or row[BY] not in _RULES or not 0.0 <= row[1] <= 255.0:
         return None
     numbers = iter(row)
     values: Any = (tuple(islice(numbers, 3)) if kind is tuple else kind(next(numbers)) for kind in _KINDS)

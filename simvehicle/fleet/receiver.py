@@ -218,6 +218,7 @@ class Receiver:
             self._break_off(now_s)
         elif settled and tanker is not None and tanker.stage is not PeerStage.TRANSFERS:
             self._go(ReceiverPhase.CATCH_UP, now_s)
+            self._catch_up(now_s, tanker)
 
     def _break_off(self, now_s: float) -> None:
         self._breaks += 1
@@ -228,6 +229,7 @@ class Receiver:
         stopped = tanker is not None and tanker.stage is not PeerStage.TRANSFERS
         if stopped or now_s - self._phase_since_s > ANSWER_WITHIN_S:
             self._go(ReceiverPhase.CATCH_UP, now_s)
+            self._catch_up(now_s, tanker)
         else:
             self._ask(now_s, TransferSide.STOP)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
@@ -103,9 +103,16 @@ def numbers(rows: pa.Table, measure: str) -> Floats:
 
 
 def name_of(plan: Plan, combination: int) -> str:
-    """A combination's values in words; empty where nothing is varied."""
-    row = plan.row(combination)
-    return ", ".join(f"{key.rsplit('.', 1)[-1]} {row.values[key]}" for key in plan.campaign.vary)
+    """A combination's values in words, of mappings what differs between them; empty where nothing is varied."""
+    row, words = plan.row(combination), []
+    for key, values in plan.campaign.vary.items():
+        value, name = row.values[key], key.rsplit(".", 1)[-1]
+        if isinstance(value, Mapping):
+            differ = [k for k in value if any(not isinstance(v, Mapping) or v.get(k) != value[k] for v in values)]
+            words += [f"{k} {value[k]}" for k in differ] or [name]
+        else:
+            words.append(f"{name} {value}")
+    return ", ".join(words)
 
 
 def summary(plan: Plan, rows: pa.Table) -> dict[str, Any]:

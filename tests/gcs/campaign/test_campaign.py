@@ -184,6 +184,14 @@ def test_paired_differences_are_found_where_unpaired_ones_drown(tmp_path: Path) 
     assert counted == [(80,)]
 
 
+def test_combinations_are_named_by_what_differs() -> None:
+    flown = plan(
+        vary={"competition": [{"where": "vehicles", "need_from": 0.4}, {"policy": "optimal", "need_from": 0.4}]}
+    )
+    assert [statistics.name_of(flown, n) for n in range(2)] == ["where vehicles", "policy optimal"]
+    assert statistics.name_of(plan(), 3) == "policy optimal, cruise_m_s 2.0"
+
+
 def test_the_shipped_campaigns_can_be_flown() -> None:
     assert {"safety", "speed-against-safety", "loss", "policies"} < set(file.shipped_names())
     assert {"silence", "silent-traffic", "accuracy", "turning", "dense"} < set(file.shipped_names())

@@ -30,7 +30,7 @@ from skytender import elementary
 OUTSIDE_SPEED_M_S = 3.0
 """[choice] Of a receiver off its path, where the scenario has no way points at a speed of their own."""
 SLOWEST_M_S = 0.1
-MEETS_S = 5.0
+MEETS_S = 2.2
 """Of a service in flight beside the way, `hold_s` and the flow of energy: to come to rest above the receiver, and to
 part."""
 EARLY_S = 1.0

@@ -1,9 +1,5 @@
 # Made by tests/support/message_structs.py from pymavlink's definitions: payloads as on the wire.
 
-cdef enum:
-    HEARTBEAT_ID = 0
-    HEARTBEAT_SEED = 50
-
 cdef packed struct Heartbeat:
     unsigned int custom_mode
     unsigned char type
@@ -11,10 +7,6 @@ cdef packed struct Heartbeat:
     unsigned char base_mode
     unsigned char system_status
     unsigned char mavlink_version
-
-cdef enum:
-    SYS_STATUS_ID = 1
-    SYS_STATUS_SEED = 124
 
 cdef packed struct SysStatus:
     unsigned int onboard_control_sensors_present
@@ -34,27 +26,15 @@ cdef packed struct SysStatus:
     unsigned int onboard_control_sensors_enabled_extended
     unsigned int onboard_control_sensors_health_extended
 
-cdef enum:
-    SYSTEM_TIME_ID = 2
-    SYSTEM_TIME_SEED = 137
-
 cdef packed struct SystemTime:
     unsigned long long time_unix_usec
     unsigned int time_boot_ms
-
-cdef enum:
-    PING_ID = 4
-    PING_SEED = 237
 
 cdef packed struct Ping:
     unsigned long long time_usec
     unsigned int seq
     unsigned char target_system
     unsigned char target_component
-
-cdef enum:
-    GPS_RAW_INT_ID = 24
-    GPS_RAW_INT_SEED = 24
 
 cdef packed struct GpsRawInt:
     unsigned long long time_usec
@@ -74,10 +54,6 @@ cdef packed struct GpsRawInt:
     unsigned int hdg_acc
     unsigned short yaw
 
-cdef enum:
-    ATTITUDE_ID = 30
-    ATTITUDE_SEED = 39
-
 cdef packed struct Attitude:
     unsigned int time_boot_ms
     float roll
@@ -86,10 +62,6 @@ cdef packed struct Attitude:
     float rollspeed
     float pitchspeed
     float yawspeed
-
-cdef enum:
-    ATTITUDE_QUATERNION_ID = 31
-    ATTITUDE_QUATERNION_SEED = 246
 
 cdef packed struct AttitudeQuaternion:
     unsigned int time_boot_ms
@@ -102,10 +74,6 @@ cdef packed struct AttitudeQuaternion:
     float yawspeed
     float[4] repr_offset_q
 
-cdef enum:
-    LOCAL_POSITION_NED_ID = 32
-    LOCAL_POSITION_NED_SEED = 185
-
 cdef packed struct LocalPositionNed:
     unsigned int time_boot_ms
     float x
@@ -114,10 +82,6 @@ cdef packed struct LocalPositionNed:
     float vx
     float vy
     float vz
-
-cdef enum:
-    GLOBAL_POSITION_INT_ID = 33
-    GLOBAL_POSITION_INT_SEED = 104
 
 cdef packed struct GlobalPositionInt:
     unsigned int time_boot_ms
@@ -130,29 +94,17 @@ cdef packed struct GlobalPositionInt:
     short vz
     unsigned short hdg
 
-cdef enum:
-    MISSION_CURRENT_ID = 42
-    MISSION_CURRENT_SEED = 28
-
 cdef packed struct MissionCurrent:
     unsigned short seq
     unsigned short total
     unsigned char mission_state
     unsigned char mission_mode
 
-cdef enum:
-    GPS_GLOBAL_ORIGIN_ID = 49
-    GPS_GLOBAL_ORIGIN_SEED = 39
-
 cdef packed struct GpsGlobalOrigin:
     int latitude
     int longitude
     int altitude
     unsigned long long time_usec
-
-cdef enum:
-    VFR_HUD_ID = 74
-    VFR_HUD_SEED = 20
 
 cdef packed struct VfrHud:
     float airspeed
@@ -161,10 +113,6 @@ cdef packed struct VfrHud:
     float climb
     short heading
     unsigned short throttle
-
-cdef enum:
-    SET_POSITION_TARGET_LOCAL_NED_ID = 84
-    SET_POSITION_TARGET_LOCAL_NED_SEED = 143
 
 cdef packed struct SetPositionTargetLocalNed:
     unsigned int time_boot_ms
@@ -184,10 +132,6 @@ cdef packed struct SetPositionTargetLocalNed:
     unsigned char target_component
     unsigned char coordinate_frame
 
-cdef enum:
-    POSITION_TARGET_LOCAL_NED_ID = 85
-    POSITION_TARGET_LOCAL_NED_SEED = 140
-
 cdef packed struct PositionTargetLocalNed:
     unsigned int time_boot_ms
     float x
@@ -204,10 +148,6 @@ cdef packed struct PositionTargetLocalNed:
     unsigned short type_mask
     unsigned char coordinate_frame
 
-cdef enum:
-    ALTITUDE_ID = 141
-    ALTITUDE_SEED = 47
-
 cdef packed struct Altitude:
     unsigned long long time_usec
     float altitude_monotonic
@@ -216,10 +156,6 @@ cdef packed struct Altitude:
     float altitude_relative
     float altitude_terrain
     float bottom_clearance
-
-cdef enum:
-    FOLLOW_TARGET_ID = 144
-    FOLLOW_TARGET_SEED = 127
 
 cdef packed struct FollowTarget:
     unsigned long long timestamp
@@ -233,10 +169,6 @@ cdef packed struct FollowTarget:
     float[3] rates
     float[3] position_cov
     unsigned char est_capabilities
-
-cdef enum:
-    BATTERY_STATUS_ID = 147
-    BATTERY_STATUS_SEED = 154
 
 cdef packed struct BatteryStatus:
     int current_consumed
@@ -254,10 +186,6 @@ cdef packed struct BatteryStatus:
     unsigned char mode
     unsigned int fault_bitmask
 
-cdef enum:
-    HOME_POSITION_ID = 242
-    HOME_POSITION_SEED = 104
-
 cdef packed struct HomePosition:
     int latitude
     int longitude
@@ -271,44 +199,24 @@ cdef packed struct HomePosition:
     float approach_z
     unsigned long long time_usec
 
-cdef enum:
-    EXTENDED_SYS_STATE_ID = 245
-    EXTENDED_SYS_STATE_SEED = 130
-
 cdef packed struct ExtendedSysState:
     unsigned char vtol_state
     unsigned char landed_state
-
-cdef enum:
-    NAMED_VALUE_FLOAT_ID = 251
-    NAMED_VALUE_FLOAT_SEED = 170
 
 cdef packed struct NamedValueFloat:
     unsigned int time_boot_ms
     float value
     char[10] name
 
-cdef enum:
-    NAMED_VALUE_INT_ID = 252
-    NAMED_VALUE_INT_SEED = 44
-
 cdef packed struct NamedValueInt:
     unsigned int time_boot_ms
     int value
     char[10] name
 
-cdef enum:
-    CURRENT_MODE_ID = 436
-    CURRENT_MODE_SEED = 193
-
 cdef packed struct CurrentMode:
     unsigned int custom_mode
     unsigned int intended_custom_mode
     unsigned char standard_mode
-
-cdef enum:
-    CONTROL_STATUS_ID = 512
-    CONTROL_STATUS_SEED = 21
 
 cdef packed struct ControlStatus:
     unsigned char flags
@@ -316,6 +224,13 @@ cdef packed struct ControlStatus:
     unsigned char[10] gcs_secondary
 
 cdef enum:
+    HEARTBEAT_ID = 0
+    SYSTEM_TIME_ID = 2
+    PING_ID = 4
+    LOCAL_POSITION_NED_ID = 32
+    SET_POSITION_TARGET_LOCAL_NED_ID = 84
+    POSITION_TARGET_LOCAL_NED_ID = 85
+    SYSTEM_TIME_SEED = 137
     MAV_COMP_ID_AUTOPILOT1 = 1
     MAV_TYPE_GCS = 6
     MAV_TYPE_QUADROTOR = 2

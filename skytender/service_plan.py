@@ -88,5 +88,8 @@ def gain_of(served_cost: float, passed_over_cost: float) -> float:
 
 
 def below_greatest(gain: float) -> float:
-    """How far below the greatest bid the bid of such a gain is, as a share of the whole scale."""
+    """Distance of a bid from the greatest possible bid, as a share of the scale: 0 for the greatest, 1 for the least.
+
+    gain: cost that serving the vehicle first would avoid (docs/model/competition.md#likely-losses).
+    """
     return 1.0 / (1.0 + elementary.exp(min(max(gain / GAIN, -_MOST_GAINS), _MOST_GAINS)))

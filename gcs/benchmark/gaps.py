@@ -1,6 +1,7 @@
-"""Gaps between proven bounds and verified schedules; those of the 300 instances are in gaps.jsonl.
+"""Gaps between the proven bound and the best verified schedule of an instance, and tables of gaps and other results.
 
-Tables of them, and of other results, are JSON lines, which are added to, so that a long run can be stopped and go on.
+A table is a file of JSON lines. Each result is appended as soon as it is there, so that a long run can be interrupted
+and continued. gaps.jsonl holds the gaps of the 300 shipped instances.
 """
 
 from __future__ import annotations
@@ -16,13 +17,15 @@ from gcs.benchmark.format import FormatError
 
 
 class Gap(Struct):
-    """At least `lower` receivers are lost by every schedule, and `upper` by one that was verified."""
+    """Bounds on the least number of receivers that a schedule of an instance loses."""
 
     instance: str
     lower: int
+    """every schedule loses at least this many"""
     upper: int
+    """a verified schedule loses this many"""
     cpu_s: float
-    """that was used"""
+    """processor time that was used"""
 
     @property
     def proven(self) -> bool:
@@ -53,6 +56,6 @@ def add(path: Path, row: Struct) -> None:
 
 
 def shipped() -> dict[str, Gap]:
-    """Those of the 300 instances, by name, as `gcs benchmark solve --table` has found them."""
+    """The gaps of the 300 shipped instances, by instance, as `gcs benchmark solve --table` found them."""
     text = resources.files("gcs").joinpath("benchmark", "gaps.jsonl").read_bytes()
     return {gap.instance: gap for gap in msgspec.json.Decoder(Gap).decode_lines(text)}

@@ -109,7 +109,9 @@ def verify(instance: Path, schedule: Path, as_json: bool) -> int:
 @click.option("--seconds", type=click.FloatRange(min=0.1), default=60.0, show_default=True, help="For each instance.")
 @click.option("--out", type=click.Path(path_type=Path, dir_okay=False), help="Write the schedule there.")
 @click.option(
-    "--table", type=click.Path(path_type=Path, dir_okay=False), help="Add a JSON line of each, but for those there."
+    "--table",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Append a JSON line for each instance; skip instances that are in the file.",
 )
 def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: Path | None) -> int:
     """Find a schedule of each INSTANCE that the verifier accepts, and prove how many receivers any schedule loses at
@@ -165,7 +167,7 @@ def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: 
     "--table",
     "results_file",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="Add a JSON line of each result there, and take those that it has.",
+    help="Append a JSON line for each result; reuse results that are in the file.",
 )
 def compare(methods: tuple[str, ...], seconds: float, instances: Path | None, results_file: Path | None) -> int:
     """Let schedulers make a schedule of each instance, judge it, and print one table: how often a method loses a

@@ -45,7 +45,8 @@ def new(file: Path, passphrase: bool) -> int:
       0    the file was written
       2    it exists already, or could not be written
     """
-    from gcs.link.keys import KeyRefused, new_key
+    from gcs.link.keys import new_key
+    from skytender.key_files import KeyRefused
 
     digest = None
     if passphrase:
@@ -101,7 +102,7 @@ def send(
       130  stopped by Ctrl-C
     """
     from gcs.link.key_setup import KeyNotSet, others_may_read, set_key
-    from gcs.link.keys import KeyRefused, read_key
+    from skytender.key_files import KeyRefused, read_key
 
     if connect is None:
         raise click.UsageError("--connect is needed: a key is sent to one address alone.")

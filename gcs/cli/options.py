@@ -101,8 +101,8 @@ STATION_OPTION = click.option(
 @contextlib.contextmanager
 def connecting() -> Iterator[None]:
     """Inside, an address or a key that cannot be used is said of --connect or --key-file, as click.UsageError."""
-    from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
+    from skytender.key_files import KeyRefused
 
     try:
         yield

@@ -273,7 +273,7 @@ def run(
 
 def _try_keys(scenario: Scenario) -> None:
     """Raise click.UsageError for a signing key that cannot be used, before anything is started."""
-    from gcs.link.keys import KeyRefused, read_key
+    from skytender.key_files import KeyRefused, read_key
 
     try:
         for block in scenario.vehicles.external.values():

@@ -16,7 +16,6 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 
 from gcs.link.external_peer import ExternalPeer, PeerLink
-from gcs.link.keys import KeyRefused
 from gcs.link.link import Key, LinkState
 from gcs.link.open_address import OpenAddress, open_address, radio_in_words
 from gcs.link.socket import BUFFER_BYTES, AddressRefused, Where
@@ -29,6 +28,7 @@ from gcs.mavlink.services import vehicle_uid
 from gcs.mavlink.services.lateness import TIMESYNC
 from gcs.scenario.external import External
 from skytender import mavlink as mav
+from skytender.key_files import KeyRefused
 from skytender.signing import SignatureVerdict
 
 ANNOUNCE_EVERY_S = 1.0

@@ -15,10 +15,10 @@ import time
 from pathlib import Path
 
 from gcs.link.fleet_client import FleetClient
-from gcs.link.keys import read_key
 from gcs.mavlink import codec
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.scenario.endpoint import Endpoint, beyond_this_machine
+from skytender.key_files import read_key
 from skytender.signing import KEY_BYTES, ticks
 
 TRIES = 4

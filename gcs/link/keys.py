@@ -1,17 +1,10 @@
-"""Signing keys on disk, and the time stamps beside them: 64 hexadecimal digits in a file that only its user can read.
-
-The stamps of a key stand in KEYFILE.stamps, so that a frame of an earlier run cannot be sent again: the latest, and
-that of every stream. They are written every few seconds, some time ahead, and at the end.
-"""
+"""Signing of links with keys from files: new keys, frames signed and judged, and notices of what is refused."""
 
 from __future__ import annotations
 
-import contextlib
-import json
 import math
 import os
 import secrets
-import stat
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
@@ -19,17 +12,10 @@ from pathlib import Path
 
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
-from skytender.signing import KEY_BYTES, SETUP_SIGNING, TICKS_PER_S, SignatureVerdict, Signing, ticks, without_key
+from skytender.key_files import KeyRefused, StampFile, read_key
+from skytender.signing import KEY_BYTES, SETUP_SIGNING, SignatureVerdict, Signing, ticks, without_key
 
-SAVE_EVERY_S = 5.0
-AHEAD_TICKS = 2 * int(SAVE_EVERY_S) * TICKS_PER_S
-"""So much later than the clock's are the saved ones: a run that is killed has used none beyond that."""
-MOST_BYTES = 1 << 18
 SAY_AGAIN_S = 10.0
-
-
-class KeyRefused(Exception):
-    """A key file that cannot be used; one sentence: which, why, and what to do."""
 
 
 def new_key(path: Path, key: bytes | None = None) -> None:
@@ -45,42 +31,20 @@ def new_key(path: Path, key: bytes | None = None) -> None:
         file.write((key or secrets.token_bytes(KEY_BYTES)).hex() + "\n")
 
 
-def read_key(path: Path) -> bytes:
-    """The key in a file that only its user can read. Raises KeyRefused."""
-    try:
-        with path.open("rb") as file:
-            mode = os.fstat(file.fileno()).st_mode
-            content = file.read(4 * KEY_BYTES)
-    except OSError as error:
-        raise KeyRefused(f"the key file {path} cannot be read: {error.strerror}; `gcs key new` writes one") from None
-    if not stat.S_ISREG(mode) or stat.S_IMODE(mode) & 0o077:
-        raise KeyRefused(f"the key file {path} can be read by others: chmod 600 {path}")
-    with contextlib.suppress(ValueError):
-        key = bytes.fromhex(content.decode("ascii"))
-        if len(key) == KEY_BYTES:
-            return key
-    raise KeyRefused(
-        f"the key file {path} holds no key of {2 * KEY_BYTES} hexadecimal digits; `gcs key new` writes one"
-    )
-
-
 class LinkSigning:
-    """The signing of one link with a key of a file: judges, signs, counts refusals, and keeps the stamps on disk."""
+    """The signing of one link with a key of a file: judges, signs, and keeps the stamps in KEYFILE.stamps."""
 
     def __init__(self, path: Path, link_id: int = 0, clock: Callable[[], float] = time.time) -> None:
         """Read the key and its stamps. Raises KeyRefused."""
-        self._path = path.with_name(path.name + ".stamps")
+        self._stamps = StampFile(path.with_name(path.name + ".stamps"))
         self._clock = clock
-        latest, streams = self._read_stamps()
+        latest, streams = self._stamps.read()
         self._signing, self._link_id = Signing(read_key(path), latest=latest, streams=streams), link_id
-        self._saved_s = -math.inf
 
     def sign(self, raw: bytes) -> bytes:
         """A frame, signed."""
         now_s = self._clock()
-        if now_s - self._saved_s >= SAVE_EVERY_S or now_s < self._saved_s:
-            self._saved_s = now_s
-            self._save(max(ticks(now_s) + AHEAD_TICKS, self._signing.latest + TICKS_PER_S))
+        self._stamps.save_ahead(self._signing, now_s)
         return self._signing.sign(raw, codec.seed_of(raw), self._link_id, ticks(now_s))
 
     def judge(self, frame: Frame) -> SignatureVerdict:
@@ -89,28 +53,7 @@ class LinkSigning:
 
     def close(self) -> None:
         """Leave the stamps as they are now."""
-        self._save(self._signing.latest)
-
-    def _read_stamps(self) -> tuple[int, dict[tuple[int, int, int], int]]:
-        try:
-            with self._path.open("rb") as file:
-                content = json.loads(file.read(MOST_BYTES))
-            streams = {(int(s), int(c), int(link)): int(stamp) for s, c, link, stamp in content["streams"]}
-            return int(content["latest"]), streams
-        except FileNotFoundError:
-            return 0, {}
-        except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
-            raise KeyRefused(f"{self._path} holds no time stamps: mend it, or delete it to begin anew") from None
-
-    def _save(self, latest: int) -> None:
-        rows = [[*stream, stamp] for stream, stamp in sorted(self._signing.streams.items())]
-        text = json.dumps({"latest": latest, "streams": rows})
-        new = self._path.with_name(f"{self._path.name}.{os.getpid()}")
-        with contextlib.suppress(OSError):  # a full disk ends no flight
-            descriptor = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o600)
-            with os.fdopen(descriptor, "w", encoding="ascii") as file:
-                file.write(text)
-            os.replace(new, self._path)
+        self._stamps.save(self._signing)
 
 
 class SignatureGate:

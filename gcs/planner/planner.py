@@ -15,7 +15,6 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner import fuzzy_escape, goals
@@ -27,7 +26,6 @@ from gcs.planner.leader import (
     GOES_ON,
     HOLDS,
     STAYS,
-    Attracting,
     LeaderRows,
     Moving,
     SpeedLimits,
@@ -37,50 +35,27 @@ from gcs.planner.leader import (
 from gcs.planner.leader_limits import CATCH_UP_SPEED
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
-from gcs.planner.potential_field import FieldConstants, widened_range
+from gcs.planner.potential_field import FieldConstants
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.route import Router
+from gcs.planner.surroundings import LOOKAHEAD_S, NOTHING_MOVES, LeaderSurroundings, LedPart, Team, ahead
 from gcs.scenario.accuracy import widest_m
 from gcs.scenario.model import Scenario, Target
 from gcs.telemetry.columns import FleetColumns
-from gcs.telemetry.state import FleetSnapshot, Vec3
+from gcs.telemetry.state import Vec3
 from skytender import elementary, geometry
-from skytender.geometry import COLUMNS, DOWN, NORTH, FloatArray
+from skytender.geometry import COLUMNS, FloatArray
 
-LOOKAHEAD_S = 0.37
 LEAST_MARGIN_M = 0.1
 """Of every vehicle: so much farther than its clearance the safety filter keeps it from obstacles."""
 BRAKE_SHARE = 0.4
 """Of the acceleration of leaders, with which they are to stop at their goals; the rest is for giving way."""
-SAFE_RANGE_SHARE = 0.5
-"""[choice] Of the range in which vehicles repel each other, where the safety filter keeps them apart: at all of it
-vehicles that hover in a tight row push each other to and fro."""
 ROLES = ("target", "pursuer", "tanker")
 NEAR_GOAL_M = 2.0
 """A route shorter than this is flown with the velocity of its goal."""
 OFF_PLAN_M = 1.0
 """A vehicle farther than this from its plan is met where it flies, not where it is planned."""
 STILL: Vec3 = (0.0, 0.0, 0.0)
-
-
-class _Part(NamedTuple):
-    """The led vehicles of one role."""
-
-    role: str
-    rows: IntArray
-    sysids: tuple[int, ...]
-
-
-class _Team(NamedTuple):
-    """Vehicles that are led, and those in the air: the same for many ticks."""
-
-    key: tuple[frozenset[int], bytes, bytes]
-    rows: IntArray
-    sysids: tuple[int, ...]
-    parts: list[_Part]
-    flying: IntArray
-    spheres: FloatArray
-    """obstacle table of those in the air, their places left open"""
 
 
 class _Followers(NamedTuple):
@@ -92,18 +67,6 @@ class _Followers(NamedTuple):
     """of those without way points of their own, to which all others keep"""
 
 
-class _Exempted(NamedTuple):
-    """Others that the leaders of one role need not keep away from: the same for many ticks."""
-
-    team: _Team
-    callsigns: list[str]
-    pairs: tuple[tuple[int, int], ...]
-    of_each: NDArray[np.bool_]
-    everyone: bool
-
-
-_NOTHING_MOVES = Moving(np.zeros((0, COLUMNS)), np.zeros(0), np.zeros((0, 0), np.bool_))
-_NOTHING_ATTRACTS = Attracting(np.zeros((0, 4)), np.zeros((0, 0), np.bool_))
 _NO_SET_POINTS = SetPoints((), np.zeros((0, 6)))
 
 
@@ -130,8 +93,6 @@ class Planner(TickPlanner):
         self._sysids: Sequence[int] = [vehicle.sysid for vehicle in vehicles.all]
         self._row = {sysid: row for row, sysid in enumerate(self._sysids)}
         n = len(self._row)
-        role = {vehicle.sysid: vehicle.role for vehicle in vehicles.all}
-        self._role = np.array([role[sysid] for sysid in self._sysids])
         self._leaders = LeaderRows(n, rules.repulsion_range_m, fuzzy_escape.new_memory(n))
         self._led = np.zeros(n, np.bool_)
         self._here = np.zeros((n, 3))
@@ -158,9 +119,7 @@ class Planner(TickPlanner):
             (north, east, down), row = tanker.start_m, self._row[tanker.sysid]
             self._waits_ned[row] = tanker.home_m or (north, east, down - tanker.takeoff_m)
             self._tanker_m_s[row] = tanker.speed_m_s
-        self._attracting = {mover.callsign for mover in scenario.traffic if mover.attracts}
-        radii_m = {role: self._radius_m(role) for role in ROLES}
-        self._radii_m = np.array([radii_m[role[sysid]] for sysid in self._sysids], np.float64)
+        self._around = LeaderSurroundings(scenario)
         self._floors = Floors(self._row[v.sysid] for v in vehicles.all if not v.airborne)
         brake_m_s2 = BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else math.inf
         self._limits = SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
@@ -170,13 +129,11 @@ class Planner(TickPlanner):
         self._fence = FenceBorder(scenario, self._clearance_m)
         if (router := self._router()) is not None:
             router.prepare()
-        self._exempted: dict[str, _Exempted] = {}
-        """by role"""
         self._slots = np.zeros((n, 3))
         self._slots_of: dict[int, frozenset[int]] = {}
-        self._followers: tuple[_Team, Mapping[int, int], list[_Followers]] | None = None
+        self._followers: tuple[Team, Mapping[int, int], list[_Followers]] | None = None
         none = np.zeros(0, np.int64)
-        self._team = _Team((frozenset(), b"", b""), none, (), [], none, np.zeros((0, COLUMNS)))
+        self._team = Team((frozenset(), b"", b""), none, (), [], none, (), np.zeros((0, COLUMNS)))
         self._number = -1
         self._steered: frozenset[int] = frozenset()
         """with which the led vehicles were last determined"""
@@ -201,12 +158,12 @@ class Planner(TickPlanner):
             self._aim(part, request)
             if self._guides is not None or len(self._fence.walls):
                 self._guide(part)
-            moving = _NOTHING_MOVES
-            exempt, everyone = self._exempt(part, request.snapshot, request.rendezvous)
+            moving = NOTHING_MOVES
+            exempt, everyone = self._around.exempt(part, team, request.snapshot, request.rendezvous)
             if not everyone:
-                movers = movers or self._movers(request.snapshot)
+                movers = movers or self._around.movers(request.snapshot, team, self._met_at(columns))
                 moving = Moving(*movers, exempt)
-            around = (self.obstacles, moving, self._attractors(request.snapshot, part), self._field, period_s)
+            around = (self.obstacles, moving, self._around.attractors(request.snapshot, part), self._field, period_s)
             lead(leaders, part.rows, here, self._limits, *around, escape=self._rules.escape)
             if request.given:
                 self._take(part, request.given, period_s)
@@ -225,7 +182,7 @@ class Planner(TickPlanner):
 
     def surround(self, scenario: Scenario) -> None:
         """As `TickPlanner.surround`. A target that is given another path begins it at its first corner."""
-        before, self._scenario = self._scenario, scenario
+        before, self._scenario, self._around.scenario = self._scenario, scenario, scenario
         if scenario.obstacles != before.obstacles:
             self.obstacles = geometry.of_scenario(scenario.obstacles)
             if self._router() is None:
@@ -249,7 +206,7 @@ class Planner(TickPlanner):
         np.copyto(self._leaders.lowest_d, self._floors.at(columns.ground_down_m))
         self._number, self._steered = columns.number, steered
 
-    def _regrouped(self, key: tuple[frozenset[int], bytes, bytes], columns: FleetColumns) -> _Team:
+    def _regrouped(self, key: tuple[frozenset[int], bytes, bytes], columns: FleetColumns) -> Team:
         """Those steered whose place is known, and the others. A vehicle that is not steered any more starts from where
         it is, should it come back."""
         steered, leaders = key[0], self._leaders
@@ -263,11 +220,11 @@ class Planner(TickPlanner):
         rows, flying = np.flatnonzero(led), np.flatnonzero(columns.flying)
         parts = []
         for role in ROLES:
-            of_role = np.flatnonzero(led & (self._role == role))
+            of_role = np.flatnonzero(led & (self._around.roles == role))
             if len(of_role):
-                parts.append(_Part(role, of_role, self._named(of_role)))
-        spheres = geometry.points(np.zeros((len(flying), 3)), self._radii_m[flying])
-        return _Team(key, rows, self._named(rows), parts, flying, spheres)
+                parts.append(LedPart(role, of_role, self._named(of_role)))
+        spheres = self._around.spheres(flying)
+        return Team(key, rows, self._named(rows), parts, flying, self._named(flying), spheres)
 
     def _named(self, rows: IntArray) -> tuple[int, ...]:
         return tuple([self._sysids[row] for row in rows.tolist()])
@@ -290,7 +247,7 @@ class Planner(TickPlanner):
             if self._led[row := self._row[sysid]]:
                 self._leaders.q_ned[row] = place
 
-    def _take(self, part: _Part, given: Mapping[int, tuple[Vec3, Vec3]], period_s: float) -> None:
+    def _take(self, part: LedPart, given: Mapping[int, tuple[Vec3, Vec3]], period_s: float) -> None:
         """Let leaders of a role be where a program wants them; the leaders of the next roles follow them there."""
         leaders = self._leaders
         rows = [row for row, sysid in zip(part.rows.tolist(), part.sysids, strict=True) if sysid in given]
@@ -302,7 +259,7 @@ class Planner(TickPlanner):
 
     # goals
 
-    def _aim(self, part: _Part, request: PlanRequest) -> None:
+    def _aim(self, part: LedPart, request: PlanRequest) -> None:
         """Goals of the leaders of a role, the goals' velocities, and the leaders' speeds."""
         leaders, rows = self._leaders, part.rows
         if part.role == "pursuer":
@@ -383,13 +340,26 @@ class Planner(TickPlanner):
     def _formed_on(self, row: int, columns: FleetColumns) -> tuple[Vec3, Vec3]:
         """Place and velocity with which to keep formation: the leader's; else the vehicle's own, looked ahead."""
         v_ned = vec(columns.v_ned[row])
-        flown = _ahead(vec(self._here[row]), v_ned)
+        flown = ahead(vec(self._here[row]), v_ned)
         begin = vec(self._leaders.begin_ned[row])
         if self._led[row] and elementary.distance(begin, flown) <= OFF_PLAN_M:
             return begin, vec(self._leaders.v_ned[row])
         return flown, v_ned
 
-    def _guide(self, part: _Part) -> None:
+    def _met_at(self, columns: FleetColumns) -> FloatArray:
+        """(k, 3) where leaders meet the vehicles in the air, m: where a vehicle flies, looked ahead.
+
+        Where the link of a vehicle is slow, its leader's place counts instead: vehicles that evade what another did a
+        second ago, and are evaded likewise, would sway with it for ever.
+        """
+        flying = self._team.flying
+        at_ned: FloatArray = self._here[flying] + columns.v_ned[flying] * LOOKAHEAD_S
+        if self._rules.safety:
+            for k in np.flatnonzero((self._slow.slow() & columns.fresh)[flying]).tolist():
+                at_ned[k] = self._formed_on(int(flying[k]), columns)[0]
+        return at_ned
+
+    def _guide(self, part: LedPart) -> None:
         """No goal beyond the fence; goals as they are where the way is free, else the next place of a route around
         what is in it. A leader that is beyond the fence itself comes back straight."""
         leaders, rows = self._leaders, part.rows
@@ -414,89 +384,6 @@ class Planner(TickPlanner):
         leaders.goal_v_ned[routed[left_m >= NEAR_GOAL_M]] = 0.0
         # A route keeps its own distance from obstacles, in gaps less than their range.
         leaders.obstacle_range_m[routed] = 0.0
-
-    # what else draws and repels
-
-    def _attractors(self, snapshot: FleetSnapshot, part: _Part) -> Attracting:
-        """Points that draw pursuers beside their goals."""
-        if part.role != "pursuer" or not (self._scenario.attractors or self._attracting):
-            return _NOTHING_ATTRACTS
-        default_m = self._rules.attraction_range_m
-        rows = [(*a.point_m, a.range_m or default_m) for a in self._scenario.attractors]
-        for aircraft in snapshot.traffic:
-            if aircraft.callsign in self._attracting:
-                rows.append((*_ahead(aircraft.p_ned, aircraft.v_ned, LOOKAHEAD_S + aircraft.age_s), default_m))
-        table = np.array(rows, np.float64).reshape(-1, 4)
-        drawn = np.ones((len(part.rows), len(table)), np.bool_)
-        return Attracting(table, drawn)
-
-    def _movers(self, snapshot: FleetSnapshot) -> tuple[FloatArray, FloatArray]:
-        """Everything that moves and repels, vehicles in the air, then traffic: obstacle table and ranges (m,), m.
-
-        A vehicle is a sphere of the separation that the scenario demands: a leader pressed against it stays out.
-        A target must not push its pursuers from their ring, so its sphere ends where the ring is out of its range.
-        Leaders meet a vehicle where it flies, looked ahead; where its leader is if its link is slow: who evades what
-        another did a second ago, and is evaded likewise, sways with it for ever.
-        """
-        columns, flying = snapshot.columns, self._team.flying
-        v_ned = columns.v_ned[flying]
-        at = self._here[flying] + v_ned * LOOKAHEAD_S
-        if self._rules.safety:
-            for k in np.flatnonzero((self._slow.slow() & columns.fresh)[flying]).tolist():
-                at[k] = self._formed_on(int(flying[k]), columns)[0]
-        table, ages_s = self._team.spheres, columns.age_s[flying]
-        speeds = list(map(elementary.norm, v_ned.tolist()))
-        if snapshot.traffic:
-            places = [_ahead(a.p_ned, a.v_ned, LOOKAHEAD_S + a.age_s) for a in snapshot.traffic]
-            aircraft_m = self._rules.separation_m if self._rules.safety else 0.0
-            table = np.concatenate((table, geometry.points(places, np.full(len(places), aircraft_m))))
-            at = np.concatenate((at, places))
-            period_s = self._scenario.clock.period_s
-            speeds += [elementary.norm(a.v_ned) for a in snapshot.traffic]
-            ages_s = np.concatenate((ages_s, [a.age_s + period_s for a in snapshot.traffic]))
-        table[:, NORTH : DOWN + 1] = at
-        ranges_m = widened_range(self._field.repulsion_range_m, speeds, ages_s)
-        return table, SAFE_RANGE_SHARE * ranges_m if self._rules.safety else ranges_m
-
-    def _radius_m(self, role: str) -> float:
-        separation_m, ring_m = self._rules.separation_m, self._scenario.formation.ring_m
-        if role != "target" or ring_m is None:
-            return separation_m
-        return min(max(ring_m - self._field.repulsion_range_m, 0.0), separation_m)
-
-    def _exempt(
-        self, part: _Part, snapshot: FleetSnapshot, rendezvous: Mapping[int, int]
-    ) -> tuple[NDArray[np.bool_], bool]:
-        """Others that each leader need not keep away from (itself, partners of a transfer, its target, and what
-        attracts it), and whether these are all."""
-        callsigns = [aircraft.callsign for aircraft in snapshot.traffic] if snapshot.traffic else []
-        pairs = tuple(rendezvous.items()) if rendezvous else ()
-        known = self._exempted.get(part.role)
-        if known is not None and known.team is self._team and (known.callsigns, known.pairs) == (callsigns, pairs):
-            return known.of_each, known.everyone
-        others = self._team.flying
-        exempt = np.zeros((len(part.rows), len(others) + len(callsigns)), np.bool_)
-        flying, of_other = exempt[:, : len(others)], self._role[others]
-        flying |= not self._rules.vehicles_repel
-        flying |= part.rows[:, np.newaxis] == others
-        if part.role == "target":
-            flying |= of_other != "target"
-        elif part.role == "pursuer":
-            exempt[:, len(others) :] = [callsign in self._attracting for callsign in callsigns]
-            if self._scenario.formation.ring_m is None:
-                flying |= of_other == "target"
-        rows = {sysid: i for i, sysid in enumerate(part.sysids)}
-        columns = {sysid: j for j, sysid in enumerate(self._named(others))}
-        for pair in pairs:
-            for one, other in (pair, pair[::-1]):
-                if one in rows and other in columns:
-                    exempt[rows[one], columns[other]] = True
-        known = self._exempted[part.role] = _Exempted(self._team, callsigns, pairs, exempt, bool(exempt.all()))
-        return known.of_each, known.everyone
-
-
-def _ahead(p_ned: Vec3, v_ned: Vec3, time_s: float = LOOKAHEAD_S) -> Vec3:
-    return (p_ned[0] + v_ned[0] * time_s, p_ned[1] + v_ned[1] * time_s, p_ned[2] + v_ned[2] * time_s)
 
 
 def vec(row: FloatArray) -> Vec3:

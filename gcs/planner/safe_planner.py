@@ -25,8 +25,9 @@ from gcs.planner.floors import FLOOR_M, Floors
 from gcs.planner.foreign_returns import LEAST_HOLD_S
 from gcs.planner.leader_limits import acceleration_m_s2, speeds_m_s
 from gcs.planner.link_age import LinkAge
-from gcs.planner.planner import LEAST_MARGIN_M, LOOKAHEAD_S, STILL
+from gcs.planner.planner import LEAST_MARGIN_M, STILL
 from gcs.planner.request import PlanRequest, TickPlanner
+from gcs.planner.surroundings import LOOKAHEAD_S
 from gcs.planner.tracking import Tracking
 from gcs.scenario.accuracy import spreads_m
 from gcs.scenario.model import Scenario
@@ -328,7 +329,10 @@ class SafePlanner(TickPlanner):
         return others + self._traffic_reach.intruders(traffic, self.lag_s, rules.separation_m, self._attracting)
 
     def _unled(self, columns: FleetColumns) -> list[int]:
-        """Rows of those that live, do not surely follow a leader and are not surely on the ground."""
+        """Rows of the live vehicles that may fly without following a leader.
+
+        A vehicle is left out if it certainly follows its leader, or certainly stands on the ground.
+        """
         unled = ~(self._led & columns.steerable & ~self._link_age.silent) & columns.alive
         if not unled.any():
             return []

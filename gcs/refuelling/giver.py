@@ -77,8 +77,11 @@ class ServiceTimes:
         self._fit()
 
     def learn(self, services: Iterable[Service], rate_w: Callable[[Service], float]) -> None:
-        """Take in those that have ended as they should; `rate_w` is the power of a service's giver. The time that a
-        transfer lost because it was broken off counts as passed after the last joule."""
+        """Learn service times from services that have ended regularly.
+
+        rate_w: power at which the giver of a service transfers energy. Time that was lost because a transfer was broken
+        off counts as time after the last joule.
+        """
         for service in services:
             if service.number in self._learnt or service.phase is not Phase.DONE:
                 continue

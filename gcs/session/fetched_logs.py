@@ -17,13 +17,13 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from gcs.link.fleet_client import FleetClient
-from gcs.link.keys import KeyRefused
 from gcs.link.log_folder import LogFolder, newest, problems
 from gcs.link.socket import AddressRefused
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.log_client import LogClient, LogEntry
 from gcs.scenario.endpoint import address
 from gcs.scenario.model import Scenario
+from skytender.key_files import KeyRefused
 
 FOLDER, FILE = "logs", "logs.json"
 FIND_WITHIN_S, LAND_WITHIN_S, FETCH_WITHIN_S = 5.0, 60.0, 300.0

@@ -11,13 +11,13 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from gcs.link.keys import KeyRefused
 from gcs.link.socket import AddressRefused
 from gcs.processes.fork_server import LaunchError
 from gcs.recording.recorder import RecorderError
 from gcs.scenario.model import ScenarioError
 from gcs.session.arrival import BadVehicleError, SessionFailed
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE
+from skytender.key_files import KeyRefused
 
 ELSEWHERE = "Free space there, or give --out another place."
 

@@ -8,7 +8,7 @@ session's.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from gcs.link.impairment import Burst
@@ -18,7 +18,7 @@ from gcs.mavlink.command_protocol import CommandLong, CommandRequest, CommandTar
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.parameters.value import ParameterValue, to_wire
 from gcs.scenario.faults import COMMANDED, ROUNDING_S, Fault, Injection
-from gcs.scenario.goal import Loss
+from gcs.scenario.goal import NAMED, Loss
 from gcs.scenario.model import Scenario
 from skytender import elementary
 from skytender import mavlink as mav
@@ -209,3 +209,13 @@ class FaultInjector:
             text += f", for {one.end_s - one.begin_s:g} s"
         about = {"fault": one.fault.fault, "number": one.number, "state": state}
         return {"t_s": now_s, "kind": "fault", "sysid": one.fault.sysid or 0, **about, "text": text}
+
+
+def survival_text(outcomes: Sequence[Mapping[str, Any]]) -> str:
+    """End of the outcome's sentence: how many of the faults, as `FaultInjector.outcomes` gives them, were survived, and
+    which were not; empty without faults."""
+    if not outcomes:
+        return ""
+    cost = [one["text"] for one in outcomes if not one["survived"]]
+    survived = f"{len(outcomes) - len(cost)} of {len(outcomes)} faults survived"
+    return f"; {survived}" + (f", not: {'; '.join(cost[:NAMED])}" if cost else "")

@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from gcs.mavlink.autopilots import End
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.columns import FleetColumns
+from gcs.telemetry.events import Event
 from gcs.telemetry.state import VehicleView
 
 
@@ -68,3 +69,22 @@ class FleetArming:
     def ordered(self) -> dict[int, End]:
         """Mode of each vehicle that an operator has taken over."""
         return {sysid: one.ordered for sysid, one in self.sequences.items() if one.ordered is not None}
+
+
+def stage_event(view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> Event | None:
+    """The event of a new stage with which the control of a vehicle changes; None for other stages.
+
+    before: the stage that the sequence has left.
+    """
+    if arming.stage is Stage.DOWN and view.alive:
+        why = arming.left_out or "Lands, and takes no more part"
+        return Event(now_s, view.sysid, "warning", why, "session" if arming.left_out else "decision")
+    if arming.stage is Stage.YIELDED:
+        pilot, back = "Its failsafe" if view.failsafe else "A pilot or another station", view.profile.offboard_name
+        if arming.unheard_lately(now_s) and not view.failsafe:
+            pilot = "Its link was out, and its failsafe, a pilot or another station"
+        why = f"{pilot} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
+        return Event(now_s, view.sysid, "warning", why)
+    if arming.stage is Stage.FLY and before is Stage.YIELDED:
+        return Event(now_s, view.sysid, "info", "Takes part again")
+    return None

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key
-from gcs.link.peers.peer_radio import PeerRadio
-from gcs.link.peers.place_radio import PlaceRadio
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.datagram import AnswerRuns, raws_of
 from gcs.mavlink.gaps import GapCounter
 from gcs.refuelling.watched_schedule import WatchedSchedule
+from gcs.supervisor.radios import Radios
 from gcs.telemetry.fleet import Fleet
 from gcs.telemetry.message_inspector import MessageInspector
 
@@ -27,17 +25,14 @@ class Reception:
     def __init__(
         self,
         fleet: Fleet,
-        radio: Impairment,
-        peer_radio: PeerRadio | None,
-        place_radio: PlaceRadio | None,
+        radios: Radios,
         watched: WatchedSchedule | None,
         external: Collection[int],
     ) -> None:
         """`watched`: a schedule that hears vehicles compete on board. `external`: system ids of the vehicles that
         fly on the real clock."""
-        self._fleet, self._radio, self._watched = fleet, radio, watched
-        self._external = external
-        self._peer_radio, self._place_radio = peer_radio, place_radio
+        self._fleet, self._watched, self._external = fleet, watched, external
+        self._radio, self._peer_radio, self._place_radio = radios
         self._sent: dict[int, Sequence[Frame]] = {}
         self.gaps = GapCounter()
         """in the vehicles' sequence numbers, after the radio"""

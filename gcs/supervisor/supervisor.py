@@ -15,14 +15,12 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from gcs.link.impairment import Impairment
-from gcs.link.link import Answers, Key, TickGrants, TickLink
-from gcs.link.peers.place_radio import is_place
-from gcs.mavlink import codec
+from gcs.link.link import Answers, Key, TickLink
 from gcs.mavlink.autopilots import End
-from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.codec import Frame
 from gcs.mavlink.command_protocol import ARMING, CommandResult
-from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, STATION, TRAFFIC
-from gcs.mavlink.setpoints import SetPoint, SetPoints
+from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
 from gcs.recording.decision_lines import TickSetPoints
@@ -38,38 +36,36 @@ from gcs.refuelling.service import Decision
 from gcs.refuelling.target_assignment import TargetAssignment
 from gcs.refuelling.watched_schedule import WatchedSchedule
 from gcs.scenario.faults import Fault, Injection, drawn
-from gcs.scenario.goal import NAMED, Judgement, judge
+from gcs.scenario.goal import Judgement, judge
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import Change, Worlds, meets
 from gcs.scenario.plugins import PLANNER, POLICY, PluginClient
-from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.arming import Stage
 from gcs.supervisor.external_fleet import ENDING, ExternalFleet
 from gcs.supervisor.factory import (
     make_arming_sequences,
     make_fleet,
-    make_peer_radio,
-    make_place_radio,
-    make_radio,
     make_schedule,
 )
-from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector, radio_faults
-from gcs.supervisor.fleet_arming import FleetArming
+from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector, survival_text
+from gcs.supervisor.fleet_arming import FleetArming, stage_event
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
 from gcs.supervisor.goal_watch import GoalWatch
-from gcs.supervisor.grants import Addressees, OwnFrames
+from gcs.supervisor.grants import GrantSender, WaitingMessages
 from gcs.supervisor.mission_watch import MissionWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
+from gcs.supervisor.radios import Radios
 from gcs.supervisor.reception import Reception
 from gcs.supervisor.recovery import Recovery
 from gcs.supervisor.script import COMMAND, Script
 from gcs.supervisor.services.operator_control import TOKEN as CONTROL
 from gcs.telemetry.changes import ChangeDetector
-from gcs.telemetry.events import Event, Kind, level_of
+from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.metrics import Metrics
-from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
+from gcs.telemetry.state import FleetSnapshot, Vec3
 
 if TYPE_CHECKING:  # most sessions have none
     from gcs.link.forwarder import Forwarder
@@ -78,8 +74,6 @@ WAIT_FOR_FLEET_S = 30.0
 MOST_TEXTS = 20
 """Most texts of one vehicle that are shown in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.MISSION, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
-_SYSID_AT = 5  # in a frame
-_SET_POINT = codec.msgid("SET_POSITION_TARGET_LOCAL_NED")
 
 
 class Supervisor:
@@ -140,18 +134,14 @@ class Supervisor:
         self._surrounded = True
         """whether the goal is measured in the last of the worlds"""
         self._impaired = impaired
-        self._radio = make_radio(scenario, injections) if impaired else Impairment()
-        self._peer_radio = make_peer_radio(scenario, injections) if impaired else None
-        self._place_radio = make_place_radio(scenario, injections) if impaired else None
+        self._radios = Radios.of(scenario, injections) if impaired else Radios(Impairment())
         self.command_queue = FleetCommandQueue(self.arming, stations)
         watched = self.schedule if isinstance(self.schedule, WatchedSchedule) else None
-        self._reception = Reception(
-            self.fleet, self._radio, self._peer_radio, self._place_radio, watched, scenario.vehicles.external
-        )
+        self._reception = Reception(self.fleet, self._radios, watched, scenario.vehicles.external)
         self.gaps, self.quality = self._reception.gaps, self._reception.quality
         self.inspection = self._reception.inspection
-        self._addressees = Addressees(self._join_ms)
-        self._own_frames = OwnFrames()
+        waiting = WaitingMessages(self.command_queue, self._forwarded, self.faults, self.quality)
+        self._sender = GrantSender(link, self._radios, waiting, self._join_ms)
         self.time_ms = 0
         self.received = 0
         self.sent = 0
@@ -250,12 +240,7 @@ class Supervisor:
 
     def faults_text(self) -> str:
         """For the end of the outcome's sentence: how many faults were survived, and which were not."""
-        outcomes = self.fault_outcomes()
-        if not outcomes:
-            return ""
-        cost = [one["text"] for one in outcomes if not one["survived"]]
-        survived = f"{len(outcomes) - len(cost)} of {len(outcomes)} faults survived"
-        return f"; {survived}" + (f", not: {'; '.join(cost[:NAMED])}" if cost else "")
+        return survival_text(self.fault_outcomes())
 
     def _watch_goal(self, snapshot: FleetSnapshot, partners: Iterable[tuple[int, int]]) -> list[dict[str, Any]]:
         """Measure the tick for the goal; records of what has just been broken."""
@@ -321,13 +306,8 @@ class Supervisor:
         """Let a fault happen that the scenario does not have."""
         one = self.faults.add(fault)
         self.script.injected(self.time_s, one)
-        if not self._impaired:
-            return
-        blackouts, bursts = radio_faults([one], self.scenario, own=False)
-        self._radio.add([*blackouts, *bursts])
-        for radio in (self._peer_radio, self._place_radio):
-            if radio is not None:
-                radio.black_out(blackouts)
+        if self._impaired:
+            self._radios.add(one, self.scenario)
 
     def note(self, command: str, answer: OperatorReply) -> None:
         """Report and record a command that the session's clock has carried out."""
@@ -484,26 +464,11 @@ class Supervisor:
                 self.command_queue.withdraw(sysid)
             elif changed:
                 self.command_queue.withdraw(sysid, (ARMING,))
-            if changed:
-                self._report_stage(view, arming, before, now_s)
+            if changed and (event := stage_event(view, arming, before, now_s)) is not None:
+                self.events.append(event)
             self.command_queue.put(sysid, requests)
             if commands:
                 self.command_queue.ask_once(commands, now_s)
-
-    def _report_stage(self, view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> None:
-        """Report a new stage to people, where the control of the vehicle changes."""
-        if arming.stage is Stage.DOWN and view.alive:
-            why = arming.left_out or "Lands, and takes no more part"
-            kind: Kind = "session" if arming.left_out else "decision"
-            self.events.append(Event(now_s, view.sysid, "warning", why, kind))
-        elif arming.stage is Stage.YIELDED:
-            who, back = "Its failsafe" if view.failsafe else "A pilot or another station", view.profile.offboard_name
-            if arming.unheard_lately(now_s) and not view.failsafe:
-                who = "Its link was out, and its failsafe, a pilot or another station"
-            why = f"{who} flies it ({view.mode}): it takes part again by rejoin, or when it is put into {back}"
-            self.events.append(Event(now_s, view.sysid, "warning", why))
-        elif arming.stage is Stage.FLY and before is Stage.YIELDED:
-            self.events.append(Event(now_s, view.sysid, "info", "Takes part again"))
 
     def _keep_streams(self, snapshot: FleetSnapshot) -> None:
         if not self.externals.rules:
@@ -557,60 +522,10 @@ class Supervisor:
     ) -> None:
         """Send all vehicles the next bundle; the first one carries T = 0 and lets none move."""
         grant_ms = self.time_ms + self._periods * self.period_ms
-        keys = self._addressees.granted(self.link.joined, grant_ms)
-        points = self._own_frames.placed(SetPoints.of(set_points), snapshot.columns, self.time_ms)
-        heartbeat_due = self._addressees.heartbeat_due(keys, self.time_ms)
-        more = {}
-        if self._place_radio is not None:
-            columns = snapshot.columns
-            up = columns.flying if self._radio.clear else columns.alive  # more is not known of silent ones
-            flying = {sysid for sysid, flies in zip(columns.sysids, up.tolist(), strict=True) if flies}
-            self._place_radio.begin(flying, frozenset(points.sysids), seldom=self._radio.clear)
-        for key in self._with_more(keys, relays):
-            own = [points.message(key[0])] if key[0] in points.sysids else []
-            more[key] = self._content(key[0], own, relays, heartbeat_due=key[0] in heartbeat_due)
-        grants = TickGrants(grant_ms, self.epoch_us + 1000 * grant_ms, keys, heartbeat_due, points, more)
-        sent = self.link.grant_all(grants)
-        if self._peer_radio is not None:
-            sent = [raw for raw in sent if raw[_SYSID_AT] == STATION[0] and not is_place(raw)]
-        elif self._place_radio is not None and self._place_radio.delivered:
-            sent = [raw for raw in sent if not is_place(raw)]
-        recording.sent = sent
-        self.link.flush()
-        self.sent += len(sent)
+        unix_us = self.epoch_us + 1000 * grant_ms
+        recording.sent = self._sender.send(set_points, snapshot.columns, relays, self.time_ms, grant_ms, unix_us)
+        self.sent += len(recording.sent)
         self.time_ms = grant_ms
-
-    def _with_more(self, keys: Iterable[Key], relays: Mapping[int, list[Relay]]) -> list[Key]:
-        """Keys with more to send than HEARTBEAT and set point, or with a radio that may hold it back."""
-        if not self._radio.clear or self._peer_radio is not None:
-            return [key for key in keys if key != TRAFFIC]
-        copied = self.quality.copied
-        alone = self._place_radio.listening if self._place_radio is not None else ()
-        there = (self.command_queue.waiting, relays, self._forwarded.waiting, self.faults.ordered, copied, alone)
-        if not any(there):
-            return []
-        some = set().union(*there)
-        return [key for key in keys if key[0] in some and key != TRAFFIC]
-
-    def _content(
-        self, sysid: int, set_point: list[Message], relays: Mapping[int, list[Relay]], *, heartbeat_due: bool
-    ) -> tuple[list[Message], list[bytes], bytes]:
-        """All that goes to a vehicle now, after the radio: messages, frames as they are, what others have broadcast."""
-        copies = self.quality.copies(sysid)
-        messages: list[Message | Relay] = [OUR_HEARTBEAT] * copies if heartbeat_due else []
-        messages += self.command_queue.pop(sysid)
-        messages += set_point * copies
-        messages += relays.get(sysid, ())
-        messages += self._forwarded.pop(sysid)
-        messages = [*self.faults.pop_orders(sysid), *self._radio.apply(sysid, "out", self.time_s, messages)]
-        own = [m for m in messages if isinstance(m, Message)]
-        air = b""
-        if self._peer_radio is not None:
-            air = self._peer_radio.receive(sysid, self.time_s)
-        if self._place_radio is not None:
-            led = any(one.msgid == _SET_POINT for one in own)
-            air += self._place_radio.deliver(sysid, self.time_s, led=led, beside_bytes=len(air))
-        return own, [m.raw for m in messages if isinstance(m, Relay)], air
 
     _periods = 0
     _partners: frozenset[tuple[int, int]] = frozenset()

@@ -50,8 +50,8 @@ def prepare(
     from simvehicle.autopilot.geodesy import LocalFrame
     from simvehicle.autopilot.identity import IDENTITIES
     from simvehicle.sitl.block import Block, Wanted
-    from simvehicle.sitl.keys import KeyFileError
     from simvehicle.sitl.link import AddressError
+    from skytender.key_files import KeyRefused
 
     if sysid is None:
         raise click.UsageError("--sysid is missing: give the vehicle a MAVLink system id from 1 to 254.")
@@ -118,7 +118,7 @@ def prepare(
                 raise click.UsageError(f"--truth {path}: No such file or directory")
         try:
             block.fly()
-        except (AddressError, KeyFileError) as error:
+        except (AddressError, KeyRefused) as error:
             raise click.UsageError(str(error)) from error
         except OSError as error:
             unwritten = error.filename or ", ".join(map(str, truth))

@@ -40,6 +40,11 @@ class VehicleSigning:
         """Whether frames are signed."""
         return self._signing is not None
 
+    @property
+    def current(self) -> Signing | None:
+        """The key with its time stamps; None while there is none."""
+        return self._signing
+
     def sign(self, raw: bytes, link_id: int, now_ticks: int) -> bytes:
         """A frame as it is sent."""
         if self._signing is None:
@@ -62,22 +67,13 @@ class VehicleSigning:
         assert content is not None
         if content.target_system in (0, self._sysid) and not armed:
             key = bytes(content.secret_key)
-            self._latest = max(self.latest, min(content.initial_timestamp, LAST_STAMP - 1))
+            latest = self._latest if self._signing is None else self._signing.latest
+            self._latest = max(latest, min(content.initial_timestamp, LAST_STAMP - 1))
             self._use(key if any(key) else None)
             self._on_key(key if any(key) else None)
         return True
 
-    @property
-    def latest(self) -> int:
-        """The greatest time stamp used or accepted."""
-        return self._latest if self._signing is None else self._signing.latest
-
-    @property
-    def streams(self) -> Mapping[Stream, int]:
-        """The last time stamp of each stream."""
-        return {} if self._signing is None else self._signing.streams
-
     def _use(self, key: bytes | None, streams: Mapping[Stream, int] | None = None) -> None:
-        self._signing = None
+        self._signing: Signing | None = None
         if key is not None:
             self._signing = Signing(key, latest=self._latest, streams=streams, most_streams=MOST_STREAMS)

@@ -97,7 +97,7 @@ class Block:
     def fly(self) -> None:
         """Fly them to the end of their session, once.
 
-        Raises AddressError, KeyFileError and OSError before anything flies, OSError with a file name when truth cannot
+        Raises AddressError, KeyRefused and OSError before anything flies, OSError with a file name when truth cannot
         be written.
         """
         with ExitStack() as opened:

@@ -15,7 +15,7 @@ from measure import Figure, Prepared, cpu_times
 from pymavlink.dialects.v20 import common
 
 from gcs.link.bundles import Bundles, Recipients
-from gcs.link.keys import LinkSigning, read_key
+from gcs.link.keys import LinkSigning
 from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
@@ -31,6 +31,7 @@ from gcs.supervisor.factory import make_fleet
 from gcs.supervisor.grants import OwnFrames
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.columns import FleetColumns
+from skytender.key_files import read_key
 
 VEHICLES = 254
 TICKS, PERIOD_MS = 32, 100

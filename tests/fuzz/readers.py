@@ -16,7 +16,7 @@ from hostile import Hostile
 from gcs.campaign import file as campaign_file
 from gcs.campaign import statistics, table
 from gcs.campaign.plan import make
-from gcs.link.keys import KeyRefused, LinkSigning
+from gcs.link.keys import LinkSigning
 from gcs.mavlink import codec
 from gcs.mavlink.parameters import file as parameter_file
 from gcs.mavlink.parameters import pack
@@ -30,6 +30,7 @@ from gcs.session import replay as replay_module
 from gcs.session.replay import Replay, ReplayError
 from gcs.supervisor import redecide as redecide_module
 from gcs.supervisor.redecide import RedecideError, redecide
+from skytender.key_files import KeyRefused
 
 CORPUS = Path(__file__).parent / "corpus"
 IN_MEMORY = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None

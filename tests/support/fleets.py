@@ -16,7 +16,8 @@ from gcs.mavlink import codec
 from gcs.planner.failsafes import failsafes_of
 from gcs.processes.vehicles import fleet_rules, vehicle_parameters
 from gcs.scenario.model import Scenario
-from gcs.supervisor.factory import make_fleet, make_peer_radio, make_radio, make_schedule
+from gcs.supervisor.factory import make_fleet, make_schedule
+from gcs.supervisor.radios import make_peer_radio, make_radio
 from simvehicle.autopilot.body import Start
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES

@@ -20,6 +20,13 @@ MESSAGES = (
     "HOME_POSITION", "EXTENDED_SYS_STATE", "NAMED_VALUE_FLOAT", "NAMED_VALUE_INT",
     "CURRENT_MODE", "CONTROL_STATUS",
 )  # fmt: skip
+NUMBERED = (
+    "HEARTBEAT", "SYSTEM_TIME", "PING", "LOCAL_POSITION_NED", "SET_POSITION_TARGET_LOCAL_NED",
+    "POSITION_TARGET_LOCAL_NED",
+)  # fmt: skip
+"""Messages whose ids compiled code needs."""
+CHECKED = ("SYSTEM_TIME",)
+"""Messages whose CRC seeds compiled code needs."""
 CONSTANTS = (
     "MAV_COMP_ID_AUTOPILOT1", "MAV_TYPE_GCS", "MAV_TYPE_QUADROTOR", "MAV_MODE_FLAG_CUSTOM_MODE_ENABLED",
     "MAV_MODE_FLAG_STABILIZE_ENABLED", "MAV_MODE_FLAG_GUIDED_ENABLED", "MAV_MODE_FLAG_AUTO_ENABLED",
@@ -58,13 +65,14 @@ def declarations() -> str:
     for name in MESSAGES:
         definition = known[name]
         types = dict(zip(definition.fieldnames, definition.fieldtypes, strict=True))
-        lines = [f"cdef enum:\n    {name}_ID = {definition.id}\n    {name}_SEED = {definition.crc_extra}\n"]
-        lines.append(f"cdef packed struct {name.title().replace('_', '')}:")
+        lines = [f"cdef packed struct {name.title().replace('_', '')}:"]
         for field, length in zip(definition.ordered_fieldnames, definition.array_lengths, strict=True):
             lines.append(f"    {_C_TYPES[types[field]]}{f'[{length}]' if length else ''} {field}")
         parts.append("\n".join(lines) + "\n")
     numbers = vars(newer.dialect) | vars(common)
-    constants = [f"    {name} = {numbers[name]}" for name in CONSTANTS]
+    constants = [f"    {name}_ID = {known[name].id}" for name in NUMBERED]
+    constants += [f"    {name}_SEED = {known[name].crc_extra}" for name in CHECKED]
+    constants += [f"    {name} = {numbers[name]}" for name in CONSTANTS]
     return "\n".join([*parts, "cdef enum:", *constants, ""])
 
 

@@ -17,7 +17,8 @@ from sessions import fly, small
 from station import ACCEPTED, Station
 from strangers import SIMVEHICLE, strangers
 
-from gcs.link.keys import new_key, read_key
+from gcs.link.keys import new_key
+from skytender.key_files import read_key
 
 ARM = mav.MAV_CMD_COMPONENT_ARM_DISARM
 

@@ -1,64 +1,28 @@
-"""`gcs campaign`: many sessions, one answer."""
+"""`gcs campaign`: many sessions, one answer.
+
+`search` and `shrink` look for the worst case (worst_case.py).
+"""
 
 # ruff: noqa: PLC0415 - so that `gcs --help` answers at once
 
 from __future__ import annotations
 
 import json
-import re
 import sys
-from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.author import SET, load_scenario
+from gcs.cli.campaign.options import FOLDER, OUT, QUIET, SEED, flown, found, planned
 from gcs.cli.campaign.progress_line import ProgressLine
+from gcs.cli.campaign.worst_case import search, shrink
 from gcs.cli.options import Refused, out_option
-from gcs.cli.trust import TRUST, allow
+from gcs.cli.trust import TRUST
 from skytender.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.campaign.engine import Progress
-    from gcs.campaign.model import Expectation
     from gcs.campaign.plan import Plan
-
-
-SEED = click.option("--seed", type=click.IntRange(0), metavar="N", help="Instead of the file's.")
-OUT = out_option("A new folder.  [default: campaigns/NAME-TIME]")
-FOLDER = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path, file_okay=False))
-
-
-def _scheduler(ctx: click.Context, param: click.Parameter, value: str | None) -> str | None:
-    """The callback of --scheduler: an address that has TLS, with certificates for it."""
-    if value is not None:
-        from gcs.campaign.cluster import EngineError, check_scheduler
-
-        try:
-            check_scheduler(value)
-        except EngineError as error:
-            raise click.BadParameter(f"{error}.", ctx, param) from None
-    return value
-
-
-SCHEDULER = click.option(
-    "--scheduler",
-    callback=_scheduler,
-    metavar="ADDRESS",
-    help="Fly on the workers of this Dask scheduler, by mutual TLS, such as tls://HOST:8786.",
-)
-WORKERS = click.option(
-    "--workers", type=click.IntRange(1, 1024), metavar="N", help="Workers on this machine.  [default: one per core]"
-)
-PLAIN = click.option("--plain", is_flag=True, help="Lines of text instead of a progress line.")
-QUIET = click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong.")
-
-
-def flown(command: Callable[..., Any]) -> Callable[..., Any]:
-    """The options of every command that flies a campaign's sessions."""
-    return SCHEDULER(WORKERS(PLAIN(QUIET(TRUST(command)))))
 
 
 @click.group(short_help="Fly a scenario many times, varied, and see what comes of it.")
@@ -72,6 +36,10 @@ def campaign() -> None:
       gcs campaign status first
       gcs campaign fly first 17
     """
+
+
+campaign.add_command(search)
+campaign.add_command(shrink)
 
 
 @campaign.command(short_help="Fly a campaign.")
@@ -105,7 +73,7 @@ def run(
     from gcs.campaign.engine import EngineError
     from gcs.campaign.runner import make_folder
 
-    plan = _planned(file, sessions, seed, trust=trust)
+    plan = planned(file, sessions, seed, trust=trust)
     try:
         folder = make_folder(plan, out)
     except EngineError as error:
@@ -122,7 +90,7 @@ def resume(folder: Path, trust: bool, **how: Any) -> int:
     \b
     Exit status: as of `gcs campaign run`.
     """
-    return _fly(folder, _found(folder, trust=trust), **how)
+    return _fly(folder, found(folder, trust=trust), **how)
 
 
 @campaign.command(short_help="How far a campaign is.")
@@ -139,7 +107,7 @@ def status(folder: Path, as_json: bool) -> int:
     """
     from gcs.campaign import statistics, table
 
-    plan = _found(folder)
+    plan = found(folder)
     rows = table.read(folder, plan.campaign)
     state = DONE if rows.num_rows == plan.rows else NOT_DONE
     if as_json:
@@ -178,7 +146,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool, trust
     from gcs.session import supervised
     from gcs.session.plain_text import PlainView, View
 
-    plan = _found(folder, trust=trust)
+    plan = found(folder, trust=trust)
     if row >= plan.rows:
         raise click.UsageError(f"there is no row {row}: {plan.campaign.name} has rows 0 to {plan.rows - 1}")
     try:
@@ -220,7 +188,7 @@ def report(folder: Path) -> int:
     from gcs.campaign.runner import NEEDED
     from gcs.extras import require
 
-    plan = _found(folder)
+    plan = found(folder)
     require("a campaign's page", NEEDED, "campaign")
     from gcs.campaign import report as pages
 
@@ -231,199 +199,6 @@ def report(folder: Path) -> int:
         return NOT_DONE
     click.echo(f"{path}: written")
     return DONE
-
-
-@campaign.command(short_help="Look for the worst case.")
-@click.argument("file", metavar="FILE")
-@click.option("--trials", type=click.IntRange(1), metavar="N", help="Instead of the file's.")
-@SEED
-@OUT
-@flown
-def search(
-    file: str,
-    trials: int | None,
-    seed: int | None,
-    out: Path | None,
-    scheduler: str | None,
-    workers: int | None,
-    plain: bool,
-    quiet: bool,
-    trust: bool,
-) -> int:
-    """Search what FILE, a campaign with `search:`, draws for the worst value of a measure, and write that scenario.
-
-    DIR/worst.yaml is what `gcs run --lockstep` flies; the table has a row per trial.
-
-    \b
-    Exit status:
-      0    every trial is there
-      1    not all could be flown
-      2    bad input; nothing has flown
-      130  stopped by Ctrl-C
-    """
-    from gcs.campaign import table
-    from gcs.campaign.engine import EngineError
-    from gcs.campaign.model import SearchRules
-    from gcs.campaign.runner import Runner, make_folder
-    from gcs.campaign.search import Search
-    from gcs.extras import require
-    from gcs.scenario.file import dump
-
-    plan = _planned(file, None, seed, trust=trust)
-    rules = plan.campaign.search
-    if rules is None:
-        raise Refused(f"{file} says nothing of a search: add 'search: {{minimise: min_separation_m, trials: 200}}'")
-    if trials is not None:
-        rules = SearchRules.model_validate({**rules.model_dump(), "trials": trials})
-    each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
-    changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
-    changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
-    plan = replace(plan, campaign=plan.campaign.model_copy(update=changed))
-    require("a search", {"optuna": "Optuna"}, "campaign")
-    try:
-        folder = make_folder(plan, out)
-        searched = Search(plan, folder)
-        shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
-
-        def notify(progress: Progress, row: dict[str, Any] | None) -> None:
-            if row is not None:
-                searched.add(row)
-            shown.update(progress, None)
-
-        runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows())
-        progress = runner.run()
-    except EngineError as error:
-        click.echo(f"gcs: {error}", err=True)
-        return NOT_DONE
-    shown.end()
-    name = str(rules.minimise or rules.maximise)
-    rows = [row for row in table.read(folder, plan.campaign).to_pylist() if row[name] is not None]
-    if rows:
-        worst = (min if rules.minimise else max)(rows, key=lambda row: (row[name], row["row"]))
-        scenario, _ = plan.resolved(searched.row(worst))
-        (folder / "worst.yaml").write_text(dump(scenario), encoding="utf-8")
-        if not quiet:
-            click.echo(f"{name} {worst[name]:.4g} in trial {worst['row']}: gcs run {folder / 'worst.yaml'} --lockstep")
-    if runner.interrupted:
-        return 128 + runner.interrupted
-    return DONE if progress.done == rules.trials else NOT_DONE
-
-
-@campaign.command(short_help="Make a failing scenario small.")
-@click.argument("scenario", metavar="SCENARIO")
-@SET
-@click.option(
-    "--expect",
-    multiple=True,
-    metavar="MEASURE>=N",
-    help="What it fails: min_separation_m>=0.6 or lost<=0; repeatable.  [default: its goal]",
-)
-@click.option("--out", type=click.Path(path_type=Path, dir_okay=False), default=Path("small.yaml"), show_default=True)
-@QUIET
-@TRUST
-def shrink(
-    scenario: str, settings: tuple[str, ...], expect: tuple[str, ...], out: Path, quiet: bool, trust: bool
-) -> int:
-    """Take vehicles, obstacles and digits from SCENARIO while its session still fails, and write what is left.
-
-    \b
-    Examples:
-      gcs campaign shrink worst.yaml --expect 'min_separation_m>=0.6'
-
-    \b
-    Exit status:
-      0    the small scenario was written
-      1    SCENARIO does not fail
-      2    it cannot be flown
-    """
-    from gcs.campaign import shrink as shrinking
-    from gcs.campaign.spawner import SessionSpawner, SpawnError
-    from gcs.scenario.file import dump
-
-    loaded = load_scenario(scenario, settings, trust=trust, quiet=quiet).flown(lockstep=True)
-    wanted = dict(_expectation(text) for text in expect)
-    try:
-        with SessionSpawner() as sessions:
-            small = shrinking.shrink(
-                loaded, shrinking.failing(sessions, wanted, (lambda _: None) if quiet else click.echo)
-            )
-    except ValueError as error:
-        click.echo(f"{scenario}: {error}", err=True)
-        return NOT_DONE
-    except SpawnError as error:
-        raise Refused(str(error)) from None
-    out.write_text(dump(small), encoding="utf-8")
-    if not quiet:
-        click.echo(f"{out}: written; gcs run {out} --lockstep flies it")
-    return DONE
-
-
-def _expectation(text: str) -> tuple[str, Expectation]:
-    """A measure and its limit, from `MEASURE>=N` or `MEASURE<=N`."""
-    from gcs.campaign import measures
-    from gcs.campaign.model import Expectation as Limit
-    from gcs.scenario.document import did_you_mean
-
-    name, sign, number = (part.strip() for part in re.fullmatch(r"([^<>=]*)([<>]=|)(.*)", text).groups())  # type: ignore[union-attr]
-    try:
-        limit = float(number)
-    except ValueError:
-        sign = ""
-    if not sign:
-        raise click.UsageError(f"--expect {text}: write MEASURE>=N or MEASURE<=N")
-    if not measures.exists(name):
-        raise click.UsageError(f"--expect: there is no measure {name!r}{did_you_mean(name, measures.NAMES)}")
-    return name, Limit(at_least=limit) if sign == ">=" else Limit(at_most=limit)
-
-
-def _planned(file: str, sessions: int | None, seed: int | None, *, trust: bool) -> Plan:
-    """The plan of a campaign's file or name, its first sessions checked."""
-    from gcs.campaign import file as files
-    from gcs.campaign.plan import make
-    from gcs.scenario.model import ScenarioError
-
-    try:
-        path = files.find(file)
-        loaded = files.load(path)
-        changes: dict[str, Any] = {} if sessions is None else {"sessions": sessions}
-        changes |= {} if seed is None else {"seed": seed}
-        return _allowed(file, make(loaded.model_copy(update=changes), [path.parent]), trust=trust)
-    except ScenarioError as error:
-        raise Refused(str(error)) from None
-
-
-def _allowed(name: str, plan: Plan, *, trust: bool) -> Plan:
-    """The plan, its first sessions checked, once it may use what it names. Raises ScenarioError, Refused."""
-    from gcs.campaign.plan import NotAllowed
-
-    try:
-        plan.check()
-    except NotAllowed as asks:
-        allow(name, asks.named, plan.trusted_by, trust=trust)
-        plan = replace(plan, trusted=True)
-        plan.check()
-    return plan
-
-
-def _found(folder: Path, *, trust: bool | None = None) -> Plan:
-    """The plan in a campaign's folder, broken parts of its table named; with `trust`, once it may use what it names."""
-    from gcs.campaign import table
-    from gcs.campaign.plan import read
-    from gcs.scenario.model import ScenarioError
-
-    try:
-        plan = read(folder)
-        for path in table.broken(folder, plan.campaign):
-            why = f"no rows can be read from it; gcs campaign resume {folder} sets it aside and flies them again"
-            click.echo(f"gcs: {path}: {why}", err=True)
-    except (OSError, ValueError, KeyError):
-        raise Refused(f"{folder} holds no campaign: give the folder that gcs campaign run named") from None
-    except ScenarioError as error:
-        raise Refused(str(error)) from None
-    try:
-        return plan if trust is None else _allowed(str(folder), plan, trust=trust)
-    except ScenarioError:  # its rows say why they cannot be flown
-        return plan
 
 
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:

@@ -151,8 +151,8 @@ def _check_scenario(context: click.Context, name: str, ready_within_s: float, *,
     """Go through a scenario's check list; the exit status."""
     from gcs.cli.author import load_scenario
     from gcs.cli.check import scenario as lists
-    from gcs.link.keys import KeyRefused
     from gcs.link.socket import AddressRefused
+    from skytender.key_files import KeyRefused
 
     given = click.core.ParameterSource.COMMANDLINE
     for option in ("connect", "key_file", "sysid", "peers", "arm", "within", "station", "everyone"):

@@ -70,9 +70,10 @@ def ending(profile: Profile, end: End, listed: Listed) -> tuple[int, Params]:
 
 
 def missing(listed: Iterable[tuple[int, int]]) -> list[int]:
-    """Places of modes that are yet to come, by (place, of how many) of those that came.
+    """Indices of the modes that a vehicle has not listed yet.
 
-    What a request for all leaves out is asked for one by one, as QGroundControl does: ArduPilots answer the first only.
+    listed: (index, number of modes) of each AVAILABLE_MODES that was received; indices begin at 1. ArduPilot answers a
+    request for all modes with the first one only; the others are requested one by one, as QGroundControl does.
     """
     came = dict(listed)
     return [place for place in range(1, max(came.values(), default=0) + 1) if place not in came]

@@ -2,83 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
+from scripted_vehicle import PX4_LOITER, Scripted, examine, obeying
 
-from gcs.cli.check.dialogue import CheckFinding, Dialogue
+from gcs.cli.check.dialogue import Dialogue
 from gcs.cli.check.questions import questions
 from gcs.cli.check.report import as_json, line, passed
-from gcs.mavlink import codec
-
-STEP_S = 0.01
-PX4_LOITER = 4 << 16 | 3 << 24
-
-
-class Scripted:
-    """A vehicle that is nothing but what a test makes of it; pymavlink writes its frames."""
-
-    def __init__(self, sysid: int = 7) -> None:
-        self.link = mav.MAVLink(None, srcSystem=sysid, srcComponent=1)
-        self.answers: dict[str, Callable[[Any], list[Any]]] = {}
-        self.streams: list[tuple[float, Callable[[int], Any]]] = [(1.0, lambda _: self.heartbeat())]
-        self.asked: list[Any] = []
-
-    def heartbeat(self, **changes: Any) -> Any:
-        values = {
-            "type": mav.MAV_TYPE_QUADROTOR,
-            "autopilot": mav.MAV_AUTOPILOT_PX4,
-            "base_mode": mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED,
-            "custom_mode": PX4_LOITER,
-            "system_status": mav.MAV_STATE_STANDBY,
-        }
-        return mav.MAVLink_heartbeat_message(**values | changes, mavlink_version=3)
-
-    def ack(self, command: int, result: int = mav.MAV_RESULT_ACCEPTED) -> Any:
-        return mav.MAVLink_command_ack_message(command, result, 0, 0, 255, 190)
-
-    def hear(self, message: codec.Message) -> list[Any]:
-        asked = codec.fields(codec.split(codec.frame(message, 0, 255, 190)).frames[0])
-        self.asked.append(asked)
-        answer = self.answers.get(type(asked).__name__)
-        return answer(asked) if answer else []
-
-    def frame(self, message: Any) -> codec.Frame:
-        return codec.split(message.pack(self.link)).frames[0]
-
-
-def obeying(*more: Any, result: int = mav.MAV_RESULT_ACCEPTED) -> Scripted:
-    """A vehicle that acknowledges each COMMAND_LONG so, and then says more."""
-    vehicle = Scripted()
-    vehicle.answers["COMMAND_LONG"] = lambda asked: [vehicle.ack(asked.command, result), *more]
-    return vehicle
-
-
-def examine(
-    vehicle: Scripted, *keys: str, arm: bool = False, neighbour: Scripted | None = None, **more: Any
-) -> dict[str, CheckFinding]:
-    """The findings of some questions, by key, with the vehicle answering 10 ms after it was asked."""
-    asked = [q for q in questions(arm=arm, **more) if q.key in ("heartbeat", *keys)]
-    dialogue = Dialogue(asked)
-    now_s, due_s = 0.0, [0.0] * len(vehicle.streams)
-    pending: list[Any] = []
-    while not dialogue.done:
-        now_s += STEP_S
-        for i, (period_s, made) in enumerate(vehicle.streams):
-            if now_s >= due_s[i]:
-                due_s[i] = now_s + period_s
-                pending.append(made(round(1e3 * now_s)))
-        for message in pending:
-            dialogue.receive(vehicle.frame(message), now_s)
-        messages = dialogue.poll(now_s)
-        pending = [answer for message in messages for answer in vehicle.hear(message)]
-        for answer in [answer for message in messages for answer in neighbour.hear(message)] if neighbour else ():
-            dialogue.receive(neighbour.frame(answer), now_s)
-        assert now_s < 120.0
-    return {finding.question.key: finding for finding in dialogue.findings}
-
 
 ECHO = mav.MAVLink_ping_message(1, 4711, 255, 190)
 
@@ -101,133 +33,6 @@ def test_an_echo_is_late_at_the_second_asking_and_missing_after_three(
     assert [type(m).__name__ for m in vehicle.asked].count("PING") == asked
     assert outcome == "late" or "MAVSDK" in line(finding)
     assert outcome != "late" or 0.5 < (finding.after_s or 0.0) < 0.6
-
-
-def mode(index: int, custom_mode: int, standard: int = 0, name: bytes = b"", count: int = 3) -> Any:
-    return mav.mavlink_map[435](count, index, standard, custom_mode, 0, name)
-
-
-@pytest.mark.parametrize(
-    ("modes", "outcome", "words"),
-    [
-        ([mode(1, 7, 6), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 0, b"Soar")], "ok", ""),
-        ([mode(1, 7, 6), mode(3, PX4_LOITER, 0, b"Hold")], "wrong", "these of its modes never came: 2"),
-        (
-            [mode(1, 7, 6), mode(2, 8, 5), mode(3, 9, 0, b"Soar")],
-            "wrong",
-            f"custom_mode {PX4_LOITER}, which its HEARTBEAT",
-        ),
-        ([mode(1, 7), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 7)], "wrong", "mode 7 has neither"),
-    ],
-)
-def test_every_mode_is_to_be_listed_and_named(modes: list[Any], outcome: str, words: str) -> None:
-    vehicle = Scripted()
-    vehicle.answers["COMMAND_LONG"] = lambda asked: [
-        vehicle.ack(asked.command), *(modes if (asked.param1, asked.param2) == (435.0, 0.0) else ()),
-    ]  # fmt: skip
-    finding = examine(vehicle, "available-modes")["available-modes"]
-    assert (finding.outcome, words in finding.text) == (outcome, True)
-
-
-def test_modes_that_come_one_by_one_are_late() -> None:
-    """An ArduCopter 4.8.0-dev answers a request for all with the first, and one for an index with that."""
-    vehicle, modes = Scripted(), [mode(1, 7, 6), mode(2, PX4_LOITER, 0, b"Hold"), mode(3, 9, 0, b"Soar")]
-    vehicle.answers["COMMAND_LONG"] = lambda asked: [
-        vehicle.ack(asked.command), *([modes[max(int(asked.param2), 1) - 1]] if asked.param1 == 435.0 else ()),
-    ]  # fmt: skip
-    finding = examine(vehicle, "available-modes")["available-modes"]
-    assert (finding.outcome, finding.text) == ("late", "came only after it was asked 3 times")
-
-
-TO_ALL = (0, 0, [0] * 20)
-BASIC_ID = mav.MAVLink_open_drone_id_basic_id_message(*TO_ALL, 1, 2, [65] * 20)
-WHERE = (
-    mav.MAVLink_open_drone_id_location_message(*TO_ALL, *[1] * 16),
-    mav.MAVLink_open_drone_id_system_message(*TO_ALL, *[1] * 12),
-)
-OPERATOR_ID = mav.MAVLink_open_drone_id_operator_id_message(*TO_ALL, 0, b"A1")
-
-
-@pytest.mark.parametrize(
-    ("sent", "outcome", "text"),
-    [
-        ((), "skipped", "it sends none of it"),
-        (WHERE, "skipped", "it has no id, and says where it is to a transmitter that has one"),
-        ((BASIC_ID, *WHERE), "missing", "OPERATOR_ID: not heard"),
-        ((BASIC_ID, *WHERE, OPERATOR_ID), "ok", ""),
-    ],
-)
-def test_remote_id_is_asked_of_a_vehicle_that_has_an_id(sent: tuple[Any, ...], outcome: str, text: str) -> None:
-    vehicle = Scripted()
-    vehicle.streams += [(0.5, lambda _, message=message: message) for message in sent]
-    vehicle.answers["PING"] = lambda _: []  # a while in which all of it is heard
-    finding = examine(vehicle, "ping", "remote-id")["remote-id"]
-    assert (finding.outcome, text in finding.text) == (outcome, True)
-
-
-@pytest.mark.parametrize(("flown", "outcome"), [(PX4_LOITER, "ok"), (6 << 16, "wrong")])
-def test_the_current_mode_is_to_be_the_heartbeats(flown: int, outcome: str) -> None:
-    assert examine(obeying(mav.mavlink_map[436](0, flown, 0)), "current-mode")["current-mode"].outcome == outcome
-
-
-@pytest.mark.parametrize(("standard", "outcome"), [(7, "ok"), (5, "skipped")])
-def test_a_standard_mode_is_set_where_one_is_listed(standard: int, outcome: str) -> None:
-    vehicle = Scripted()
-    modes = [mode(1, PX4_LOITER, 0, b"Hold", 2), mode(2, 9, standard, b"", 2)]
-    vehicle.answers["COMMAND_LONG"] = lambda asked: [
-        vehicle.ack(asked.command), *(modes if asked.param1 == 435.0 else ()),
-    ]  # fmt: skip
-    found = examine(vehicle, "available-modes", "standard-mode", arm=True)
-    assert found["standard-mode"].outcome == outcome
-    asked = [(one.command, one.param1) for one in vehicle.asked if type(one).__name__ == "COMMAND_LONG"]
-    assert ((mav.MAV_CMD_DO_SET_STANDARD_MODE, 7.0) in asked) is (outcome == "ok")
-
-
-@pytest.mark.parametrize(
-    ("flags", "owner", "outcome"), [(3, 0, "ok"), (1, 255, "ok"), (0, 255, "wrong"), (None, 0, "ok")]
-)
-def test_operator_control_is_asked_of_a_vehicle_that_reports_its_owner(
-    flags: int | None, owner: int, outcome: str
-) -> None:
-    vehicle = Scripted()
-    status = mav.mavlink_map[512](flags or 0, owner, [0] * 10)
-
-    def answer(asked: Any) -> list[Any]:
-        if asked.command == mav.MAV_CMD_REQUEST_MESSAGE:
-            return [vehicle.ack(asked.command, 3)] if flags is None else [vehicle.ack(asked.command), status]
-        return [vehicle.ack(asked.command)]
-
-    vehicle.answers["COMMAND_LONG"] = answer
-    found = examine(vehicle, "control-status", "operator-control", "operator-control-released", arm=True)
-    assert found["control-status"].outcome == outcome
-    asked = [(one.param1, one.param4) for one in vehicle.asked if getattr(one, "command", 0) == 32100]
-    assert asked == ([] if flags is None else [(1.0, 255.0), (0.0, 255.0)])
-    assert (found["operator-control"].outcome == "skipped") is (flags is None)
-
-
-@pytest.mark.parametrize(
-    ("seen", "text"),
-    [
-        ({"a": 0xA1}, ""),
-        ({"a": None}, ""),
-        ({"a": 0xA1, "b": 0xB2}, "its system id comes from a (uid a1) and from b (uid b2)"),
-        ({"a": 0xA1, "b": None}, "its system id comes from a (uid a1) and from b (uid not said)"),
-    ],
-)
-def test_a_system_id_from_two_addresses_is_named_with_both_and_their_uids(
-    seen: dict[str, int | None], text: str
-) -> None:
-    vehicle = Scripted()
-    dialogue = Dialogue([q for q in questions() if q.key == "twin"])
-    for at, uid in seen.items():
-        dialogue.receive(vehicle.frame(vehicle.heartbeat()), 0.0, at)
-        if uid is not None:
-            version = mav.MAVLink_autopilot_version_message(0, 0, 0, 0, 0, [0] * 8, [0] * 8, [0] * 8, 0, 0, uid)
-            dialogue.receive(vehicle.frame(version), 0.0, at)
-    for k in range(3):
-        dialogue.poll(0.1 * k)
-    (finding,) = dialogue.findings
-    assert (finding.outcome, finding.text) == ("wrong" if text else "ok", text)
 
 
 @pytest.mark.parametrize(
@@ -508,65 +313,6 @@ def test_each_file_request_has_a_number_of_its_own_and_its_repetition_the_same()
     vehicle.answers["FILE_TRANSFER_PROTOCOL"] = answer
     found = examine(vehicle, "ftp", "ftp-reset")
     assert (found["ftp"].outcome, found["ftp-reset"].outcome) == ("ok", "ok")
-
-
-@pytest.mark.parametrize(("from_s", "outcome"), [(4.0, "ok"), (1e9, "missing")])
-def test_a_vehicle_that_has_just_started_is_waited_for_and_its_reasons_are_told(from_s: float, outcome: str) -> None:
-    bit = mav.MAV_SYS_STATUS_PREARM_CHECK
-    unready, ready = (mav.MAVLink_sys_status_message(b, b, b, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0) for b in (0, bit))
-    vehicle = booting(Scripted(), healthy_s=0.0, place_s=0.0)
-    vehicle.streams[1] = (0.5, lambda ms: ready if ms >= 1e3 * from_s else unready)
-    vehicle.streams.append((0.5, lambda _: mav.MAVLink_statustext_message(2, b"PreArm: GPS: no fix")))
-    finding = examine(vehicle, "ready", ready_within_s=10.0)["ready"]
-    assert finding.outcome == outcome
-    assert finding.text == ("" if outcome == "ok" else "not ready yet: PreArm: GPS: no fix")
-
-
-def place(ms: int) -> Any:
-    return mav.MAVLink_local_position_ned_message(ms, 0, 0, 0, 0, 0, 0)
-
-
-def booting(vehicle: Scripted, *, healthy_s: float, place_s: float) -> Scripted:
-    """It sends HEARTBEAT alone at first; then its checks pass, and then it sends all else, each once a second."""
-    bit = mav.MAV_SYS_STATUS_PREARM_CHECK
-    status = mav.MAVLink_sys_status_message(bit, bit, bit, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0)
-    attitude = mav.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0)
-    vehicle.streams += [
-        (1.0, lambda ms: status if ms >= 1e3 * healthy_s else vehicle.heartbeat()),
-        (1.0, lambda ms: attitude if ms >= 1e3 * place_s else vehicle.heartbeat()),
-        (1.0, lambda ms: place(ms) if ms >= 1e3 * place_s else vehicle.heartbeat()),
-    ]
-    return vehicle
-
-
-@pytest.mark.parametrize(("healthy_s", "place_s"), [(0.0, 0.0), (17.0, 29.0), (30.0, 12.0)])
-def test_rates_of_one_that_was_waited_for_count_from_when_it_was_ready_and_told_its_place(
-    healthy_s: float, place_s: float
-) -> None:
-    streams = ("stream-sys-status", "stream-attitude", "stream-local-position-ned")
-    found = examine(booting(Scripted(), healthy_s=healthy_s, place_s=place_s), "ready", *streams, ready_within_s=60.0)
-    assert {key: found[key].outcome for key in ("ready", *streams)} == dict.fromkeys(("ready", *streams), "ok")
-    assert (found["ready"].after_s or 0.0) == pytest.approx(max(healthy_s, place_s), abs=1.1)
-
-
-@pytest.mark.parametrize(("from_s", "outcome"), [(10.0, "ok"), (30.2, "wrong")])
-def test_a_pause_in_a_boot_that_was_waited_for_is_none_of_its_flight(from_s: float, outcome: str) -> None:
-    """An ArduCopter says nothing for some seconds of its boot; one that is ready does not."""
-    vehicle = booting(Scripted(), healthy_s=30.0, place_s=30.0)
-    attitude = mav.MAVLink_attitude_message(0, 0, 0, 0, 0, 0, 0)
-    before = vehicle.streams
-    vehicle.streams = [
-        (period_s, lambda ms, made=made: attitude if from_s <= 1e-3 * ms < from_s + 3.3 else made(ms))
-        for period_s, made in before
-    ]
-    found = examine(vehicle, "ready", "heartbeat-steady", ready_within_s=60.0)
-    assert (found["ready"].outcome, found["heartbeat-steady"].outcome) == ("ok", outcome)
-
-
-def test_one_that_could_be_armed_but_tells_no_place_is_named_as_that() -> None:
-    found = examine(booting(Scripted(), healthy_s=2.0, place_s=1e9), "ready", ready_within_s=10.0)
-    assert found["ready"].outcome == "missing"
-    assert found["ready"].text == "its pre-arm checks pass, but it does not tell its place (LOCAL_POSITION_NED)"
 
 
 @pytest.mark.parametrize("streams_from_s", [0.0, 1.1])

@@ -10,11 +10,11 @@ import pytest
 from commands import gcs
 from pymavlink.dialects.v20 import common
 
-from gcs.link.keys import AHEAD_TICKS, KeyRefused, LinkSigning, RefusalNotices, SignatureGate, new_key, read_key
+from gcs.link.keys import LinkSigning, RefusalNotices, SignatureGate, new_key
 from gcs.mavlink import codec
 from simvehicle.mavlink import codec as vehicle_codec
-from simvehicle.sitl.keys import KeyFileError, Keyring
-from simvehicle.sitl.keys import read_key as vehicle_reads
+from simvehicle.sitl.keys import Keyring
+from skytender.key_files import AHEAD_TICKS, KeyRefused, read_key
 from skytender.signing import SignatureVerdict, ticks
 
 NOW_S = 1_800_000_000.0
@@ -48,7 +48,8 @@ def test_a_new_key_is_random_for_its_user_alone_and_read_by_both_programs(tmp_pa
         assert gcs("key", "new", str(tmp_path / name)).returncode == 0
         assert stat.S_IMODE((tmp_path / name).stat().st_mode) == 0o600
         keys.append(read_key(tmp_path / name))
-        assert vehicle_reads(tmp_path / name) == keys[-1]
+        (signed,) = codec.split(Keyring(7, tmp_path / name).signed(frame(), 0)).frames
+        assert LinkSigning(tmp_path / name).judge(signed) is SignatureVerdict.GOOD
     assert keys[0] != keys[1]
     again = gcs("key", "new", str(tmp_path / "one"))
     assert (again.returncode, "exists already" in again.stderr) == (2, True)
@@ -68,8 +69,8 @@ def test_a_file_that_is_no_key_or_that_others_can_read_is_refused(
     path.chmod(mode)
     with pytest.raises(KeyRefused, match=words):
         read_key(path)
-    with pytest.raises(KeyFileError, match=words):
-        vehicle_reads(path)
+    with pytest.raises(KeyRefused, match=words):
+        Keyring(7, path)
     refused = gcs("monitor", "--connect", "udpin:127.0.0.1:0", "--key-file", str(path))
     assert (refused.returncode, words in refused.stderr) == (2, True)
 
@@ -139,6 +140,6 @@ def test_a_key_that_a_vehicle_was_given_outlives_it_in_its_state(tmp_path: Path)
     assert keyring.accepted(list(vehicle_codec.split(setup))) == []
     assert keyring.has_key
     keyring.close()
-    assert vehicle_reads(tmp_path / "1.key") == bytes([7] * 32)
+    assert read_key(tmp_path / "1.key") == bytes([7] * 32)
     assert Keyring(1, None, tmp_path).has_key
     assert not Keyring(1).has_key

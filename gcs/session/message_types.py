@@ -201,6 +201,9 @@ class VehicleRow(Struct):
     alive: bool
     stage: str
     mode: str
+    """takeoff, offboard, hold, land, return, refuel, mission, manual or other, the same of every autopilot"""
+    mode_name: str
+    """the same as its autopilot's people call it: `AUTO` of an ArduPilot, `Mission` of a PX4"""
     armed: bool
     landed: bool
     autopilot: str | None

@@ -10,7 +10,6 @@ import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
-from gcs.mavlink.autopilots import FlightMode
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
@@ -84,7 +83,8 @@ def vehicle_row(
         label=view.label,
         alive=view.alive,
         stage="",
-        mode=view.mode_name if view.mode is FlightMode.OTHER else str(view.mode),
+        mode=str(view.mode),
+        mode_name=view.mode_name,
         armed=view.armed,
         landed=view.landed,
         autopilot=view.profile.name if received else None,

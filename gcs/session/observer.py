@@ -96,7 +96,6 @@ class Observer:
         self._remote_ids = RemoteIds()
         self._nameless = False
         """whether a vehicle of system id 0 has been received"""
-        self._modes: dict[int, str] = {}
         self._events: list[Event] = []
         self._aims: dict[int, Vec3] = {}
         self._mission_items: dict[int, int] = {}
@@ -322,17 +321,7 @@ class Observer:
 
     def _gather(self, view: FleetSnapshot) -> None:
         self._said(view.time_s)
-        if self.scenario is not None:
-            self._events += self._watch.look(view, self.ordered)
-            return
-        self._events += [event for event in self._watch.look(view, None) if event.kind not in ("mode", "failsafe")]
-        for one in view.vehicles:
-            name = one.mode_name
-            before = self._modes.get(one.sysid)
-            if one.last_received_s >= 0.0 and name != before:
-                self._modes[one.sysid] = name
-                if before is not None:
-                    self._events.append(Event(view.time_s, one.sysid, "info", f"{before} -> {name}", "mode"))
+        self._events += self._watch.look(view, None if self.scenario is None else self.ordered)
 
     def _acknowledged(self, t_s: float, sysid: int, ack: Any) -> None:
         accepted = ack.result in (mav.MAV_RESULT_ACCEPTED, mav.MAV_RESULT_IN_PROGRESS)
@@ -347,7 +336,6 @@ class Observer:
             adapter = None if reported.sysid in self._known else self._adapters.get(reported.sysid)
             view, share = (reported, None) if adapter is None else adapter.seen(reported)
             row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
-            row.mode = view.mode_name
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)

@@ -253,9 +253,8 @@ class ExternalFleet:
             silent = not view.alive or silent_s > SILENT_S
             if stages[sysid] not in STEERED:
                 if not view.landed:
-                    self._note(
-                        sysid, "warning", f"Left in the air in {view.mode}: this session does not control it", "session"
-                    )
+                    text = f"Left in the air in {view.mode_name}: this session does not control it"
+                    self._note(sysid, "warning", text, "session")
                 continue
             (command, params), order = view.ending(rules.at_end), _ENDS[rules.at_end]
             if view.landed and not silent:
@@ -277,7 +276,7 @@ class ExternalFleet:
         """Name vehicles that have not obeyed in time at the end, and what they answered."""
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
-            state = "on the ground and armed" if view.landed else f"in {view.mode}"
+            state = "on the ground and armed" if view.landed else f"in {view.mode_name}"
             text = f"Still {state} though it is no longer controlled ({answer}): look after it"
             self._note(view.sysid, "critical", text, "session")
 
@@ -302,7 +301,7 @@ class ExternalFleet:
 def _last_seen(view: VehicleView, silent_s: float) -> str:
     """Words about a vehicle that is not received, for people."""
     height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
-    return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; it may not hear commands now"
+    return f"not heard for {silent_s:.0f} s, then in {view.mode_name}{height}; it may not hear commands now"
 
 
 def _answer(result: CommandResult) -> str:

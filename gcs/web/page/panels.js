@@ -126,7 +126,7 @@ export function showVehicle(at, snapshot, sysid, session) {
   const degrees = (/** @type {number} */ rad) => number((rad * 180) / Math.PI, 0, "°");
   /** @type {[string, string][]} */
   const facts = [
-    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode || "–"], ["autopilot", row.autopilot ?? "–"],
+    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode_name || "–"], ["autopilot", row.autopilot ?? "–"],
     ["armed", row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
     ["battery", row.battery === null ? "–" : `${number(100 * row.battery, 1)} %${row.remaining_j === null ? "" : `, ${number(row.remaining_j / 1e3, 1)} kJ`}`],
     ...(row.batteries ?? []).map((one) => /** @type {[string, string]} */ ([`battery ${one.id}${one.function ? `, ${one.function}` : ""}`,

@@ -253,6 +253,8 @@ class VehicleRow(Struct):
     """of a vehicle that has reported another than number 0, all"""
     mission_item: int | UnsetType = UNSET
     """of a vehicle that reports MISSION_CURRENT, the number of the item that it flies"""
+    remote_id: str | UnsetType = UNSET
+    """of a vehicle that sends Remote ID, its id and status: `SKYT500003: airborne`"""
 
 
 class TrafficRow(Struct):

@@ -248,6 +248,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
         row.aim_ned, row.margin_m = aims.get(sysid), supervisor.planner.margin_m(sysid)
         row.link = used.get(sysid, UNSET)
         row.batteries = battery_rows(supervisor.fleet.batteries(sysid), snapshot.time_s)
+        row.remote_id = supervisor.fleet.remote_id(sysid) or UNSET
         rows.append(row)
     return rows
 

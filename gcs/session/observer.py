@@ -41,7 +41,6 @@ from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
-from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 from skytender import mavlink as mav
@@ -93,7 +92,6 @@ class Observer:
         self.quality = LinkQuality(self._gaps)
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
-        self._remote_ids = RemoteIds()
         self._nameless = False
         """whether a vehicle of system id 0 has been received"""
         self._events: list[Event] = []
@@ -135,8 +133,6 @@ class Observer:
             return
         if frame.sysid in self.inspection.wanted:
             self.inspection.add((frame,), t_s)
-        if (remote_id := self._remote_ids.receive(frame)) is not None:
-            self.fleet.statustexts.append((frame.sysid, *remote_id))
         if frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:
@@ -339,6 +335,7 @@ class Observer:
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
+            row.remote_id = self.fleet.remote_id(view.sysid) or UNSET
             aim, frame = self._aims.get(view.sysid), self._frame(view)
             if aim is not None and frame is not None:
                 row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)

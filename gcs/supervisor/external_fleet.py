@@ -21,7 +21,6 @@ from gcs.supervisor.services.operator_control import TOKEN as CONTROL
 from gcs.supervisor.services.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
-from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -61,7 +60,6 @@ class ExternalFleet:
         self._modes = standard_modes.ModeRequests()
         self.control = OperatorControl(self.rules, scenario.station)
         self._own_events = ExternalEvents(scenario)
-        self._remote_ids = RemoteIds()
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -103,8 +101,6 @@ class ExternalFleet:
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
                 streams.received(frame.msgid, now_s)
-                if (remote_id := self._remote_ids.receive(frame)) is not None:
-                    fleet.statustexts.append((sysid, *remote_id))
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
             self._events += self.control.receive(sysid, own, now_s)

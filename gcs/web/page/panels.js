@@ -138,6 +138,7 @@ export function showVehicle(at, snapshot, sysid, session) {
     ["competition", row.v === null ? "does not compete" : `v ${number(row.v, 2)}${row.tau === null ? "" : `, τ ${number(row.tau, 2)}`}`],
     ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],
     ["position's age", number(row.age_s, 1, " s")],
+    ...(row.remote_id ? [/** @type {[string, string]} */ (["Remote ID", row.remote_id])] : []),
     ...(session?.vehicles ?? []).flatMap((one) => (one.sysid === sysid && one.plan_b ? [/** @type {[string, string]} */ (["plan B", planText(one.plan_b)])] : [])),
   ];
   const key = `${row.sysid} ${row.trouble.join("|")} ${row.note} ${facts.map(([name]) => name).join("|")}`;

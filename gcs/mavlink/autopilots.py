@@ -48,7 +48,7 @@ class Profile:
 
     name: str
     offboard_name: str
-    """what its people call the mode in which it follows set points"""
+    """of the mode in which it follows set points"""
     modes: Mapping[int, FlightMode]
     offboard: Params
     hold: Params
@@ -97,14 +97,11 @@ class Profile:
     estimator_truth: int
     """its value for one that flies on what its simulation says"""
     names: Mapping[int, str]
-    """what the autopilot itself calls its modes, for those that `modes` has no word of its own for"""
+    """what its people call its modes: PX4 by `nav_state_names` of its src/lib/modes/ui.hpp, ArduPilots by MAVProxy"""
 
     def mode_name(self, custom_mode: int) -> str:
-        """The mode in a HEARTBEAT, for a person: in our words, else the autopilot's, else its number."""
-        mode = self.mode(custom_mode)
-        if mode not in (FlightMode.OTHER, FlightMode.MANUAL):
-            return str(mode)
-        return self.names.get(custom_mode, f"mode {custom_mode}" if mode is FlightMode.OTHER else str(mode))
+        """The mode in a HEARTBEAT, for a person: as the autopilot's own people name it, else its number."""
+        return self.names.get(custom_mode, f"mode {custom_mode}")
 
     def mode(self, custom_mode: int) -> FlightMode:
         """The mode in a HEARTBEAT."""
@@ -139,19 +136,20 @@ def _px4(main: int, sub: int = 0) -> int:
 
 
 _CUSTOM = float(mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED)
+_PX4_MODES = {
+    **dict.fromkeys((*map(_px4, (1, 2, 3, 5, 7, 11)), _px4(3, 1), _px4(3, 2)), FlightMode.MANUAL),
+    _px4(4, 2): FlightMode.TAKEOFF,
+    _px4(4, 3): FlightMode.HOLD,
+    _px4(4, 4): FlightMode.MISSION,
+    _px4(4, 5): FlightMode.RETURN,
+    _px4(4, 6): FlightMode.LAND,
+    _px4(6): FlightMode.OFFBOARD,
+    _px4(6, 1): FlightMode.REFUEL,
+}
 PX4 = Profile(
     name="px4",
-    offboard_name="offboard",
-    modes={
-        **dict.fromkeys((*map(_px4, (1, 2, 3, 5, 7, 11)), _px4(3, 1), _px4(3, 2)), FlightMode.MANUAL),
-        _px4(4, 2): FlightMode.TAKEOFF,
-        _px4(4, 3): FlightMode.HOLD,
-        _px4(4, 4): FlightMode.MISSION,
-        _px4(4, 5): FlightMode.RETURN,
-        _px4(4, 6): FlightMode.LAND,
-        _px4(6): FlightMode.OFFBOARD,
-        _px4(6, 1): FlightMode.REFUEL,
-    },
+    offboard_name="Offboard",
+    modes=_PX4_MODES,
     offboard=(_CUSTOM, 6.0, 0.0),
     hold=(_CUSTOM, 4.0, 3.0),
     arming=(_CUSTOM, 4.0, 3.0),
@@ -180,24 +178,34 @@ PX4 = Profile(
     estimators={},
     estimator_truth=-1,
     names={
-        _px4(1): "manual",
-        _px4(2): "altitude",
-        _px4(3): "position",
-        _px4(3, 1): "orbit",
-        _px4(3, 2): "position, slow",
-        _px4(4, 1): "ready",
-        _px4(4, 8): "follow",
-        _px4(4, 9): "precision land",
-        _px4(4, 10): "VTOL takeoff",
-        _px4(5): "acro",
-        _px4(7): "stabilized",
-        _px4(8): "rattitude",
-        _px4(10): "termination",
-        _px4(11): "altitude, cruise",
-        **{_px4(4, 10 + k): f"external {k}" for k in range(1, 9)},
-        _px4(4, 19): "guided course",
+        **{number: str(mode).capitalize() for number, mode in _PX4_MODES.items()},  # FlightMode's words are PX4's
+        _px4(1): "Manual",
+        _px4(2): "Altitude",
+        _px4(3): "Position",
+        _px4(3, 1): "Orbit",
+        _px4(3, 2): "Position Slow",
+        _px4(4, 1): "Ready",
+        _px4(4, 8): "Follow Target",
+        _px4(4, 9): "Precision Landing",
+        _px4(4, 10): "VTOL Takeoff",
+        _px4(5): "Acro",
+        _px4(7): "Stabilized",
+        _px4(8): "Rattitude",
+        _px4(10): "Termination",
+        _px4(11): "Altitude Cruise",
+        **{_px4(4, 10 + k): f"External {k}" for k in range(1, 9)},
+        _px4(4, 19): "Guided Course",
     },
 )
+
+
+def _ardupilot(kind: str) -> dict[int, str]:
+    """Names of modes as MAVProxy has them; of those that it lacks, as MAVLink's definitions do."""
+    prefix = f"{kind.upper()}_MODE"
+    defined = {number: name.removeprefix(f"{prefix}_") for number, name in mav.ENUMS.get(prefix, {}).items()}
+    return defined | {number: name for name, number in mav.MODES[kind].items()}
+
+
 ARDUCOPTER = Profile(
     name="ardupilot",
     offboard_name="GUIDED",
@@ -237,29 +245,7 @@ ARDUCOPTER = Profile(
     estimator_parameter="AHRS_EKF_TYPE",
     estimators={0: "DCM", 2: "EKF2", 3: "EKF3", 11: "an estimator outside it"},
     estimator_truth=10,
-    names={
-        0: "stabilize",
-        1: "acro",
-        2: "altitude hold",
-        7: "circle",
-        11: "drift",
-        13: "sport",
-        14: "flip",
-        15: "autotune",
-        16: "position hold",
-        18: "throw",
-        19: "avoid ADSB",
-        20: "guided, no GPS",
-        21: "smart return",
-        22: "flow hold",
-        23: "follow",
-        24: "zigzag",
-        25: "system id",
-        26: "autorotate",
-        27: "auto return",
-        28: "turtle",
-        29: "rate acro",
-    },
+    names=_ardupilot("copter"),
 )
 ARDUPLANE = replace(
     ARDUCOPTER,
@@ -277,25 +263,7 @@ ARDUPLANE = replace(
     arming=(_CUSTOM, 15.0, 0.0),
     plans=habits.ARDUPLANE,
     mode_table="plane",
-    names={
-        0: "manual",
-        1: "circle",
-        2: "stabilize",
-        3: "training",
-        4: "acro",
-        5: "fly by wire A",
-        6: "fly by wire B",
-        7: "cruise",
-        8: "autotune",
-        14: "avoid ADSB",
-        16: "initialising",
-        17: "Q stabilize",
-        18: "Q hover",
-        22: "Q autotune",
-        23: "Q acro",
-        24: "thermal",
-        25: "loiter to Q land",
-    },
+    names=_ardupilot("plane"),
 )
 ARDUROVER = replace(
     ARDUCOPTER,
@@ -311,18 +279,7 @@ ARDUROVER = replace(
     hold=(_CUSTOM, 4.0, 0.0),
     arming=(_CUSTOM, 15.0, 0.0),
     mode_table="rover",
-    names={
-        0: "manual",
-        1: "acro",
-        2: "learning",
-        3: "steering",
-        6: "follow",
-        7: "simple",
-        8: "dock",
-        9: "circle",
-        12: "smart return",
-        16: "initialising",
-    },
+    names=_ardupilot("rover"),
 )
 ARDUSUB = replace(
     ARDUCOPTER,
@@ -334,16 +291,7 @@ ARDUSUB = replace(
     },
     hold=(_CUSTOM, 16.0, 0.0),
     mode_table="sub",
-    names={
-        0: "stabilize",
-        1: "acro",
-        2: "altitude hold",
-        7: "circle",
-        9: "surface",
-        19: "manual",
-        20: "motor detection",
-        21: "bottom tracking",
-    },
+    names=_ardupilot("sub"),
 )
 BLIMP = replace(
     ARDUCOPTER,
@@ -361,7 +309,7 @@ BLIMP = replace(
     arming=(_CUSTOM, 3.0, 0.0),
     arms_in=frozenset({FlightMode.HOLD}),
     mode_table="blimp",
-    names={1: "manual", 2: "velocity"},
+    names=_ardupilot("blimp"),
 )
 GENERIC = replace(
     PX4,

@@ -79,6 +79,9 @@ class VehicleSummary(SummaryPart):
     sysid: int
     role: Role
     final_mode: str
+    """takeoff, offboard, hold, land, return, refuel, mission, manual, other or dead"""
+    final_mode_name: str = ""
+    """the same as its autopilot's people call it; empty in older sessions"""
     max_tracking_error_m: float | None
     """greatest distance from the planned path; null where there was none"""
     path_length_m: float

@@ -108,7 +108,7 @@ def numbers(found: Findings) -> str:
             (
                 vehicle.label,
                 vehicle.role,
-                reported.final_mode if reported else None,
+                (reported.final_mode_name or reported.final_mode) if reported else None,
                 f"{reported.path_length_m:.1f}" if reported else None,
                 f"{error[0]:.3f}" if error else None,
                 speed[0] if speed else None,

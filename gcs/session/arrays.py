@@ -16,6 +16,7 @@ _PLAIN: dict[str, type[np.generic]] = {
     "sysid": np.int64,
     "role": np.str_,
     "mode": np.str_,
+    "mode_name": np.str_,
     "alive": np.bool_,
     "armed": np.bool_,
 }
@@ -89,7 +90,10 @@ class Snapshot:
     role: NDArray[np.str_]
     """(n,) pursuer, target or tanker"""
     mode: NDArray[np.str_]
-    """(n,) flight mode"""
+    """(n,) flight mode in words that are the same of every autopilot: takeoff, offboard, hold, land, return, refuel,
+    mission, manual or other"""
+    mode_name: NDArray[np.str_]
+    """(n,) the same as the autopilot's people call it: `AUTO` of an ArduPilot, `Mission` of a PX4"""
     alive: NDArray[np.bool_]
     """(n,)"""
     armed: NDArray[np.bool_]
@@ -159,8 +163,8 @@ class Snapshot:
     def _repr_html_(self) -> str:
         head = ("vehicle", "role", "mode", "armed", "height, m", "speed, m/s", "battery, %", "trouble")
         shown = zip(
-            self.sysid, self.role, self.mode, self.armed, 0.0 - self.p_ned[:, 2], np.linalg.norm(self.v_ned, axis=1),
-            100.0 * self.battery, self.trouble, strict=True,
+            self.sysid, self.role, self.mode_name, self.armed, 0.0 - self.p_ned[:, 2],
+            np.linalg.norm(self.v_ned, axis=1), 100.0 * self.battery, self.trouble, strict=True,
         )  # fmt: skip
         rows = (
             (sysid, role, mode, "yes" if armed else "no", *map(_cell, (height_m, speed_m_s, percent)), "; ".join(texts))

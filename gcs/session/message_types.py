@@ -201,6 +201,9 @@ class VehicleRow(Struct):
     alive: bool
     stage: str
     mode: str
+    """takeoff, offboard, hold, land, return, refuel, mission, manual or other, the same of every autopilot"""
+    mode_name: str
+    """the same as its autopilot's people call it: `AUTO` of an ArduPilot, `Mission` of a PX4"""
     armed: bool
     landed: bool
     autopilot: str | None
@@ -250,6 +253,8 @@ class VehicleRow(Struct):
     """of a vehicle that has reported another than number 0, all"""
     mission_item: int | UnsetType = UNSET
     """of a vehicle that reports MISSION_CURRENT, the number of the item that it flies"""
+    remote_id: str | UnsetType = UNSET
+    """of a vehicle that sends Remote ID, its id and status: `SKYT500003: airborne`"""
 
 
 class TrafficRow(Struct):

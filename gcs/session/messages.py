@@ -10,7 +10,6 @@ import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
-from gcs.mavlink.autopilots import FlightMode
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
@@ -84,7 +83,8 @@ def vehicle_row(
         label=view.label,
         alive=view.alive,
         stage="",
-        mode=view.mode_name if view.mode is FlightMode.OTHER else str(view.mode),
+        mode=str(view.mode),
+        mode_name=view.mode_name,
         armed=view.armed,
         landed=view.landed,
         autopilot=view.profile.name if received else None,
@@ -248,6 +248,7 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
         row.aim_ned, row.margin_m = aims.get(sysid), supervisor.planner.margin_m(sysid)
         row.link = used.get(sysid, UNSET)
         row.batteries = battery_rows(supervisor.fleet.batteries(sysid), snapshot.time_s)
+        row.remote_id = supervisor.fleet.remote_id(sysid) or UNSET
         rows.append(row)
     return rows
 

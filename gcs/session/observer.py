@@ -41,7 +41,6 @@ from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
-from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 from skytender import mavlink as mav
@@ -93,10 +92,8 @@ class Observer:
         self.quality = LinkQuality(self._gaps)
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
-        self._remote_ids = RemoteIds()
         self._nameless = False
         """whether a vehicle of system id 0 has been received"""
-        self._modes: dict[int, str] = {}
         self._events: list[Event] = []
         self._aims: dict[int, Vec3] = {}
         self._mission_items: dict[int, int] = {}
@@ -136,8 +133,6 @@ class Observer:
             return
         if frame.sysid in self.inspection.wanted:
             self.inspection.add((frame,), t_s)
-        if (remote_id := self._remote_ids.receive(frame)) is not None:
-            self.fleet.statustexts.append((frame.sysid, *remote_id))
         if frame.sysid in self._known:
             self.fleet.ingest(frame, t_s)
         else:
@@ -322,17 +317,7 @@ class Observer:
 
     def _gather(self, view: FleetSnapshot) -> None:
         self._said(view.time_s)
-        if self.scenario is not None:
-            self._events += self._watch.look(view, self.ordered)
-            return
-        self._events += [event for event in self._watch.look(view, None) if event.kind not in ("mode", "failsafe")]
-        for one in view.vehicles:
-            name = one.mode_name
-            before = self._modes.get(one.sysid)
-            if one.last_received_s >= 0.0 and name != before:
-                self._modes[one.sysid] = name
-                if before is not None:
-                    self._events.append(Event(view.time_s, one.sysid, "info", f"{before} -> {name}", "mode"))
+        self._events += self._watch.look(view, None if self.scenario is None else self.ordered)
 
     def _acknowledged(self, t_s: float, sysid: int, ack: Any) -> None:
         accepted = ack.result in (mav.MAV_RESULT_ACCEPTED, mav.MAV_RESULT_IN_PROGRESS)
@@ -347,10 +332,10 @@ class Observer:
             adapter = None if reported.sysid in self._known else self._adapters.get(reported.sysid)
             view, share = (reported, None) if adapter is None else adapter.seen(reported)
             row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
-            row.mode = view.mode_name
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
+            row.remote_id = self.fleet.remote_id(view.sysid) or UNSET
             aim, frame = self._aims.get(view.sysid), self._frame(view)
             if aim is not None and frame is not None:
                 row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)

@@ -78,8 +78,8 @@ def broken_text(goal: Mapping[str, Any]) -> str:
 
 
 def counts(vehicles: Sequence[Mapping[str, Any]]) -> str:
-    """`5 offboard, 1 refuel`: how many are in which mode, the commonest first."""
-    kinds = Counter("dead" if not v["alive"] else v["mode"] if v["armed"] else "disarmed" for v in vehicles)
+    """`5 Offboard, 1 Refuel`: how many are in which mode, the commonest first."""
+    kinds = Counter("dead" if not v["alive"] else v["mode_name"] if v["armed"] else "disarmed" for v in vehicles)
     return ", ".join(f"{number} {clean(kind)}" for kind, number in sorted(kinds.items(), key=lambda item: -item[1]))
 
 
@@ -270,7 +270,7 @@ class VerboseView(PlainView):
 
 def _vehicle_line(vehicle: Mapping[str, Any]) -> str:
     n, e, d = vehicle["p_ned"] or (float("nan"),) * 3
-    state = vehicle["mode"] if vehicle["alive"] else "dead"
+    state = vehicle["mode_name"] if vehicle["alive"] else "dead"
     line = f"{'':12}{clean(vehicle['label']):<12} {clean(state):<9} N {n:7.2f}  E {e:7.2f}  {0.0 - d:6.2f} m high"
     line += f"  {vehicle['speed_m_s']:5.2f} m/s  {100.0 * vehicle['battery']:5.1f} %"
     return f"{line}  {clean(vehicle['note'])}".rstrip()

@@ -21,7 +21,6 @@ from gcs.supervisor.services.operator_control import TOKEN as CONTROL
 from gcs.supervisor.services.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
 from gcs.telemetry.fleet import Fleet
-from gcs.telemetry.remote_id import RemoteIds
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -61,7 +60,6 @@ class ExternalFleet:
         self._modes = standard_modes.ModeRequests()
         self.control = OperatorControl(self.rules, scenario.station)
         self._own_events = ExternalEvents(scenario)
-        self._remote_ids = RemoteIds()
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -103,8 +101,6 @@ class ExternalFleet:
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:
                 streams.received(frame.msgid, now_s)
-                if (remote_id := self._remote_ids.receive(frame)) is not None:
-                    fleet.statustexts.append((sysid, *remote_id))
             if (flies_on := self._estimators.receive(sysid, own, now_s)) is not None:
                 self._events.append(flies_on)
             self._events += self.control.receive(sysid, own, now_s)
@@ -253,9 +249,8 @@ class ExternalFleet:
             silent = not view.alive or silent_s > SILENT_S
             if stages[sysid] not in STEERED:
                 if not view.landed:
-                    self._note(
-                        sysid, "warning", f"Left in the air in {view.mode}: this session does not control it", "session"
-                    )
+                    text = f"Left in the air in {view.mode_name}: this session does not control it"
+                    self._note(sysid, "warning", text, "session")
                 continue
             (command, params), order = view.ending(rules.at_end), _ENDS[rules.at_end]
             if view.landed and not silent:
@@ -277,7 +272,7 @@ class ExternalFleet:
         """Name vehicles that have not obeyed in time at the end, and what they answered."""
         for view in self._steered_still(snapshot):
             answer = self._answers.get(view.sysid, "it has not answered yet")
-            state = "on the ground and armed" if view.landed else f"in {view.mode}"
+            state = "on the ground and armed" if view.landed else f"in {view.mode_name}"
             text = f"Still {state} though it is no longer controlled ({answer}): look after it"
             self._note(view.sysid, "critical", text, "session")
 
@@ -302,7 +297,7 @@ class ExternalFleet:
 def _last_seen(view: VehicleView, silent_s: float) -> str:
     """Words about a vehicle that is not received, for people."""
     height = "" if view.height_m is None else f", {view.height_m:.0f} m above its ground"
-    return f"not heard for {silent_s:.0f} s, then in {view.mode}{height}; it may not hear commands now"
+    return f"not heard for {silent_s:.0f} s, then in {view.mode_name}{height}; it may not hear commands now"
 
 
 def _answer(result: CommandResult) -> str:

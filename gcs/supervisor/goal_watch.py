@@ -250,7 +250,7 @@ class GoalWatch:
         by_itself = vehicle.foreign is None or view.failsafe
         ours = held or arming.stage in (*_STEERED, Stage.MISSION, Stage.YIELDED)
         taken_down = ours and by_itself and view.flying and view.mode in GOING_DOWN
-        return f"its failsafe flies it ({view.mode})" if taken_down else ""
+        return f"its failsafe flies it ({view.mode_name})" if taken_down else ""
 
     def harmed(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, and those that touched the ground in flight; each once."""

@@ -50,7 +50,7 @@ class Recovery:
 
     def _bring_back(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> Event:
         if arming.stage is Stage.YIELDED and not view.failsafe and view.mode is not FlightMode.HOLD:
-            text = f"A pilot or another station may control it ({view.mode}): rejoin brings it back"
+            text = f"A pilot or another station may control it ({view.mode_name}): rejoin brings it back"
         elif view.energy_source != "none" and view.remaining_j <= 0.0:
             text = "Stays where its failsafe brought it: it has no energy left"
         else:

@@ -93,6 +93,7 @@ def summarise(
                 sysid=view.sysid,
                 role=cast(Role, view.role),
                 final_mode=str(view.mode) if view.alive else "dead",
+                final_mode_name=view.mode_name if view.alive else "dead",
                 max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
                 path_length_m=metrics.path_length_m.get(view.sysid, 0.0),
                 control_effort=view.control_effort,

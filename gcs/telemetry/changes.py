@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
@@ -18,11 +19,19 @@ REGULAR_S = 5.0
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
+class _FlownMode(NamedTuple):
+    """A mode as it was flown: HEARTBEAT's number changes also between two of a vehicle's modes that are one to us."""
+
+    mode: FlightMode
+    custom_mode: int
+    name: str
+
+
 class ChangeDetector:
     """Remembers what each vehicle did; `look` returns what is new."""
 
     def __init__(self) -> None:
-        self._modes: dict[int, FlightMode] = {}
+        self._modes: dict[int, _FlownMode] = {}
         self._silent: set[int] = set()
         self._late_s: dict[int, float] = {}
         """when a position was last seen old, of those whose positions do not come regularly"""
@@ -59,15 +68,15 @@ class ChangeDetector:
         if view.last_received_s < 0.0:
             return
         before = self._modes.get(view.sysid)
-        if before is view.mode:
+        if before is not None and (before.mode, before.custom_mode) == (view.mode, view.custom_mode):
             return
-        self._modes[view.sysid] = view.mode
+        self._modes[view.sysid] = _FlownMode(view.mode, view.custom_mode, view.mode_name)
         if before is None:
             return
-        text = f"{before} -> {view.mode}"
-        if view.armed and not by_order and view.mode in GOING_DOWN and before not in GOING_DOWN:
+        text = f"{before.name} -> {view.mode_name}"
+        if view.armed and not by_order and view.mode in GOING_DOWN and before.mode not in GOING_DOWN:
             events.append(Event(now_s, view.sysid, "critical", text, "failsafe"))
-        elif view.armed and not by_order and view.mode is FlightMode.HOLD and before in STEERABLE:
+        elif view.armed and not by_order and view.mode is FlightMode.HOLD and before.mode in STEERABLE:
             events.append(Event(now_s, view.sysid, "warning", text, "failsafe"))
         else:
             events.append(Event(now_s, view.sysid, "info", text, "mode"))

@@ -261,6 +261,10 @@ class Fleet:
         """All of a vehicle that has several; none of one that has but number 0."""
         return self._tracks[sysid].batteries.all
 
+    def remote_id(self, sysid: int) -> str:
+        """A vehicle's Remote ID and its status, for a person; empty where it sends none."""
+        return self._tracks[sysid].remote_id.text
+
     def book(self, sysid: int, joules: int) -> None:
         """Energy that a vehicle was given by a base and cannot report itself."""
         self._tracks[sysid].battery.book(joules)
@@ -301,25 +305,21 @@ class Fleet:
 
     def _home(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         """An external vehicle's ground; and where its frame lies, if it says so by no other message."""
-        if not track.member.external:
-            return
-        if track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
+        if not track.member.external or track.doubts(plausibility.globe(content.latitude, content.longitude), time_s):
             return
         track.home_amsl_m = 1e-3 * content.altitude
         track.home_down_m = self.origin.alt_m - track.home_amsl_m
         local = (content.x, content.y, content.z)
-        if track.origin_reported or not track.profile.home_is_local:
-            return
-        if not all(abs(axis) <= plausibility.FARTHEST_M for axis in local):
+        says_frame = track.profile.home_is_local and not track.origin_reported
+        if not says_frame or not all(abs(axis) <= plausibility.FARTHEST_M for axis in local):
             return
         home = (1e-7 * content.latitude, 1e-7 * content.longitude, track.home_amsl_m)
         track.offset, track.turn_rad = frame_place(*origin_under(*home, local), *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
 
     def _named_int(self, track: VehicleTrack, content: Any, time_s: float) -> None:
-        if content.name not in (RECEIVED, GIVEN):
-            return
-        if track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
+        known = content.name in (RECEIVED, GIVEN)
+        if not known or track.doubts(track.battery.counter(content.name, content.value, time_s), time_s):
             return
         reported_s = track.session_s(content.time_boot_ms, time_s)
         when = GIVEN_REPORTED_S if content.name == GIVEN else RECEIVED_REPORTED_S
@@ -352,6 +352,9 @@ class Fleet:
         if track.listed_modes.get(content.custom_mode) != listed and len(track.listed_modes) < MOST_MODES:
             track.listed_modes = {**track.listed_modes, content.custom_mode: listed}
             track.take_mode()
+
+    def _remote_id(self, track: VehicleTrack, content: Any, time_s: float) -> None:
+        self.statustexts += [(track.member.sysid, *text) for text in track.remote_id.take(content)]
 
     def _modes_changed(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         if content.seq != track.modes_seq:
@@ -389,6 +392,8 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_ADSB_VEHICLE: Fleet._traffic_of,
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES: Fleet._available_mode,
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR: Fleet._modes_changed,
+    mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_BASIC_ID: Fleet._remote_id,
+    mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_LOCATION: Fleet._remote_id,
 }
 """Of messages that are not among the readings, or not always: BATTERY_STATUS of a vehicle with several."""
 _FROM_ANYBODY = (mav.MAVLINK_MSG_ID_ADSB_VEHICLE,)

@@ -117,7 +117,7 @@ def health_issues(
         found.append(HealthIssue("position uncertain", LOOK))
     found += _energy(view)
     if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
-        found.append(HealthIssue(str(view.mode), LOOK if ordered else ACT))
+        found.append(HealthIssue(view.mode_name, LOOK if ordered else ACT))
     elif down and not ordered:
         found.append(HealthIssue("not flying", ACT))
     elif ordered and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:

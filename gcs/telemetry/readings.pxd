@@ -17,7 +17,7 @@ cpdef enum:
 cpdef enum:
     FROM_AUTOPILOT = 1
     FROM_ANYBODY = 2
-    SMALL_IDS = 1024  # all messages that are kept have an id below
+    SMALL_IDS = 13_000  # all messages that are kept have an id below
 
 cdef enum:
     _HEADER_BYTES = 10

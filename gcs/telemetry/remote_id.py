@@ -1,4 +1,4 @@
-"""Remote ID of vehicles: their own id and status as one line, each time that one of them changes.
+"""Remote ID of a vehicle: its own id and status as one line, and that line each time that one of them changes.
 
 An id of another aircraft, which a transmitter has received, names that transmitter (id_or_mac) and is passed over.
 [lineage] https://mavlink.io/en/services/opendroneid.html
@@ -8,12 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from gcs.mavlink import codec
-from gcs.mavlink.codec import Frame
 from skytender import mavlink as mav
 
-_BASIC, _LOCATION = codec.msgid("OPEN_DRONE_ID_BASIC_ID"), codec.msgid("OPEN_DRONE_ID_LOCATION")
-_MESSAGES = (_BASIC, _LOCATION)
 _STATUS = {
     mav.MAV_ODID_STATUS_GROUND: "on the ground",
     mav.MAV_ODID_STATUS_AIRBORNE: "airborne",
@@ -23,34 +19,32 @@ _STATUS = {
 _SEVERE = (mav.MAV_ODID_STATUS_EMERGENCY, mav.MAV_ODID_STATUS_REMOTE_ID_SYSTEM_FAILURE)
 
 
-class RemoteIds:
-    """Ids and statuses by system id, as last reported."""
+class RemoteId:
+    """One vehicle's own id and status, as last reported."""
 
     def __init__(self) -> None:
-        self._ids: dict[int, str] = {}
-        self._statuses: dict[int, int] = {}
-        self._said: dict[int, tuple[str, int]] = {}
+        self._id: str | None = None
+        self._status: int | None = None
+        self.text = ""
+        """both, for a person: `SKYT500003: airborne`; empty until both have come"""
 
-    def receive(self, frame: Frame) -> tuple[int, str] | None:
-        """(MAV_SEVERITY, text) where a frame changes what is known of its sender."""
-        if frame.msgid not in _MESSAGES:
-            return None
-        content = codec.fields(frame)
+    def take(self, content: Any) -> list[tuple[int, str]]:
+        """Take OPEN_DRONE_ID_BASIC_ID's or OPEN_DRONE_ID_LOCATION's fields; (MAV_SEVERITY, text) where they change what
+        is known, else nothing."""
         if any(content.id_or_mac):
-            return None
-        if frame.msgid == _BASIC:
-            self._ids[frame.sysid] = _text(content)
+            return []
+        if hasattr(content, "uas_id"):
+            self._id = _id(content)
         else:
-            self._statuses[frame.sysid] = content.status
-        now = self._ids.get(frame.sysid), self._statuses.get(frame.sysid)
-        if None in now or self._said.get(frame.sysid) == now:
-            return None
-        self._said[frame.sysid] = own, status = str(now[0]), int(now[1] or 0)
-        severity = mav.MAV_SEVERITY_WARNING if status in _SEVERE else mav.MAV_SEVERITY_INFO
-        return severity, f"Remote ID {own}: {_STATUS.get(status, 'status not declared')}"
+            self._status = int(content.status)
+        if self._id is None or self._status is None:
+            return []
+        before, self.text = self.text, f"{self._id}: {_STATUS.get(self._status, 'status not declared')}"
+        severity = mav.MAV_SEVERITY_WARNING if self._status in _SEVERE else mav.MAV_SEVERITY_INFO
+        return [] if self.text == before else [(severity, f"Remote ID {self.text}")]
 
 
-def _text(content: Any) -> str:
+def _id(content: Any) -> str:
     """The id for a person: as text where it is one, else in hexadecimal digits."""
     raw = bytes(content.uas_id).rstrip(b"\0")
     text = raw.decode("ascii", "replace")

@@ -88,7 +88,7 @@ class VehicleView(NamedTuple):
 
     @property
     def mode_name(self) -> str:
-        """Its mode for a person; before its first HEARTBEAT that is none."""
+        """Its mode for a person, as its autopilot's own people call it; before its first HEARTBEAT that is none."""
         if self.last_received_s < 0.0:
             return str(self.mode)
         return standard_modes.mode_name(self.profile, self.custom_mode, self.listed_modes)

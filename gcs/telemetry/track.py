@@ -34,6 +34,7 @@ from gcs.telemetry.readings import (
     SYSTEM_STATUS,
     new_readings,
 )
+from gcs.telemetry.remote_id import RemoteId
 from gcs.telemetry.state import EMPTY, MODE_STALE_S, Vec3, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -114,6 +115,7 @@ class VehicleTrack:
         self.batteries = Batteries()
         """since it has reported another than number 0"""
         self.texts = Texts()
+        self.remote_id = RemoteId()
         self.doubt = ""
         self.doubted_s = -math.inf
         self.origin_refused = False

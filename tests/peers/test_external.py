@@ -123,7 +123,7 @@ def test_refusals_of_both_kinds_were_shown_and_overcome(flown: Outcome) -> None:
 
 def test_a_px4_that_returns_for_want_of_set_points_takes_part_again_when_they_flow(flown: Outcome) -> None:
     said = (flown.folder / "session.log").read_text(encoding="utf-8")
-    assert "Its failsafe flies it (return): it takes part again " in said
+    assert "Its failsafe flies it (Return): it takes part again " in said
     assert "Takes part again" in said or "Brought back" in said  # where a busy machine kept it away for 3 s
     assert "it has booted" not in said
 

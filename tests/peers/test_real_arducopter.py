@@ -127,7 +127,7 @@ def test_it_is_left_to_who_takes_it_and_flies_on_when_it_is_given_back(flown: Fl
     assert [mode for mode, _ in groupby(modes)][-4:] == [GUIDED, BRAKE, GUIDED, LAND]
     asked = [m.command for _, m in flown.outcome.messages("COMMAND_LONG") if m.target_system == COPTER]
     assert asked.count(mav.MAV_CMD_DO_SET_MODE) == 1  # before it was armed
-    assert "A pilot or another station flies it (hold)" in flown.said
+    assert "A pilot or another station flies it (BRAKE)" in flown.said
 
 
 def test_it_refuses_nothing_that_it_is_told_once_it_is_armed(flown: Flown) -> None:

@@ -126,6 +126,7 @@ def vehicle(sysid: int, t_s: float, **other: Any) -> dict[str, Any]:
         "alive": True,
         "stage": "fly",
         "mode": "offboard",
+        "mode_name": "Offboard",
         "armed": True,
         "landed": False,
         "autopilot": "px4",
@@ -164,7 +165,8 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
     services = []
     if t_s >= 12.0:
         receiver = 5 if t_s >= 38.0 else 2
-        fleet[receiver] |= {"state": "served", "mode": "refuel", "note": f"served by {TANKER}: join"}
+        fleet[receiver] |= {"state": "served", "mode": "refuel", "mode_name": "Refuel"}
+        fleet[receiver] |= {"note": f"served by {TANKER}: join"}
         fleet[TANKER] |= {"state": "serves", "note": f"serves {receiver}: join"}
         services.append(
             {
@@ -182,10 +184,10 @@ def snapshot(t_s: float, *, since_s: float | None = None, **other: Any) -> dict[
             }
         )
     if t_s >= 36.2:
-        fleet[4] |= {"mode": "hold", "trouble": ["held by the operator"], "severity": 1}
+        fleet[4] |= {"mode": "hold", "mode_name": "Hold", "trouble": ["held by the operator"], "severity": 1}
     if t_s >= 40.0:
-        low = {"battery": 0.08, "remaining_j": 1920.0, "endurance_s": 16.0, "mode": "return"}
-        fleet[3] |= {**low, "trouble": ["battery 8 %", "return"], "severity": 2, "state": "waits"}
+        low = {"battery": 0.08, "remaining_j": 1920.0, "endurance_s": 16.0, "mode": "return", "mode_name": "Return"}
+        fleet[3] |= {**low, "trouble": ["battery 8 %", "Return"], "severity": 2, "state": "waits"}
     fleet[int(ranked[0])] |= {"state": "leads"} if fleet[int(ranked[0])]["state"] == "competing" else {}
     after_s = -1.0 if since_s is None else since_s
     return {

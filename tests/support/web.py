@@ -44,7 +44,7 @@ def row(sysid: int, t_s: float, **changed: Any) -> dict[str, Any]:
     """A vehicle on a circle."""
     return {
         "sysid": sysid, "role": "pursuer", "label": f"pursuer {sysid}", "alive": True, "stage": "fly",
-        "mode": "offboard", "armed": True, "landed": False, "autopilot": "px4",
+        "mode": "offboard", "mode_name": "Offboard", "armed": True, "landed": False, "autopilot": "px4",
         "p_ned": [sysid % 16 + 0.2 * t_s, sysid // 16, -5.0], "v_ned": [0.2, 0.0, 0.0],
         "speed_m_s": 0.2, "height_m": 5.0, "heading_rad": 0.3, "roll_rad": 0.05,
         "pitch_rad": -0.05, "aim_ned": None, "margin_m": None, "age_s": 0.0, "heard_s": 0.1, "lost": 0,

@@ -223,7 +223,7 @@ def stopped_at(line: str, tmp_path: Path) -> tuple[Outcome, str]:
     content = small(goal={"duration_s": 3000.0}, clock={"mode": "real", "speed": 5.0})
     session = Running(content, tmp_path, "--plain", report=True)
     try:
-        next(said for said in session.lines() if "offboard" in said)
+        next(said for said in session.lines() if "Offboard" in said)
         family = session.family()
         session.process.send_signal(signal.SIGINT)
         next(said for said in session.lines() if said.startswith(line))

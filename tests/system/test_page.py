@@ -103,7 +103,7 @@ def test_a_report_plays_from_a_file_and_fetches_nothing(report: Watched, recorde
     assert at["p_ned"] == pytest.approx(truth.p_ned[k], abs=0.05)
     service = recorded.summary["refuelling"][0]
     assert service["start_s"] < 10.0 < service["end_s"]
-    assert (at["mode"], at["state"]) == ("refuel", "served")
+    assert (at["mode_name"], at["state"]) == ("Refuel", "served")
     page.get_by_role("button", name="play", exact=True).click()
     until(page, "skytender.current.t_s > 11")
     assert page.evaluate("skytender.time.now_s > 11"), "the figures' line of time goes with it"
@@ -205,7 +205,7 @@ def test_a_link_without_its_token_shows_nothing(browser: Browser) -> None:
 
 
 def test_hostile_names_and_texts_are_shown_as_text(browser: Browser) -> None:
-    texts = dict.fromkeys(("label", "mode", "state", "note", "figure"), HOSTILE)
+    texts = dict.fromkeys(("label", "mode", "mode_name", "state", "note", "figure"), HOSTILE)
     rows = [row(1, 0.0, role="target", trouble=[HOSTILE], severity=2, condition="failing", **texts)]
     event = {"t_s": 1.0, "sysid": 1, "level": "warning", "kind": "text", "text": HOSTILE}
     with served(Script(session(rows, name=HOSTILE), snapshot(1.0, rows, event))) as links:

@@ -135,7 +135,7 @@ def test_vehicles_in_a_box_on_the_map_are_given_one_order(flying: Flying) -> Non
     count = len(selected(page))
     dialog = asked(page, "hold")
     expect(dialog).to_contain_text(f"Hold {count} vehicles?")
-    expect(dialog.get_by_role("listitem")).to_have_text("pursuer 2 is taken by the operator already (hold).")
+    expect(dialog.get_by_role("listitem")).to_have_text("pursuer 2 is taken by the operator already (Hold).")
     answered(page, f"hold: {count} of {count} obey.")
     mode(page, "hold", 1, 2)
 

@@ -175,8 +175,8 @@ def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
     rows[0] |= {"landed": True, "mode": "land"}
     rows[1] |= {"armed": False, "landed": True}
     rows[2] |= {"condition": "silent", "figure": "6 s", "severity": 2, "trouble": ["no telemetry for 6 s"]}
-    rows[3] |= {"note": "taken by the operator", "mode": "hold"}
-    rows[4] |= {"condition": "failing", "mode": "return", "severity": 2, "trouble": ["return"], "figure": "return"}
+    rows[3] |= {"note": "taken by the operator", "mode_name": "BRAKE"}
+    rows[4] |= {"condition": "failing", "mode_name": "RTL", "severity": 2, "trouble": ["RTL"], "figure": "RTL"}
     source, watched = showing
     page = watched.page
     source.feed(snapshot(2.0, rows))
@@ -192,8 +192,8 @@ def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
             "pursuer 1 has landed and stays there.",
             "pursuer 2 is on the ground and stays there.",
             "pursuer 3 is silent (6 s) and may not hear it.",
-            "pursuer 4 is taken by the operator already (hold).",
-            "pursuer 5 is in return by its own failsafe, which the order would end.",
+            "pursuer 4 is taken by the operator already (BRAKE).",
+            "pursuer 5 is in RTL by its own failsafe, which the order would end.",
         ]
     )
     expect(dialog.get_by_role("region", name="plan B").locator("tbody tr")).to_have_text(

@@ -11,13 +11,14 @@ from web import Script, Watched, row, served, session, snapshot, until
 SCREENS = ((390, 844, True), (1280, 720, False), (1920, 1080, True), (3840, 2160, False))
 """(width, height, whether in the dark theme): one for each arrangement of the page's style sheet."""
 CONDITIONS = ("dead", "silent", "failing", "low", "warned")
+LANDS = {"mode": "land", "mode_name": "Land"}
 TROUBLES: dict[int, dict[str, Any]] = {
-    1: {"landed": True, "mode": "land", "height_m": 0.0, "severity": 0},
+    1: {"landed": True, **LANDS, "height_m": 0.0, "severity": 0},
     2: {"condition": "low", "figure": "50 s", "urgency": -50.0, "trouble": ["50 s of flight left"], "battery": 0.3},
     3: {"condition": "silent", "figure": "6 s", "urgency": 6.0, "trouble": ["no telemetry for 6 s"], "severity": 2},
     4: {"condition": "low", "figure": "48 s", "urgency": -48.0, "trouble": ["48 s of flight left"], "battery": 0.15},
     5: {"condition": "warned", "figure": "30 % packet loss", "trouble": ["30 % packet loss"]},
-    6: {"condition": "failing", "figure": "land", "trouble": ["land", "battery 4 %"], "severity": 2, "mode": "land"},
+    6: {"condition": "failing", "figure": "Land", "trouble": ["Land", "battery 4 %"], "severity": 2, **LANDS},
     7: {"condition": "dead", "figure": "9 s", "urgency": 9.0, "trouble": ["dead"], "severity": 2, "alive": False},
 }
 CUT_OFF = """[...document.querySelectorAll('button, h1, h2, .badge, .strip li, .strip .figures-of, dt, dd, ' +
@@ -75,7 +76,7 @@ def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_
             [
                 "✕1Dead: 7 (9 s)",
                 "⌀1Silent: 3 (6 s)",
-                "▲1Failing: 6 (land)",
+                "▲1Failing: 6 (Land)",
                 "◔2Low battery: 4 (48 s left), 2 (50 s)",
                 "△1Warned: 5 (30 % packet loss)",
             ]
@@ -130,7 +131,7 @@ def test_trouble_is_read_on_every_screen_and_nothing_is_cut_off(browser: Browser
         low = [int(rows_shown.nth(k).locator("td").first.inner_text()) for k in (3, 4)]
         assert low[1] == low[0] + 2, "by their ids"
         expect(rows_shown.nth(6)).to_contain_text("▼landed")
-        expect(rows_shown.nth(2)).to_contain_text("land, battery 4 %")
+        expect(rows_shown.nth(2)).to_contain_text("Land, battery 4 %")
         table.get_by_role("button", name="id").click()
         assert [rows_shown.nth(k).locator("td").first.inner_text() for k in range(3)] == ["1", "2", "3"]
         if link == "view":
@@ -143,7 +144,7 @@ def test_trouble_is_read_on_every_screen_and_nothing_is_cut_off(browser: Browser
 
 
 def many_are_filtered_counted_and_gone_to(page: Page) -> None:
-    expect(page.locator(".totals")).to_have_text("254 vehicles: 252 offboard, 2 land")
+    expect(page.locator(".totals")).to_have_text("254 vehicles: 252 Offboard, 2 Land")
     assert "1 below 20 %" in (page.locator(".histogram").get_attribute("aria-label") or "")
     page.get_by_label("filter vehicles").fill("25")
     assert page.locator("table.fleet tbody tr:visible").count() == 6, "25, and 250 to 254"

@@ -96,7 +96,7 @@ def beside(command: str, folder: Path) -> Iterator[None]:
     with subprocess.Popen(argv, cwd=folder, stdout=subprocess.PIPE, text=True, env=environment()) as companion:
         assert companion.stdout is not None
         lines = iter(companion.stdout.readline, "")
-        assert any(re.match(r"vehicle \d+: ", line) or "offboard" in line for line in lines)
+        assert any(re.match(r"vehicle \d+: ", line) or "Offboard" in line for line in lines)
         try:
             yield
         finally:

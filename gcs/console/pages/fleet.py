@@ -58,8 +58,8 @@ def mode(vehicle: Vehicle) -> Span:
     """Its flight mode, or that it is dead."""
     if not vehicle.get("alive", True):
         return "DEAD", "act"
-    word = clean(vehicle.get("mode") or "-")
-    return word, {"return": "look", "land": "look", "hold": "held", "refuel": "meet"}.get(word, "")
+    style = {"return": "look", "land": "look", "hold": "held", "refuel": "meet"}.get(vehicle.get("mode") or "", "")
+    return clean(vehicle.get("mode_name") or "-"), style
 
 
 def _mode(vehicle: Vehicle, glyphs: Glyphs, width: int) -> StyledLine:

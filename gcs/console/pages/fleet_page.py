@@ -21,7 +21,7 @@ class FleetPage:
     def ordered(self, seen: SessionModel) -> list[Vehicle]:
         """The vehicles that the filter lets through."""
         if not seen.vehicles:
-            return [{**known, "mode": "starting"} for known in seen.known.values()]
+            return [{**known, "mode_name": "starting"} for known in seen.known.values()]
         words = self.words.casefold().split()
         found = [v for v in seen.vehicles.values() if all(_has(v, word) for word in words)]
         return ordered(found, self.order_by)
@@ -55,5 +55,5 @@ def _has(vehicle: Vehicle, word: str) -> bool:
     """Whether a number begins its id, or a word is in its role, label, mode, state or troubles."""
     if word.isdigit():
         return str(vehicle["sysid"]).startswith(word)
-    told = (vehicle.get(key) for key in ("role", "label", "mode", "state"))
+    told = (vehicle.get(key) for key in ("role", "label", "mode", "mode_name", "state"))
     return word in " ".join(map(str, (*told, *issues(vehicle)))).casefold()

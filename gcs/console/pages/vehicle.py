@@ -77,8 +77,9 @@ def _state(watch: SessionModel, vehicle: Vehicle, width: int, glyphs: Glyphs) ->
     if batteries := vehicle.get("batteries"):
         text = "   ".join(map(_battery, batteries))
         lines += [[(" " + left("batteries", NAME), "dim"), (part, "")] for part in wrapped(text, width - NAME - 2)]
-    if note := clean(vehicle.get("note") or ""):
-        lines.append(fitted([(" " + left("note", NAME), "dim"), (note, "")], width, glyphs))
+    for name, key in (("Remote ID", "remote_id"), ("note", "note")):
+        if text := clean(vehicle.get(key) or ""):
+            lines.append(fitted([(" " + left(name, NAME), "dim"), (text, "")], width, glyphs))
     return lines
 
 

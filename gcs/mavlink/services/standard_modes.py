@@ -30,7 +30,7 @@ _FLOWN = {
     mav.MAV_STANDARD_MODE_TAKEOFF: FlightMode.TAKEOFF,
 }
 _NAMES = {
-    value: name.removeprefix("MAV_STANDARD_MODE_").lower().replace("_", " ")
+    value: name.removeprefix("MAV_STANDARD_MODE_").replace("_", " ").capitalize()
     for value, name in mav.ENUMS["MAV_STANDARD_MODE"].items()
 }
 ASK_EVERY_S, ASK_TIMES = 2.0, 3
@@ -51,13 +51,13 @@ def mode(profile: Profile, custom_mode: int, listed: Listed) -> FlightMode:
 
 
 def mode_name(profile: Profile, custom_mode: int, listed: Listed) -> str:
-    """The same for a person: as the table names it, else as the vehicle does."""
+    """The same for a person: as the table names it, else as the vehicle does, else as its standard mode is called."""
     said = listed.get(custom_mode)
     if named(profile, custom_mode) or said is None:
         return profile.mode_name(custom_mode)
     flown = _FLOWN.get(said.standard)
-    standard = _NAMES.get(said.standard, "") if said.standard else ""
-    return (str(flown) if flown else standard or said.name.lower()) or profile.mode_name(custom_mode)
+    standard = str(flown).capitalize() if flown else _NAMES.get(said.standard, "") if said.standard else ""
+    return said.name or standard or profile.mode_name(custom_mode)
 
 
 def ending(profile: Profile, end: End, listed: Listed) -> tuple[int, Params]:

@@ -30,6 +30,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
         sysid=sysids,
         role=[view.role for view in views],
         mode=[str(view.mode) for view in views],
+        mode_name=[view.mode_name for view in views],
         alive=columns.alive.tolist(),
         armed=[view.armed for view in views],
         p_ned=columns.p_ned.tolist(),

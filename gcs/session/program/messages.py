@@ -36,6 +36,7 @@ class FleetMessage(Struct, tag_field="type", tag="fleet"):
     sysid: list[int]
     role: list[str]
     mode: list[str]
+    mode_name: list[str]
     alive: list[bool]
     armed: list[bool]
     p_ned: list[Numbers]

@@ -39,8 +39,8 @@ export class Words {
 
   /** @param {number} t_s @param {VehicleRow} row */
   take(t_s, row) {
-    const { mode, stage, state, alive, armed, landed, note, trouble, severity, condition, figure, urgency, autopilot } = row;
-    const words = { mode, stage, state, alive, armed, landed, note, trouble, severity, condition, figure, urgency, autopilot };
+    const { mode, mode_name, stage, state, alive, armed, landed, note, trouble, severity, condition, figure, urgency, autopilot } = row;
+    const words = { mode, mode_name, stage, state, alive, armed, landed, note, trouble, severity, condition, figure, urgency, autopilot };
     const key = JSON.stringify(words);
     if (key === this.last) return;
     if (this.t_s.length && t_s <= this.t_s[this.t_s.length - 1]) return; // seen before, as after a seek
@@ -256,7 +256,7 @@ export class Flight {
       const battery = at.battery === null ? null : at.battery / 100;
       vehicles.push(/** @type {VehicleRow} */ ({
         sysid, role: member?.role ?? "", label: member?.label ?? String(sysid), autopilot: null, alive: true, stage: "",
-        mode: "", armed: true, landed: false, state: "", note: "", trouble: [], severity: 0, condition: "", figure: "", urgency: 0,
+        mode: "", mode_name: "", armed: true, landed: false, state: "", note: "", trouble: [], severity: 0, condition: "", figure: "", urgency: 0,
         ...this.words.get(sysid)?.at(t_s),
         p_ned: at.n === null ? null : [at.n, at.e, at.d], v_ned: [0, 0, 0], speed_m_s: at.speed ?? 0, height_m: at.height,
         heading_rad: at.heading ?? 0, roll_rad: at.roll ?? 0, pitch_rad: at.pitch ?? 0, aim_ned: null, margin_m: null,

@@ -118,8 +118,8 @@ function doubt(row) {
   if (row.condition === "silent") return `is silent (${row.figure}) and may not hear it.`;
   if (!row.armed) return "is on the ground and stays there.";
   if (row.landed) return "has landed and stays there.";
-  if (row.note.startsWith("taken by")) return `is ${row.note} already (${row.mode}).`;
-  if (row.condition === "failing" && row.trouble.includes(row.mode)) return `is in ${row.mode} by its own failsafe, which the order would end.`;
+  if (row.note.startsWith("taken by")) return `is ${row.note} already (${row.mode_name}).`;
+  if (row.condition === "failing" && row.trouble.includes(row.mode_name)) return `is in ${row.mode_name} by its own failsafe, which the order would end.`;
   return "";
 }
 
@@ -157,5 +157,5 @@ function planned(rows, plans) {
 function state(row) {
   const battery = row.battery === null ? "" : `, battery ${(100 * row.battery).toFixed(0)} %`;
   const height = row.height_m === null ? "" : `, ${row.height_m.toFixed(1)} m high`;
-  return `${row.mode || row.state || "mode not known"}${height}${battery}`;
+  return `${row.mode_name || row.state || "mode not known"}${height}${battery}`;
 }

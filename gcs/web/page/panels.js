@@ -126,7 +126,7 @@ export function showVehicle(at, snapshot, sysid, session) {
   const degrees = (/** @type {number} */ rad) => number((rad * 180) / Math.PI, 0, "°");
   /** @type {[string, string][]} */
   const facts = [
-    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode || "–"], ["autopilot", row.autopilot ?? "–"],
+    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode_name || "–"], ["autopilot", row.autopilot ?? "–"],
     ["armed", row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
     ["battery", row.battery === null ? "–" : `${number(100 * row.battery, 1)} %${row.remaining_j === null ? "" : `, ${number(row.remaining_j / 1e3, 1)} kJ`}`],
     ...(row.batteries ?? []).map((one) => /** @type {[string, string]} */ ([`battery ${one.id}${one.function ? `, ${one.function}` : ""}`,
@@ -138,6 +138,7 @@ export function showVehicle(at, snapshot, sysid, session) {
     ["competition", row.v === null ? "does not compete" : `v ${number(row.v, 2)}${row.tau === null ? "" : `, τ ${number(row.tau, 2)}`}`],
     ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],
     ["position's age", number(row.age_s, 1, " s")],
+    ...(row.remote_id ? [/** @type {[string, string]} */ (["Remote ID", row.remote_id])] : []),
     ...(session?.vehicles ?? []).flatMap((one) => (one.sysid === sysid && one.plan_b ? [/** @type {[string, string]} */ (["plan B", planText(one.plan_b)])] : [])),
   ];
   const key = `${row.sysid} ${row.trouble.join("|")} ${row.note} ${facts.map(([name]) => name).join("|")}`;

@@ -368,7 +368,7 @@ function fillFlight(flight, model, told, column) {
     const words = new Words();
     for (const [t_s, mode, armed, in_air] of told.words[String(one.sysid)] ?? []) {
       words.t_s.push(t_s);
-      words.rows.push({ mode, armed, landed: !in_air });
+      words.rows.push({ mode_name: mode, armed, landed: !in_air });
     }
     flight.words.set(one.sysid, words);
   }

@@ -18,7 +18,7 @@ const COLUMNS = [
   { key: "id", name: "id", text: (row) => String(row.sysid), sort: (row) => row.sysid },
   { key: "trouble", name: "trouble", word: true, text: (row) => row.trouble.join(", ") || row.note || (row.landed ? "landed" : ""), sort: (row) => rank(row) + (row.condition || row.landed ? 0 : 0.5) },
   { key: "state", name: "state", word: true, folds: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
-  { key: "mode", name: "mode", word: true, folds: true, text: (row) => row.mode || "–", sort: (row) => row.mode },
+  { key: "mode", name: "mode", word: true, folds: true, text: (row) => row.mode_name || "–", sort: (row) => row.mode_name },
   { key: "role", name: "role", word: true, folds: true, text: (row) => row.role, sort: (row) => row.role },
   { key: "battery", name: "battery %", text: (row) => number(row.battery === null ? null : 100 * row.battery, 0), sort: (row) => row.battery ?? -1 },
   { key: "height", name: "height m", text: (row) => number(row.height_m, 1), sort: (row) => row.height_m ?? -1e9 },
@@ -97,7 +97,7 @@ export class FleetTable {
       say(one.folded, FOLDED.map((col) => col.text(row)).filter((text) => text !== "–").join(" · "));
       const colour = colourOf(row.sysid);
       if (one.colour !== colour) one.swatch.style.background = one.colour = colour;
-      const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
+      const text = `${row.sysid} ${row.role} ${row.label} ${row.state} ${row.mode} ${row.mode_name} ${row.note} ${row.trouble.join(" ")}`.toLowerCase();
       const hidden = wanted !== "" && !wanted.split(/\s+/).every((word) => (/^\d+$/.test(word) ? String(row.sysid).startsWith(word) : text.includes(word)));
       if (one.row.hidden !== hidden) one.row.hidden = hidden;
       const selected = String(picked.has(row.sysid));
@@ -150,7 +150,7 @@ export class FleetTable {
     const counts = new Map();
     const bins = new Array(BINS).fill(0);
     for (const row of snapshot.vehicles) {
-      const state = row.mode || row.state || "unknown";
+      const state = row.mode_name || row.state || "unknown";
       counts.set(state, (counts.get(state) ?? 0) + 1);
       if (row.battery !== null && Number.isFinite(row.battery)) bins[Math.min(Math.max(Math.floor(BINS * row.battery), 0), BINS - 1)] += 1;
     }

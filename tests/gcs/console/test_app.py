@@ -13,7 +13,7 @@ def test_every_page_names_the_vehicles_in_trouble_the_worst_first(flown: Message
         for key in PAGES:
             await shown.press(key)
             line = shown.lines()[2]
-            assert line.index("pursuer 3: battery 8 %, return") < line.index("pursuer 4: held")
+            assert line.index("pursuer 3: battery 8 %, Return") < line.index("pursuer 4: held")
             assert "ACT 1" in line
             assert "LOOK 1" in line
 

@@ -50,7 +50,7 @@ def test_more_than_fit_are_counted_by_mode_and_charge() -> None:
     offboard = sum(row["mode"] == "offboard" and row["alive"] for row in rows)
     low = sum(row["battery"] < 0.2 for row in rows)
     (line,) = (line for line in screen(CROWD, size=(160, 50)) if "more" in line)
-    assert f"{offboard} offboard" in line
+    assert f"{offboard} Offboard" in line
     assert (f"{low} below 20 %" in line) == (low > 0)
 
 

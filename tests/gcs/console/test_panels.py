@@ -125,7 +125,7 @@ def test_the_table_is_as_wide_as_its_room_and_its_columns_stand_under_their_titl
     assert {width_of(line) for line in lines} == {width}
     assert len(ids) == 7
     head, row = text(lines)[:2]
-    assert row[head.index("mode") :].startswith("offboard")
+    assert row[head.index("mode") :].startswith("Offboard")
 
 
 def test_positions_that_are_far_away_are_rounded_not_cut() -> None:

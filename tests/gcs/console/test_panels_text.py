@@ -27,6 +27,7 @@ def vehicle(sysid: int, role: str = "pursuer", **other: Any) -> dict[str, Any]:
         "alive": True,
         "stage": "fly",
         "mode": "offboard",
+        "mode_name": "Offboard",
         "armed": True,
         "p_ned": [3.25, -1.5, -2.125],
         "speed_m_s": 0.75,
@@ -70,8 +71,8 @@ def demo(**other: Any) -> dict[str, Any]:
         vehicle(1, v=0.93),
         vehicle(2, battery=0.42, p_ned=[-12.34, 103.45, -3.0], v=0.02),
         vehicle(3, battery=0.15, endurance_s=20.0, v=0.05),
-        vehicle(4, mode="hold"),
-        vehicle(5, mode="refuel", note="served by 201: transfer"),
+        vehicle(4, mode="hold", mode_name="Hold"),
+        vehicle(5, mode="refuel", mode_name="Refuel", note="served by 201: transfer"),
         vehicle(101, "target", target_m=None),
         vehicle(201, "tanker", target_m=None, note="serves 5: transfer"),
         **({"services": [SERVICE], "events": EVENTS} | other),
@@ -91,7 +92,7 @@ def test_text_from_the_air_cannot_steer_the_terminal() -> None:
 
 def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
     assert progress(demo()) == (
-        "   52.3 s of 150 s | x4.98 | flying | 5 offboard, 1 hold, 1 refuel | lowest battery 15 % (pursuer 3) | "
+        "   52.3 s of 150 s | x4.98 | flying | 5 Offboard, 1 Hold, 1 Refuel | lowest battery 15 % (pursuer 3) | "
         "pursuit 12 of 20 s | refuelled 2 of 3"
     )
 
@@ -109,8 +110,8 @@ def test_each_event_becomes_one_line_with_its_level_and_vehicle() -> None:
 
 
 def test_a_change_of_mode_is_told_unless_its_vehicle_has_just_said_so() -> None:
-    changed = event(52.4, 5, "offboard -> hold") | {"kind": "mode"}
-    assert news(demo(events=[changed])) == ["   52.4 s pursuer 5: offboard -> hold"]
+    changed = event(52.4, 5, "Offboard -> Hold") | {"kind": "mode"}
+    assert news(demo(events=[changed])) == ["   52.4 s pursuer 5: Offboard -> Hold"]
     announced = event(51.5, 5, "Set points lost: hold") | {"kind": "text"}
     assert news(demo(events=[announced, changed])) == ["   51.5 s pursuer 5: Set points lost: hold"]
     assert len(news(demo(events=[announced | {"sysid": 4}, changed]))) == 2
@@ -128,11 +129,11 @@ def test_the_lines_do_not_depend_on_how_often_snapshots_come(at_once: int) -> No
     happened = [
         event(40.0, 5, "Refuelling of 5 by 201 decided by competition") | {"kind": "decision"},
         event(44.0, 5, "Refuel") | {"kind": "text"},
-        event(44.0, 5, "offboard -> refuel") | {"kind": "mode"},
+        event(44.0, 5, "Offboard -> Refuel") | {"kind": "mode"},
         event(44.1, 5, "Transfer from 201 to 5 begun") | {"kind": "decision"},
-        event(47.0, 4, "offboard -> hold", "warning") | {"kind": "failsafe"},
+        event(47.0, 4, "Offboard -> Hold", "warning") | {"kind": "failsafe"},
         event(50.0, 5, "Refuelling of 5 by 201 ended: full, 9000 J") | {"kind": "decision"},
-        event(52.5, 5, "refuel -> offboard") | {"kind": "mode"},
+        event(52.5, 5, "Refuel -> Offboard") | {"kind": "mode"},
     ]
     phases = ("join", "start receiver", "transfer", "catch up")
     lines: list[str] = []
@@ -144,9 +145,9 @@ def test_the_lines_do_not_depend_on_how_often_snapshots_come(at_once: int) -> No
         "pursuer 5: Refuelling of 5 by 201 decided by competition",
         "pursuer 5: Refuel",
         "pursuer 5: Transfer from 201 to 5 begun",
-        "WARNING: pursuer 4: offboard -> hold",
+        "WARNING: pursuer 4: Offboard -> Hold",
         "pursuer 5: Refuelling of 5 by 201 ended: full, 9000 J",
-        "pursuer 5: refuel -> offboard",
+        "pursuer 5: Refuel -> Offboard",
     ]
 
 

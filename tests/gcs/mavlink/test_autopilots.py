@@ -71,12 +71,39 @@ def test_ardupilot_numbers_its_modes_by_the_kind_of_vehicle(vehicle_type: int, t
 
 def test_an_ardupilots_mode_is_named_as_its_kind_of_vehicle_names_it() -> None:
     names = [profile_of(3, kind).mode_name(11) for kind in (1, 2, 10)]
-    assert names == ["return", "drift", "return"]
-    assert [profile_of(3, kind).mode_name(19) for kind in (12, 2, 20)] == ["manual", "avoid ADSB", "hold"]
+    assert names == ["RTL", "DRIFT", "RTL"]
+    assert [profile_of(3, kind).mode_name(19) for kind in (12, 2, 20)] == ["MANUAL", "AVOID_ADSB", "QLOITER"]
+    assert profile_of(3, 12).mode_name(21) == "SURFTRAK"  # of SUB_MODE, which MAVProxy's table is older than
+
+
+PX4_STATES = {
+    "Manual": (1, 0), "Altitude": (2, 0), "Position": (3, 0), "Mission": (4, 4), "Hold": (4, 3), "Return": (4, 5),
+    "Position Slow": (3, 2), "Guided Course": (4, 19), "Altitude Cruise": (11, 0), "Acro": (5, 0),
+    "Termination": (10, 0), "Offboard": (6, 0), "Stabilized": (7, 0), "Takeoff": (4, 2), "Land": (4, 6),
+    "Follow Target": (4, 8), "Precision Landing": (4, 9), "Orbit": (3, 1), "VTOL Takeoff": (4, 10),
+    "External 1": (4, 11), "External 8": (4, 18),
+}  # fmt: skip
+"""`nav_state_names` of PX4 1.18's src/lib/modes/ui.hpp, and the main and sub mode that its
+src/modules/commander/px4_custom_mode.h gives each; Descend is sent as Land."""
+
+
+def test_px4s_modes_are_named_as_px4_names_them() -> None:
+    assert {name: PX4.mode_name(main << 16 | sub << 24) for name, (main, sub) in PX4_STATES.items()} == {
+        name: name for name in PX4_STATES
+    }
+
+
+ALL = [PX4, GENERIC, *(profile_of(3, kind) for kind in (2, 1, 10, 12, 7))]
+
+
+@pytest.mark.parametrize("profile", ALL)
+def test_no_mode_of_the_table_is_a_mere_number(profile: Profile) -> None:
+    assert profile.modes.keys() <= profile.names.keys()
 
 
 def test_offboard_is_named_as_the_autopilots_people_do() -> None:
     assert mavutil.mode_mapping_acm[int(ARDUCOPTER.offboard[1])] == ARDUCOPTER.offboard_name
+    assert PX4_STATES[PX4.offboard_name] == (6, 0)
     _, main, sub = mavutil.px4_map[PX4.offboard_name.upper()]
     assert (float(main), float(sub)) == PX4.offboard[1:]
 

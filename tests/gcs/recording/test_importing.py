@@ -97,8 +97,8 @@ def test_a_log_is_the_flight_that_was_flown(log: Path) -> None:
 @pytest.mark.parametrize(
     ("program", "mode", "role", "name"),
     [
-        ("ArduPlane", 11, "plane", "return"), ("ArduSub", 19, "submarine", "manual"),
-        ("ArduRover", 4, "rover", "hold"), ("ArduCopter", 11, "copter", "drift"),
+        ("ArduPlane", 11, "plane", "RTL"), ("ArduSub", 19, "submarine", "MANUAL"),
+        ("ArduRover", 4, "rover", "HOLD"), ("ArduCopter", 11, "copter", "DRIFT"),
     ],
 )  # fmt: skip
 def test_a_log_is_of_its_program_and_in_its_mode_from_its_first_row_on(
@@ -108,13 +108,13 @@ def test_a_log_is_of_its_program_and_in_its_mode_from_its_first_row_on(
     path = dataflash(tmp_path, program=program, mode=mode)
     played = gcs("replay", str(path), "--json")
     snapshots = [line for line in map(json.loads, played.stdout.splitlines()) if line["type"] == "snapshot"]
-    told = {(row["role"], row["mode"]) for line in snapshots for row in line["vehicles"]}
+    told = {(row["role"], row["mode_name"]) for line in snapshots for row in line["vehicles"]}
     assert told == {(role, name)}
 
 
 @pytest.mark.parametrize(
     ("nav_state", "name"),
-    [(0, "manual"), (8, "altitude, cruise"), (18, "land"), (20, "precision land"), (30, "external 8")],
+    [(0, "Manual"), (8, "Altitude Cruise"), (18, "Land"), (20, "Precision Landing"), (30, "External 8")],
 )
 def test_every_navigation_state_of_px4_is_a_mode(tmp_path: Path, nav_state: int, name: str) -> None:
     """The states of PX4's VehicleStatus.msg; DESCEND is shown as a landing, as PX4's own MAVLink shows it."""

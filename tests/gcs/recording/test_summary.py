@@ -30,8 +30,8 @@ def test_the_file_has_the_contracts_fields_in_order(scripted: Any) -> None:
     assert list(content) == FIELDS
     assert [vehicle["sysid"] for vehicle in content["vehicles"]] == [1, 101, 201]
     assert list(content["vehicles"][0]) == [
-        "sysid", "role", "final_mode", "max_tracking_error_m", "path_length_m", "control_effort", "energy",
-        "missing_streams", "check_list", "refused_messages", "mission", "links",
+        "sysid", "role", "final_mode", "final_mode_name", "max_tracking_error_m", "path_length_m", "control_effort",
+        "energy", "missing_streams", "check_list", "refused_messages", "mission", "links",
     ]  # fmt: skip
     assert all(vehicle["missing_streams"] == [] for vehicle in content["vehicles"])
     assert (content["schema"], content["scenario"], content["clock"]) == (1, "scripted", "lockstep")

@@ -17,7 +17,7 @@ from gcs.session.program.messages import FleetMessage
 
 
 def vehicle(sysid: int, **changed: Any) -> dict[str, Any]:
-    told = {"sysid": sysid, "role": "pursuer", "mode": "offboard", "alive": True, "armed": True}
+    told = {"sysid": sysid, "role": "pursuer", "mode": "mission", "mode_name": "AUTO", "alive": True, "armed": True}
     told |= {"p_ned": [1.0, 2.0, -3.0], "v_ned": [0.5, 0.0, 0.0], "target_m": 2.0, "battery": 0.5}
     told |= {"attitude_rad": [0.1, 0.2, 3.0], "age_s": 0.1, "heard_s": 0.0, "lost_share": 0.25, "trouble": []}
     told |= {"set_point_p_ned": [1.5, 2.0, -3.0], "set_point_v_ned": [1.0, 0.0, 0.0]}

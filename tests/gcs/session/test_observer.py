@@ -244,7 +244,7 @@ def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands
     rows(observer, 0.0)
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=6, armed=True), 1.0)
     events = observer.snapshot(1.0, speed=1.0, phase="flying")["events"]
-    assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "mission -> return")]
+    assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "AUTO -> RTL")]
 
 
 def test_a_battery_of_unknown_capacity_is_a_share_and_no_joules(observer: Observer) -> None:

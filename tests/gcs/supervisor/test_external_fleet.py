@@ -169,7 +169,7 @@ def test_who_does_not_obey_at_the_end_is_named_with_its_answer(outcome: Any, cod
         tower.externals.settles(3, CommandResult(176, CommandTarget(3, 1), outcome, code, 4, ENDING), 1.0)
     tower.said()
     tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
-    text = f"Still in offboard though it is no longer controlled ({said}): look after it"
+    text = f"Still in Offboard though it is no longer controlled ({said}): look after it"
     assert tower.said() == [("critical", text)]
     tower.hear(1.0, heartbeat(custom_mode=4 << 16 | 3 << 24))
     tower.externals.report_disobedience(tower.fleet.snapshot(1.0))
@@ -215,14 +215,14 @@ def test_who_is_left_in_the_air_at_the_end_is_named() -> None:
     tower.hear(0.0, heartbeat(), origin(), landed(2))
     tower.said()
     assert tower.end(Stage.YIELDED) == []
-    assert tower.said() == [("warning", "Left in the air in offboard: this session does not control it")]
+    assert tower.said() == [("warning", "Left in the air in Offboard: this session does not control it")]
     tower.externals.receive({}, {}, (), tower.fleet, 12.0)
     tower.said()
     wishes = tower.externals.hand_back(tower.fleet.snapshot(12.0), {3: Stage.FLY})
     assert [wish.command for wish in wishes] == [mav.MAV_CMD_NAV_LAND]  # it may hear it
     ((level, text),) = tower.said()
     assert level == "critical"
-    assert text.startswith("May still be flying: not heard for 12 s, then in offboard")
+    assert text.startswith("May still be flying: not heard for 12 s, then in Offboard")
 
 
 def available(index: int, custom_mode: int, standard: int = 0, name: bytes = b"", count: int = 2) -> Any:
@@ -249,10 +249,10 @@ def test_a_mode_that_nothing_names_is_asked_for_a_few_times_and_named_as_the_veh
     assert tower.said() == []
     tower.hear(11.0, available(1, 77, name=b"Soar"), available(2, 78, standard=5))
     view = tower.fleet.snapshot(11.0).vehicle(3)
-    assert (view.mode, view.mode_name) == ("return", "return")
+    assert (view.mode, view.mode_name) == ("return", "Return")
     tower.hear(12.0, heartbeat(autopilot=0, custom_mode=77))
     view = tower.fleet.snapshot(12.0).vehicle(3)
-    assert (view.mode, view.mode_name) == ("other", "soar")
+    assert (view.mode, view.mode_name) == ("other", "Soar")
     assert not asks(tower, 30.0)
 
 
@@ -268,9 +268,9 @@ def test_modes_that_come_one_by_one_are_asked_for_so(lost: int) -> None:
                 at = max(int(index), 1)
                 tower.hear(0.1 * k, available(at, 69 + at, name=names[at - 1], count=4))
     assert asked == ([0, 2, 3, 4] if lost == 0 else [0, 2, 3, 3, 3])
-    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == "soar"
+    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == "Soar"
     tower.hear(12.0, heartbeat(autopilot=3, custom_mode=73))
-    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == ("perch" if lost == 0 else "mode 73")
+    assert tower.fleet.snapshot(12.0).vehicle(3).mode_name == ("Perch" if lost == 0 else "mode 73")
 
 
 def test_modes_that_have_changed_are_asked_for_anew() -> None:
@@ -286,7 +286,7 @@ def test_a_mode_of_the_table_is_never_asked_for_and_keeps_its_name() -> None:
     tower = Tower()
     tower.hear(0.0, heartbeat(custom_mode=4 << 16 | 4 << 24), available(1, 4 << 16 | 4 << 24, name=b"Task"))
     assert not asks(tower, 0.0)
-    assert tower.fleet.snapshot(0.0).vehicle(3).mode_name == "mission"
+    assert tower.fleet.snapshot(0.0).vehicle(3).mode_name == "Mission"
 
 
 @pytest.mark.parametrize(("end", "standard"), [("return", 5), ("land", 7)])

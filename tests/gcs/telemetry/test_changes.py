@@ -38,7 +38,7 @@ def told(before: FlightMode, after: FlightMode, ordered: Any, **changed: Any) ->
     ],
 )
 def test_who_leaves_the_plan_by_itself_flies_a_failsafe(before: Any, after: Any, kind: str, level: str) -> None:
-    assert told(before, after, {}) == [(kind, level, f"{before} -> {after}")]
+    assert told(before, after, {}) == [(kind, level, f"{before.capitalize()} -> {after.capitalize()}")]
 
 
 @pytest.mark.parametrize(
@@ -57,7 +57,7 @@ def test_what_was_ordered_is_no_failsafe(order: Any, after: FlightMode, kind: st
 
 
 def test_who_does_not_know_the_orders_tells_of_modes_only() -> None:
-    assert told(OFFBOARD, LAND, None) == [("mode", "info", "offboard -> land")]
+    assert told(OFFBOARD, LAND, None) == [("mode", "info", "Offboard -> Land")]
 
 
 def test_one_on_the_ground_flies_no_failsafe() -> None:

@@ -34,9 +34,9 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"drawn_j": 10_400.0, "power_w": 0.0}, {}, "battery 0 %", ACT),
         ({"power_w": 100.0}, {}, "50 s of flight left", LOOK),
         ({"power_w": 250.0}, {}, "20 s of flight left", ACT),
-        ({"mode": FlightMode.LAND}, {}, "land", ACT),
-        ({"mode": FlightMode.RETURN}, {}, "return", ACT),
-        ({"mode": FlightMode.RETURN}, {"ordered": True}, "return", LOOK),
+        ({"mode": FlightMode.LAND}, {}, "Land", ACT),
+        ({"mode": FlightMode.RETURN}, {}, "Return", ACT),
+        ({"mode": FlightMode.RETURN}, {"ordered": True}, "Return", LOOK),
         ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": True}, "held, not refuelled", LOOK),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
         ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),
@@ -66,7 +66,7 @@ def test_what_is_in_order_is_no_trouble(changed: Any, how: Any) -> None:
 def test_the_worst_comes_first() -> None:
     found = health_issues(view(age_s=2.0, drawn_j=9_500.0, mode=FlightMode.LAND), NOW_S, lost_share=0.3)
     assert [trouble.severity for trouble in found] == sorted((trouble.severity for trouble in found), reverse=True)
-    assert {"battery 5 %", "land", "position out of date", "30 % packet loss"} <= {trouble.text for trouble in found}
+    assert {"battery 5 %", "Land", "position out of date", "30 % packet loss"} <= {trouble.text for trouble in found}
 
 
 SILENT = {"last_received_s": 91.0, "last_message_s": 91.0}
@@ -79,7 +79,7 @@ SILENT = {"last_received_s": 91.0, "last_message_s": 91.0}
         ({"alive": False, **SILENT}, {}, ("dead", "9 s", 9.0)),
         ({"alive": False, "last_received_s": -math.inf, "last_message_s": -math.inf}, {}, ("dead", "never heard", 0.0)),
         ({**SILENT, "power_w": 250.0, "mode": FlightMode.LAND}, {}, ("silent", "9 s", 9.0)),
-        ({"mode": FlightMode.LAND, "power_w": 250.0}, {}, ("failing", "land", 0.0)),
+        ({"mode": FlightMode.LAND, "power_w": 250.0}, {}, ("failing", "Land", 0.0)),
         ({"power_w": 250.0, "drawn_j": 5_000.0}, {"lost_share": 0.3}, ("low", "20 s", -20.0)),
         ({"power_w": 30.0, "drawn_j": 8_500.0}, {}, ("low", "50 s", -50.0)),
         ({"armed": False, "landed": True, "drawn_j": 8_500.0}, {"ordered": True}, ("low", "15 %", -1e6 - 15)),

@@ -27,8 +27,6 @@ from gcs.benchmark.peers.rolling import Jobs, Rolling
 RISK, VARIES = 0.05, 0.05
 UNSERVED = 100.0
 """[choice] In place of -log(p) of a receiver without a rendezvous: more than the sum of all others."""
-NODES = 1_000
-"""Of branch and bound at most: a limit that is the same on every machine."""
 
 
 class Rendezvous(Rolling):
@@ -47,12 +45,13 @@ class Rendezvous(Rolling):
             LinearConstraint(of_turns.reshape(-1, n * columns), ub=1.0),
             LinearConstraint(later, ub=0.0),
         ]
-        least = _solved(risk, possible, limits)
+        least = _solved(risk, possible, limits, 0.5 * seconds)
         if least is None:
             return None
         unserved = UNSERVED * float(least.reshape(n, columns)[:, -1].sum())
         most = max(float(risk.ravel() @ least), unserved - float(np.log1p(-RISK)))
-        best = _solved(cost_s, possible, [*limits, LinearConstraint(risk.reshape(1, -1), ub=most + 1e-6)])
+        safe = LinearConstraint(risk.reshape(1, -1), ub=most + 1e-6)
+        best = _solved(cost_s, possible, [*limits, safe], 0.5 * seconds)
         chosen = (least if best is None else best).reshape(n, columns)[:, :-1].reshape(n, m, -1)[:, :, 0] > 0.5
         return {int(k): int(j) for j, k in zip(*np.nonzero(chosen), strict=True)}
 
@@ -76,10 +75,11 @@ def edges(jobs: Jobs) -> tuple[Floats, Floats]:
     )
 
 
-def _solved(costs: Floats, possible: np.ndarray, limits: list[LinearConstraint]) -> Floats | None:
-    """Zeros and ones of the least cost that was found."""
+def _solved(costs: Floats, possible: np.ndarray, limits: list[LinearConstraint], seconds: float) -> Floats | None:
+    """Zeros and ones of the least cost that was found in so many seconds on the clock, the only limit that HiGHS has of
+    time: a few programs take minutes."""
     found = milp(
         costs.ravel(), integrality=np.ones(costs.size), bounds=Bounds(0.0, possible.ravel().astype(float)),
-        constraints=limits, options={"node_limit": NODES},
+        constraints=limits, options={"time_limit": seconds},
     )  # fmt: skip
     return None if found.x is None else np.asarray(found.x)

@@ -178,7 +178,7 @@ def test_rendezvous_are_the_cheapest_that_keep_to_the_risk() -> None:
             {c // turns: j for j, c in enumerate(columns) if c < 2 * turns and c % turns == 0}
             for risks, cost, columns in choices if risks <= most + 1e-9 and cost < best + 1e-9
         ]  # fmt: skip
-        assert Rendezvous(Arrays(instance("tankers", 0)), 1.0).plan(jobs, 1.0) in firsts
+        assert Rendezvous(Arrays(instance("tankers", 0)), 60.0).plan(jobs, 60.0) in firsts
         kept += least <= -math.log(1.0 - RISK)
     assert 0 < kept < 12
 

@@ -31,7 +31,7 @@ class NearestPair:
     def assign(self, flight: DispatchedFlight) -> dict[int, int]:
         """Receiver by tanker."""
         ways_s = flight.ways_s()
-        return _greedy(flight, -ways_s)
+        return greedy(flight.free, flight.waiting, -ways_s)
 
 
 class LeastWays:
@@ -64,23 +64,21 @@ class ApparentTardiness:
     def assign(self, flight: DispatchedFlight) -> dict[int, int]:
         """Receiver by tanker."""
         ways_s, setup_s = flight.ways_s(), flight.arrays.setup_s
-        begins_s = flight.now_s + ways_s.min(axis=0) + setup_s
-        takes_s = [flight.takes_s(i, float(s)) for i, s in zip(flight.waiting, begins_s, strict=True)]
-        service_s = setup_s + np.array(takes_s)
+        service_s = setup_s + flight.takes_s(flight.waiting, flight.now_s + ways_s.min(axis=0) + setup_s)
         spare_s = np.maximum(flight.slack_s() - setup_s - ways_s, 0.0)
         index = (
             -elementwise.logarithms(service_s)
             - spare_s / (self.K1 * service_s.mean())
             - ways_s / (self.K2 * ways_s.mean())
         )
-        return _greedy(flight, index - LATE_S * (ways_s + setup_s > flight.slack_s()))
+        return greedy(flight.free, flight.waiting, index - LATE_S * (ways_s + setup_s > flight.slack_s()))
 
 
-def _greedy(flight: DispatchedFlight, worth: np.ndarray) -> dict[int, int]:
-    """The pair that is worth most, then the next of those left; rows are free tankers, columns waiting receivers."""
+def greedy(tankers: list[int], receivers: list[int], worth: np.ndarray) -> dict[int, int]:
+    """The pair that is worth most, then the next of those left; rows are tankers, columns receivers."""
     found: dict[int, int] = {}
     for flat in np.argsort(-worth, axis=None, kind="stable"):
-        k, j = divmod(int(flat), len(flight.waiting))
-        if flight.free[k] not in found and flight.waiting[j] not in found.values():
-            found[flight.free[k]] = flight.waiting[j]
+        k, j = divmod(int(flat), len(receivers))
+        if tankers[k] not in found and receivers[j] not in found.values():
+            found[tankers[k]] = receivers[j]
     return found

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats
+from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats, Ints
 from gcs.benchmark.format import SCHEDULE, Schedule, ScheduledService
 from skytender import elementary
 
@@ -72,9 +72,21 @@ class DispatchedFlight:
             in_time = begins_s.min(axis=0) < self.lands_s[self.waiting] - 0.05
             self.waiting = [i for i, may in zip(self.waiting, in_time, strict=True) if may]
 
-    def ways_s(self) -> Floats:
-        """(free, waiting) the time of each way to a meeting, from now on."""
-        at = np.array(self.waiting)
+    def flying(self) -> list[int]:
+        """Receivers in the air that no giver serves and that would land before the horizon."""
+        arrays = self.arrays
+        may = (self.busy_s <= self.now_s) & (self.lands_s > self.now_s) & (self.lands_s < arrays.horizon_s - 1e-6)
+        return [int(i) for i in np.flatnonzero(may)]
+
+    def holds_in_s(self, receivers: list[int], share: float) -> Floats:
+        """(receivers,) until each holds a share of its capacity if it gets no more; below 0 where it holds less."""
+        arrays, at = self.arrays, np.array(receivers)
+        above_j = (share * arrays.capacity_j - arrays.capacity_j + arrays.holds_j)[at]
+        return np.asarray(self.lands_s[at] - above_j / arrays.power_w[at] - self.now_s)
+
+    def ways_s(self, receivers: list[int] | None = None) -> Floats:
+        """(free, waiting or other receivers) the time of each way to a meeting, from now on."""
+        at = np.array(self.waiting if receivers is None else receivers)
         here = self.place_ned[self.free][:, None]
         speed_m_s = self.arrays.speed_m_s[self.free][:, None]
         from_s = np.full((len(self.free), len(at)), self.now_s)
@@ -84,21 +96,22 @@ class DispatchedFlight:
         """(waiting,) until energy must flow at the latest."""
         return np.asarray(self.lands_s[self.waiting] - self.now_s)
 
-    def takes_s(self, receiver: int, begins_s: float) -> float:
-        """How long energy flows in a service of a tanker that has enough."""
-        return self._energy_j(receiver, begins_s, self.arrays.rate_w, 0.0) / self.arrays.rate_w
+    def takes_s(self, receivers: list[int], flows_from_s: Floats) -> Floats:
+        """(receivers,) how long energy flows in services of a tanker that has enough."""
+        return self._energy_j(np.array(receivers), flows_from_s, self.arrays.rate_w, 0.0) / self.arrays.rate_w
 
-    def _energy_j(self, i: int, flows_from_s: float, rate_w: float, stood_s: float) -> float:
+    def _energy_j(self, i: Ints | int, flows_from_s: Floats | float, rate_w: float, stood_s: float) -> Floats:
         """Until FULL or the horizon, whichever is less; at a base, where it stands since `stood_s` before, without a
         draw."""
         arrays = self.arrays
-        power_w = float(arrays.power_w[i])
+        power_w = arrays.power_w[i]
         draws_w = 0.0 if stood_s else power_w
         above_j = FULL * arrays.capacity_j[i] - (arrays.capacity_j[i] - arrays.holds_j[i])
         room_j = above_j - power_w * (self.lands_s[i] + stood_s - flows_from_s)
         lacks_j = power_w * (arrays.horizon_s - self.lands_s[i] - stood_s) + MARGIN_J
         horizon_j = rate_w * (arrays.horizon_s - flows_from_s)
-        return float(max(min(room_j * rate_w / (rate_w - draws_w), lacks_j, horizon_j), 0.0))
+        most_j = np.minimum(np.minimum(room_j * rate_w / (rate_w - draws_w), lacks_j), horizon_j)
+        return np.asarray(np.maximum(most_j, 0.0))
 
     def _serve(self, t: int, i: int) -> None:
         """Tanker t serves receiver i, if it comes in time."""
@@ -109,7 +122,7 @@ class DispatchedFlight:
         flows_s = start_s + arrays.setup_s
         if flows_s >= self.lands_s[i] - 0.02 or flows_s >= arrays.horizon_s:
             return
-        energy_j = min(self._energy_j(i, flows_s, arrays.rate_w, 0.0), float(self.spare_j[t]) - MARGIN_J)
+        energy_j = min(float(self._energy_j(i, flows_s, arrays.rate_w, 0.0)), float(self.spare_j[t]) - MARGIN_J)
         if energy_j <= 0.0:
             return
         end_s = flows_s + energy_j / arrays.rate_w
@@ -157,7 +170,7 @@ class DispatchedFlight:
                 if start_s > self.lands_s[i] - 0.05 or start_s + arrays.setup_s >= arrays.horizon_s:
                     continue
                 flows_s = start_s + arrays.setup_s
-                energy_j = self._energy_j(i, flows_s, rate_w, arrays.setup_s)
+                energy_j = float(self._energy_j(i, flows_s, rate_w, arrays.setup_s))
                 energy_j = min(energy_j, float(self.stock_j[b]) - MARGIN_J)
                 if energy_j <= 0.1 * arrays.holds_j[i]:
                     continue

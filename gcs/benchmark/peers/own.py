@@ -55,12 +55,6 @@ class _Own:
             if t in flight.free or flight.free_s[t] > flight.now_s
         ]  # fmt: skip
 
-    def flying(self, flight: DispatchedFlight) -> list[int]:
-        """Receivers in the air that no giver serves and that would land before the horizon."""
-        may = (flight.busy_s <= flight.now_s) & (flight.lands_s > flight.now_s)
-        may &= flight.lands_s < self._arrays.horizon_s - 1e-6
-        return [int(i) for i in np.flatnonzero(may)]
-
     def by_index(self, pairs: dict[int, int]) -> dict[int, int]:
         """Indices instead of system ids."""
         one = self._arrays.instance
@@ -79,7 +73,7 @@ class PlannedAhead(_Own):
     def assign(self, flight: DispatchedFlight) -> dict[int, int]:
         """Receiver by tanker."""
         tankers = tuple(self.tanker(flight, t) for t in flight.free)
-        later = tuple(self.view(flight, i) for i in self.flying(flight) if i not in flight.waiting)
+        later = tuple(self.view(flight, i) for i in flight.flying() if i not in flight.waiting)
         request = RefuellingRequest(
             flight.now_s, tankers[0], tuple(self.view(flight, i) for i in flight.waiting), tankers,
             {one.id: one.speed_m_s for one in self._arrays.instance.tankers}, self.refuelling,
@@ -97,7 +91,7 @@ class WinnerTakeAll(_Own):
 
     def assign(self, flight: DispatchedFlight) -> dict[int, int]:
         """Receiver by tanker."""
-        views = tuple(self.view(flight, i) for i in self.flying(flight))
+        views = tuple(self.view(flight, i) for i in flight.flying())
         snapshot = FleetSnapshot(flight.now_s, views, ())
         givers = self.givers(flight)
         self._bidding.advance(snapshot, (), givers, self.times)

@@ -52,20 +52,15 @@ def jobs_of(flight: DispatchedFlight) -> Jobs:
     order = sorted(np.flatnonzero(alive), key=lambda i: float(flight.lands_s[i]))
     receivers = [int(i) for i in order][:MOST]
     at = np.array(receivers)
-    wants_s = (
-        flight.lands_s[at]
-        - (WANTS_FROM * arrays.capacity_j - arrays.capacity_j + arrays.holds_j)[at] / (arrays.power_w[at])
-    )
-    from_s = np.maximum(np.maximum(wants_s, flight.busy_s[at]) - now_s, 0.0)
+    from_s = np.maximum(np.maximum(flight.holds_in_s(receivers, WANTS_FROM), flight.busy_s[at] - now_s), 0.0)
     until_s = flight.lands_s[at] - arrays.setup_s - now_s
     begins_s = np.maximum(from_s, 0.5 * (from_s + until_s)) + now_s + arrays.setup_s
-    flows_s = [flight.takes_s(i, float(s)) for i, s in zip(receivers, begins_s, strict=True)]
     tankers = [int(t) for t in range(arrays.m) if t in flight.free or flight.free_s[t] > now_s]
     places, speeds = arrays.at(at, now_s), arrays.speed_m_s[tankers]
     first_m = np.sqrt(np.square(flight.place_ned[tankers][:, None] - places).sum(axis=2))
     between_m = np.sqrt(np.square(places[:, None] - places).sum(axis=2))
     return Jobs(
-        receivers, tankers, from_s, until_s, arrays.setup_s + np.array(flows_s),
+        receivers, tankers, from_s, until_s, arrays.setup_s + flight.takes_s(receivers, begins_s),
         np.maximum(flight.free_s[tankers] - now_s, 0.0), first_m / speeds[:, None],
         between_m[None] / speeds[:, None, None],
     )  # fmt: skip

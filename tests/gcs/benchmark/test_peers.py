@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import math
 import sys
 from pathlib import Path
+from statistics import NormalDist
 
 import numpy as np
 import pytest
@@ -15,10 +17,13 @@ from gcs.benchmark.format import Instance, plain
 from gcs.benchmark.generator import instance
 from gcs.benchmark.peers.cp_sat import CpSat
 from gcs.benchmark.peers.dispatching import ApparentTardiness, FirstToLand, LeastWays, NearestPair
+from gcs.benchmark.peers.due_windows import ModifiedTardiness, PiecewiseTardiness, Windows
 from gcs.benchmark.peers.flight import DispatchedFlight
+from gcs.benchmark.peers.gap_gate import GapGate
 from gcs.benchmark.peers.own import PlannedAhead, WinnerTakeAll
 from gcs.benchmark.peers.py_vrp import PyVrp
-from gcs.benchmark.peers.rolling import jobs_of
+from gcs.benchmark.peers.rendezvous import RISK, UNSERVED, VARIES, Rendezvous, edges
+from gcs.benchmark.peers.rolling import Jobs, jobs_of
 from gcs.benchmark.verifier import verify
 from gcs.cli.main import run_argv
 
@@ -81,8 +86,105 @@ def test_the_tardiness_index_is_the_formula() -> None:
     assert ApparentTardiness().assign(apart) == {0: 1}
 
 
-@pytest.mark.parametrize("solver", [CpSat, PyVrp])
-def test_a_plan_serves_both_where_only_one_order_does(solver: type[CpSat] | type[PyVrp]) -> None:
+def test_the_urgencies_of_due_windows_are_the_formulas() -> None:
+    """By hand, for K1 p = 20 s: 10 s before the due date e^-0.5 = 0.60653, 30 s before the deadline e^-1.5 = 0.22313,
+    15 s before it e^-0.75 = 0.47237; both windows last 20 s."""
+    windows = Windows(np.array([[10.0, -5.0]]), np.array([[30.0, 15.0]]), 20.0 / PiecewiseTardiness.K1)
+    steeper = PiecewiseTardiness.STEEPER
+    by_hand = [0.60653 + steeper * 0.22313, 1.0 + steeper * 0.47237]
+    assert PiecewiseTardiness().urgency(windows)[0] == pytest.approx(by_hand, rel=1e-4)
+    windows = windows._replace(mean_s=20.0 / ModifiedTardiness.K1)
+    assert ModifiedTardiness().urgency(windows)[0] == pytest.approx([0.60653 / 20.0, 1.0 / 20.0], rel=1e-4)
+
+
+def test_after_the_due_date_the_deadline_counts_for_piecewise_costs_alone() -> None:
+    """Both are as near, 8.25 s of way and setup, and late: due dates are 7.1 s before deadlines, a twentieth of
+    142.5 s. The modified rule takes the shorter service, which is that of the later deadline."""
+    flight = looking(standing([(0.0, 9.0), (9.0, 0.0)], [(0.0, 0.0)], [10.0, 14.0]))
+    assert PiecewiseTardiness().assign(flight) == {0: 0}
+    assert ModifiedTardiness().assign(flight) == {0: 1}
+
+
+@pytest.mark.parametrize("rule", [ModifiedTardiness, PiecewiseTardiness])
+def test_a_tanker_keeps_itself_free_for_an_urgent_one_that_is_ready_soon(rule: type[ModifiedTardiness]) -> None:
+    """The second, with a small battery, holds a half 13.5 s before it lands, which is in 1 s; a service of the first
+    lasts longer than both."""
+    one = standing([(2.0, 0.0), (0.0, 2.0)], [(0.0, 0.0)], [60.0, 14.5])
+    small = one.receivers[1]
+    small.capacity_j, small.lands_at_j, small.energy_j = 6_000.0, 300.0, 300.0 + 200.0 * 14.5
+    flight = looking(one)
+    assert flight.waiting == [0]
+    assert rule().assign(flight) == {0: 1}
+    assert DispatchedFlight(flight.arrays).flown(rule()).services[0].receiver == small.id
+    others = DispatchedFlight(flight.arrays).flown(FirstToLand())
+    assert small.id not in {service.receiver for service in others.services}
+
+
+@pytest.mark.parametrize(
+    ("left_s", "tankers", "sent"),
+    [
+        ([60.0], 1, False),  # its own energy lasts
+        ([6.7], 1, True),  # 0.5 s of way and 6 s of setup
+        ([30.0, 66.0], 1, False),  # a service of 6 s and a flow of some 18 s fits between them
+        ([30.0, 31.0], 1, True),
+        ([40.0, 41.0, 42.0], 1, True),  # the third waits for two services
+        ([40.0, 41.0, 42.0], 2, False),  # and here for one
+    ],
+)
+def test_the_gate_opens_when_remaining_times_come_too_near(left_s: list[float], tankers: int, sent: bool) -> None:
+    places = [(2.0, 0.0), (0.0, 2.0), (-2.0, 0.0)][: len(left_s)]
+    one = standing(places, [(0.0, 0.0)] * tankers, left_s)
+    found = GapGate().assign(looking(one))
+    assert list(found.values()) == ([0] if sent else [])
+
+
+def some_jobs(draw: np.random.Generator) -> Jobs:
+    """4 receivers, 2 tankers, the one free now and the other later."""
+    from_s = draw.uniform(0.0, 10.0, 4)
+    return Jobs(
+        [0, 1, 2, 3], [0, 1], from_s, from_s + draw.uniform(5.0, 40.0, 4), draw.uniform(10.0, 20.0, 4),
+        np.array([0.0, 6.0]), draw.uniform(1.0, 9.0, (2, 4)), draw.uniform(1.0, 9.0, (2, 4, 4)) * (1.0 - np.eye(4)),
+    )  # fmt: skip
+
+
+def test_the_risk_of_a_rendezvous_is_that_of_a_normal_consumption() -> None:
+    jobs = some_jobs(np.random.default_rng(1))
+    cost_s, risk = edges(jobs)
+    assert cost_s[:, 0] == pytest.approx(jobs.first_s[0])
+    for j in range(4):
+        meets_s = max(jobs.first_s[0, j], jobs.from_s[j])
+        in_time = NormalDist(0.0, VARIES * jobs.until_s[j]).cdf(jobs.until_s[j] - meets_s)
+        assert risk[j, 0] == pytest.approx(-math.log(in_time), abs=1e-9)
+        assert risk[j, -1] == UNSERVED
+
+
+def test_rendezvous_are_the_cheapest_that_keep_to_the_risk() -> None:
+    """All choices one by one: the least unserved, then within the risk or as near to it as can be, then the cost."""
+    kept = 0
+    for seed in range(12):
+        jobs = some_jobs(np.random.default_rng(seed))
+        cost_s, risk = edges(jobs)
+        turns, choices = (cost_s.shape[1] - 1) // 2, []
+        for columns in itertools.product(range(cost_s.shape[1]), repeat=4):
+            used = [c for c in columns if c < 2 * turns]
+            if len(set(used)) == len(used) and all(c % turns == 0 or c - 1 in used for c in used):
+                risks = float(sum(risk[j, c] for j, c in enumerate(columns)))
+                if math.isfinite(risks):
+                    choices.append((risks, float(sum(cost_s[j, c] for j, c in enumerate(columns))), columns))
+        least = min(choices)[0]
+        most = max(least, UNSERVED * (least // UNSERVED) - math.log(1.0 - RISK))
+        best = min(cost for risks, cost, _ in choices if risks <= most + 1e-9)
+        firsts = [
+            {c // turns: j for j, c in enumerate(columns) if c < 2 * turns and c % turns == 0}
+            for risks, cost, columns in choices if risks <= most + 1e-9 and cost < best + 1e-9
+        ]  # fmt: skip
+        assert Rendezvous(Arrays(instance("tankers", 0)), 60.0).plan(jobs, 60.0) in firsts
+        kept += least <= -math.log(1.0 - RISK)
+    assert 0 < kept < 12
+
+
+@pytest.mark.parametrize("solver", [CpSat, PyVrp, Rendezvous])
+def test_a_plan_serves_both_where_only_one_order_does(solver: type[CpSat] | type[PyVrp] | type[Rendezvous]) -> None:
     """The far one lands at 20 s, the near one at 60 s; a service takes 6 s and what flows: only far, then near."""
     one = standing([(2.0, 0.0), (20.0, 0.0)], [(0.0, 0.0)], [60.0, 20.0])
     flight = looking(one)

@@ -76,7 +76,7 @@ def test_resized_suspended_watched_by_others_and_killed_it_changes_nothing_in_fl
 
 def test_orders_are_obeyed_q_leaves_lines_and_ctrl_c_stops_them(tmp_path: Path) -> None:
     with Screen(run(tmp_path, duration_s=LONG_S)) as screen:
-        screen.until("flying", "offboard")
+        screen.until("flying", "Offboard")
         screen.press("h")
         screen.until("Let pursuer 1 hold its position?")
         screen.press("y")

@@ -23,6 +23,7 @@ from scipy.special import log_ndtr
 
 from gcs.benchmark.arrays import Floats
 from gcs.benchmark.peers.rolling import Jobs, Rolling
+from skytender import elementary
 
 RISK, VARIES = 0.05, 0.05
 UNSERVED = 100.0
@@ -49,7 +50,7 @@ class Rendezvous(Rolling):
         if least is None:
             return None
         unserved = UNSERVED * float(least.reshape(n, columns)[:, -1].sum())
-        most = max(float(risk.ravel() @ least), unserved - float(np.log1p(-RISK)))
+        most = max(float(risk.ravel() @ least), unserved - elementary.log(1.0 - RISK))
         safe = LinearConstraint(risk.reshape(1, -1), ub=most + 1e-6)
         best = _solved(cost_s, possible, [*limits, safe], 0.5 * seconds)
         chosen = (least if best is None else best).reshape(n, columns)[:, :-1].reshape(n, m, -1)[:, :, 0] > 0.5

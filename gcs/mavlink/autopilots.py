@@ -200,7 +200,7 @@ PX4 = Profile(
 
 
 def _ardupilot(kind: str) -> dict[int, str]:
-    """Names of modes as MAVProxy has them; of those that it lacks, as MAVLink's definitions do."""
+    """Names of modes: MAVProxy's, and for modes that it lacks those of MAVLink's definitions."""
     prefix = f"{kind.upper()}_MODE"
     defined = {number: name.removeprefix(f"{prefix}_") for number, name in mav.ENUMS.get(prefix, {}).items()}
     return defined | {number: name for name, number in mav.MODES[kind].items()}

@@ -1,4 +1,4 @@
-"""How many vehicles a schedule would have lost that knew all, beside those that flights lost.
+"""Vehicles lost in flight, beside those that a schedule loses which knows all consumption before.
 
     python flown_optimum.py --out ../../campaigns/optimum --sessions 30
 

@@ -33,14 +33,25 @@ class TickRecord:
     arrived: Sequence[bytes]
     sent: Sequence[bytes]
     decisions: Decisions
+    late: Sequence[bytes] = ()
+    """frames that external vehicles sent until `late_ms` after the tick's time"""
+    late_ms: int = 0
+
+    @property
+    def received(self) -> Sequence[bytes]:
+        """All frames that arrived."""
+        return [*self.arrived, *self.late] if self.late else self.arrived
 
     def write(self, recorder: Recorder, digest: Digest, epoch_us: int) -> None:
         """Record and hash it; `epoch_us` is session time 0 in µs since 1970, UTC.
 
         The system has all of it then: a supervisor that is killed loses nothing but the tick that it was at.
         """
-        recorder.frames(epoch_us + 1000 * self.t_ms, self.arrived, self.sent)
-        digest.tick(self.t_ms, self.arrived, self.sent, recorder.decisions(self.decisions))
+        t_us = epoch_us + 1000 * self.t_ms
+        recorder.frames(t_us, self.arrived, self.sent)
+        if self.late:
+            recorder.frames(t_us + 1000 * self.late_ms, self.late)
+        digest.tick(self.t_ms, self.received, self.sent, recorder.decisions(self.decisions))
         recorder.flush()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import NamedTuple
 
 from gcs.link.link import Answers, Key
 from gcs.link.quality import LinkQuality
@@ -17,6 +18,16 @@ from gcs.telemetry.message_inspector import MessageInspector
 
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
+
+
+class Received(NamedTuple):
+    """What came through in one tick."""
+
+    frames: Sequence[bytes]
+    """at the tick's time, in order of system id"""
+    late_frames: Sequence[bytes]
+    """of external vehicles in a late tick, at the time of the wall clock"""
+    by_system: Mapping[int, Sequence[Frame]]
 
 
 class Reception:
@@ -39,11 +50,8 @@ class Reception:
         self.quality = LinkQuality(self.gaps)
         self.inspection = MessageInspector()
 
-    def receive(
-        self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0
-    ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
-        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes; all frames, and the
-        frames of each vehicle.
+    def receive(self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0) -> Received:
+        """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps. A tick that comes
@@ -63,19 +71,22 @@ class Reception:
                     received_from[key] = self._receive_from(key[0], sent, now_s, late_s)
         arrived: Sequence[bytes]
         delivered: Mapping[int, Sequence[Frame]]
+        late: Sequence[bytes] = ()
         if together is not None and not received_from:
             arrived, delivered = together[1].frames, together[1].by_system()
         else:
             received_from |= zip(*together, strict=True) if together is not None else ()
             in_order = sorted(received_from.items())
-            arrived = [raw for _, received in in_order for raw in raws_of(received)]
+            of_late = self._external if late_s else ()
+            arrived = [raw for key, received in in_order if key[0] not in of_late for raw in raws_of(received)]
+            late = [raw for key, received in in_order if key[0] in of_late for raw in raws_of(received)]
             delivered = {key[0]: received for key, received in in_order}
         if self._place_radio is not None:
             at_once: Mapping[int, Sequence[Frame]] = together[1].by_system() if together is not None else {}
             self._place_radio.send({**at_once, **self._sent} if self._sent else at_once)
         for sysid in self.inspection.wanted & delivered.keys() if self.inspection.wanted else ():
             self.inspection.add(delivered[sysid], now_s)
-        return arrived, delivered
+        return Received(arrived, late, delivered)
 
     @property
     def _reads_as_it_comes(self) -> bool:

@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickLink
 from gcs.mavlink.autopilots import End
-from gcs.mavlink.codec import Frame
 from gcs.mavlink.command_protocol import ARMING, CommandResult
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint
@@ -58,7 +57,7 @@ from gcs.supervisor.mission_watch import MissionWatch
 from gcs.supervisor.operator import Operator, OperatorReply
 from gcs.supervisor.preflight import Preflight
 from gcs.supervisor.radios import Radios
-from gcs.supervisor.reception import Reception
+from gcs.supervisor.reception import Received, Reception
 from gcs.supervisor.recovery import Recovery
 from gcs.supervisor.script import COMMAND, Script
 from gcs.supervisor.services.operator_control import TOKEN as CONTROL
@@ -161,9 +160,9 @@ class Supervisor:
         return self.time_ms / 1e3
 
     @property
-    def _late_s(self) -> float:
-        """How far the wall clock, on which external vehicles fly, is ahead of this tick."""
-        return (self._periods - 1) * self.scenario.clock.period_s
+    def _late_ms(self) -> int:
+        """How far the wall clock, on which external vehicles fly, is ahead of this tick; 0 without any."""
+        return (self._periods - 1) * self.period_ms if self.externals.rules else 0
 
     def begin(self) -> None:
         """Send the first grant, which sets the vehicles' clocks and lets none move."""
@@ -175,7 +174,7 @@ class Supervisor:
         """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
         self._periods = periods
         now_s = self.time_s
-        arrived, delivered = self._receive(self.link.answers(idle), now_s, self._late_s)
+        received = self._receive(self.link.answers(idle), now_s, self._late_ms / 1e3)
         self._receive_acknowledgements(now_s)
         if self._forwarder is not None:
             self._receive_forwarded(self._forwarder, now_s)
@@ -199,11 +198,11 @@ class Supervisor:
         for sysid in self.command_queue.pending:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
-        relays = relayed(decision.relays, delivered)
-        recording = TickRecord(self.time_ms, arrived, [], [])
+        relays = relayed(decision.relays, received.by_system)
+        recording = TickRecord(self.time_ms, received.frames, [], [], received.late_frames, self._late_ms)
         self._grant_all(set_points, snapshot, relays, recording)
         decisions = self._records(now_s, decision, set_points)
-        self.metrics.update(snapshot, self._flown(set_points), pursuing)
+        self.metrics.update(snapshot, self._flown(set_points), pursuing, self._late_ms / 1e3)
         recording.decisions = [*decisions, *self._watch_goal(snapshot, decision.partners)]
         if not self._surrounded:  # the way to here was flown in the world before
             self._surrounded = True
@@ -212,10 +211,10 @@ class Supervisor:
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
-        arrived, _ = self._receive(self.link.answers(idle), self.time_s)
+        received = self._receive(self.link.answers(idle), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
         broken = self._watch_goal(self.snapshot, self._partners)
-        self._record(TickRecord(self.time_ms, arrived, [], self._new_records() + broken))
+        self._record(TickRecord(self.time_ms, received.frames, [], self._new_records() + broken))
 
     def judge(self, folder: Path) -> None:
         """At the end: judge the goal by the truth that our own vehicles have left in the session's folder, and record
@@ -360,23 +359,22 @@ class Supervisor:
 
     # in
 
-    def _receive(
-        self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0
-    ) -> tuple[Sequence[bytes], Mapping[int, Sequence[Frame]]]:
-        """Pass what came to all its readers: all frames, and the frames of each vehicle, in order of system id."""
+    def _receive(self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0) -> Received:
+        """Pass what came to all its readers."""
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
-        arrived, delivered = self._reception.receive(answers, now_s, late_s)
+        received = self._reception.receive(answers, now_s, late_s)
+        delivered = received.by_system
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.missions.receive(delivered)
-        self.received += len(arrived)
+        self.received += len(received.frames) + len(received.late_frames)
         if texts := self.fleet.pop_statustexts(now_s):
             self._report_texts(texts, now_s)
-        return arrived, delivered
+        return received
 
     def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> None:
         """Report what vehicles have said."""
@@ -457,7 +455,9 @@ class Supervisor:
                 continue
             view, arming = snapshot.vehicle(sysid), self.arming[sysid]
             before = arming.stage
-            commands, requests = arming.decide(view, now_s, bound=self.schedule.bound(sysid), late_s=self._late_s)
+            commands, requests = arming.decide(
+                view, now_s, bound=self.schedule.bound(sysid), late_s=self._late_ms / 1e3
+            )
             self._fleet_arming.asked(sysid, view)
             changed = arming.stage is not before
             if (changed and Stage.TAKEN in (arming.stage, before)) or any(command.is_order for command in commands):
@@ -562,7 +562,7 @@ class Supervisor:
         """After the last tick: send external vehicles what is left, receive; whether one has not obeyed yet."""
         now_s = round(now_s, 3)  # as it is recorded
         unawaited = self.link.unawaited()
-        arrived, _ = self._receive([(list(unawaited), list(unawaited.values()))], now_s)
+        received = self._receive([(list(unawaited), list(unawaited.values()))], now_s)
         self._receive_acknowledgements(now_s)
         sent: list[bytes] = []
         for sysid in self.externals.rules:
@@ -572,7 +572,7 @@ class Supervisor:
             if (sysid, AUTOPILOT) in self.link.joined:
                 sent += self.link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)
-        self._record(TickRecord(round(1e3 * now_s), arrived, sent, []))
+        self._record(TickRecord(round(1e3 * now_s), received.frames, sent, []))
         self.snapshot = self.fleet.snapshot(now_s)
         return self.externals.awaits(self.snapshot) or self.command_queue.awaits(ENDING)
 
@@ -610,4 +610,4 @@ class Supervisor:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""
         recording.write(self._recorder, self.digest, self.epoch_us)
         if self._forwarder is not None:
-            self._forwarder.send(recording.arrived)
+            self._forwarder.send(recording.received)

@@ -49,8 +49,9 @@ class Metrics:
         snapshot: FleetSnapshot,
         set_points: Sequence[SetPoint],
         pursuing: Mapping[int, int] | None = None,
+        late_s: float = 0.0,
     ) -> None:
-        """Count one tick.
+        """Count one tick; what external vehicles reported is `late_s` newer than the snapshot's time.
 
         `pursuing` gives the pursuer of each target where one vehicle is chosen for each: it is then the targets that
         must have their pursuer near.
@@ -78,7 +79,7 @@ class Metrics:
             self._distances_m,
         )
         if self._pursuit.keys:
-            self._time_s[0] = snapshot.time_s
+            self._time_s[0] = snapshot.time_s + late_s
             self._pursuit.update(self._time_s, self._distances_m)
 
     @property

@@ -98,7 +98,7 @@ class Flown:
 
     def receive(self) -> None:
         """Take them in."""
-        arrived, _ = self.supervisor._receive(self._link.answers(lambda: None), 0.1 * self._tick)
+        arrived = self.supervisor._receive(self._link.answers(lambda: None), 0.1 * self._tick).frames
         assert len(arrived) == 7 * VEHICLES
         self.supervisor.fleet.snapshot(0.1 * self._tick)
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
+import time
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +19,8 @@ from gcs.report.findings import Findings
 from gcs.session.replay import Replay
 
 STRANGER = 3
+LATE_S = 0.7
+"""For so long the supervisor is stopped while the stranger takes off."""
 TEXT = "Battery 1 is low and the pilot is told so at such length that it needs a third chunk, which ends here and now"
 
 
@@ -38,7 +43,8 @@ class Told:
 @pytest.fixture(scope="module")
 def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
     """A stranger's ArduCopter that tells voltage and current, a text in three chunks, and loses frames; beside it a
-    pursuer, its target and a tanker of ours."""
+    pursuer, its target and a tanker of ours. The supervisor is stopped for a while, so that one of its ticks comes
+    late."""
     folder = tmp_path_factory.mktemp("truth")
     port = free_port()
     content = small(
@@ -50,9 +56,16 @@ def told(tmp_path_factory: pytest.TempPathFactory) -> Told:
     command = [*ARDUCOPTER, "--sysid", str(STRANGER), "--connect", f"udpout:127.0.0.1:{port}", "--lose", "0.05"]
     place = ["--origin", "47.397742,8.545594,488.0", "--start", "2.0,4.0,0.0", "--battery-told", "current"]
     with strangers(folder, [*command, *place, "--says", TEXT]):
-        running = Running(content, folder, "--json")
+        running, stopped = Running(content, folder, "--json"), False
         try:
-            live = [json.loads(line) for line in running.lines()]
+            live = []
+            for line in running.lines():
+                live.append(json.loads(line))
+                if not stopped and live[-1]["type"] == "snapshot" and live[-1]["t_s"] >= 6.0:
+                    stopped, supervisor = True, running.named("gcs.session.process").pid
+                    os.kill(supervisor, signal.SIGSTOP)
+                    time.sleep(LATE_S)
+                    os.kill(supervisor, signal.SIGCONT)
             outcome = running.finish()
         finally:
             running.stop()

@@ -70,8 +70,8 @@ class Side:
     def delivered(self, now_s: float) -> Any:
         answers = list(self.link.answers(lambda: pytest.fail("somebody is still awaited")))
         self.together += sum(len(frames) for _, frames in answers if isinstance(frames, AnswerRuns))
-        arrived, by_system = self.supervisor._receive(answers, now_s)
-        return list(arrived), {sysid: list(frames) for sysid, frames in by_system.items()}
+        received = self.supervisor._receive(answers, now_s)
+        return list(received.frames), {sysid: list(frames) for sysid, frames in received.by_system.items()}
 
     def close(self) -> None:
         self.link.close()

@@ -68,4 +68,5 @@ def test_what_came_late_in_a_tick_is_recorded_at_its_own_time(tmp_path: Path) ->
         TickRecord(1500, frames[:1], frames[2:], [], frames[1:2], 600).write(recorder, Digest(), 10**15)
     log = mavutil.mavlogfile(str(tmp_path / "session.tlog"))
     read = [(message.get_srcSystem(), round(message._timestamp - 1e9, 3)) for message in iter(log.recv_msg, None)]
+    log.close()
     assert read == [(1, 1.5), (255, 1.5), (3, 2.1)]

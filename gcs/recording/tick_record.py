@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from gcs.recording.decision_lines import Decisions, TickSetPoints
 from gcs.refuelling.explain import sentence
 from gcs.scenario.guard import PluginFault
-from gcs.telemetry.events import Event, Level
+from gcs.telemetry.events import Event, Level, level_of
 from skytender.mavlink import command_name
 
 if TYPE_CHECKING:  # readers of records need not load their makers
@@ -142,6 +142,8 @@ def event_of(record: Mapping[str, Any]) -> Event:
         return Event(
             t_s, int(record["sysid"]), "info", f"{'Brakes for' if record.get('braked') else gives} {by}", "decision"
         )
+    if kind == "event":
+        return Event(t_s, int(record["sysid"]), level_of(int(record["severity"])), str(record["text"]), "text")
     if kind == "battery":
         return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
     if kind == "policy failed":

@@ -22,7 +22,7 @@ from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandLong, CommandQueue, CommandTarget, Step
 from gcs.mavlink.ids import OUR_HEARTBEAT, STATION
 from gcs.mavlink.sequence import sequence_numbers
-from gcs.mavlink.services import standard_modes, vehicle_uid
+from gcs.mavlink.services import standard_modes, vehicle_events, vehicle_uid
 from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.messages import reply_message
@@ -70,6 +70,7 @@ class MonitorSource:
         self._queues: dict[int, CommandQueue] = {}
         self._silent_vehicles = SilentVehicles()
         self._modes = standard_modes.ModeRequests()
+        self._vehicle_events = vehicle_events.VehicleEvents()
         self._reported_silent: set[int] = set()
         self._numbers = sequence_numbers()
         self._replies: list[Mapping[str, Any]] = []
@@ -146,6 +147,9 @@ class MonitorSource:
         self._silent_vehicles.received(frame.sysid, frame.msgid, t_s)
         if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
             self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
+        if self._control:
+            for severity, text in self._vehicle_events.receive(*sender, (frame,), t_s):
+                observer.add_text(frame.sysid, severity, text, t_s)
 
     def _autopilot(self, sysid: int) -> tuple[int, int]:
         return sysid, self._observer.component(sysid)
@@ -225,8 +229,12 @@ class MonitorSource:
         if t_s - self._modes_s >= standard_modes.EACH_WITHIN_S:
             self._modes_s = t_s
             self._ask_for_modes(t_s)
+            self._ask_for_metadata(t_s)
         for sysid, queue in self._queues.items():
             self._follow_up(sysid, queue.poll(t_s), t_s)
+        for sysid in self._observer.sysids:
+            if messages := self._vehicle_events.poll(sysid, t_s):
+                self._transmit(sysid, messages)
 
     def _ask_for_modes(self, t_s: float) -> None:
         for view in self._observer.view(t_s).vehicles:
@@ -236,6 +244,16 @@ class MonitorSource:
             if index is not None:
                 target = CommandTarget(*self._autopilot(view.sysid))
                 self._transmit(view.sysid, [CommandLong(target, *standard_modes.asked(index)).message(0)])
+
+    def _ask_for_metadata(self, t_s: float) -> None:
+        """Ask each vehicle for the words of its events, and report those that are lost."""
+        for view in self._observer.view(t_s).vehicles:
+            sysid, component = self._autopilot(view.sysid)
+            if (sysid, component) in self._peers and self._vehicle_events.due(sysid, t_s, armed=view.armed):
+                number, params = vehicle_events.ASKED
+                self._transmit(sysid, [CommandLong(CommandTarget(sysid, component), number, params).message(0)])
+            if text := self._vehicle_events.losses(sysid, t_s):
+                self._observer.add_event(Event(t_s, sysid, "warning", text, "link"))
 
     def _follow_up(self, sysid: int, step: Step, t_s: float) -> None:
         self._transmit(sysid, step.messages)

@@ -8,6 +8,7 @@ nothing to anyone.
 from __future__ import annotations
 
 import math
+from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
@@ -22,6 +23,7 @@ from gcs.mavlink.command_protocol import result_in_words
 from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.services.vehicle_events import EVENT
 from gcs.mavlink.vehicle_kinds import KINDS
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import (
@@ -92,9 +94,13 @@ class Observer:
         self.quality = LinkQuality(self._gaps)
         self.inspection = MessageInspector()
         self._watch = ChangeDetector()
+        self._wordless: set[int] = set()
+        """vehicles whose events nothing here can put into words, of which it was reported"""
         self._nameless = False
         """whether a vehicle of system id 0 has been received"""
         self._events: list[Event] = []
+        self._texts: deque[tuple[int, str]] = deque(maxlen=MOST_EVENTS)
+        """the last STATUSTEXTs, that an EVENT may repeat"""
         self._aims: dict[int, Vec3] = {}
         self._mission_items: dict[int, int] = {}
         self.plans: Sequence[PlanRow] = ()
@@ -145,8 +151,19 @@ class Observer:
             self._aim(frame.sysid, codec.fields(frame))
         elif frame.msgid in (_TEXT, _ACK):
             self._said(t_s)
+        elif frame.msgid == EVENT:
+            self._report_events(frame.sysid, t_s)
         elif frame.msgid == _CURRENT:
             self._mission_items[frame.sysid] = codec.fields(frame).seq
+
+    def _report_events(self, sysid: int, t_s: float) -> None:
+        """Say once that a vehicle sends events; a session's recording has them as decisions."""
+        if self.control or self.scenario is not None or sysid in self._wordless:
+            return
+        self._wordless.add(sysid)
+        what = "--control reads them" if self._source == "monitor" else "a recording does not hold them"
+        text = f"Sends events (EVENT), whose words are in its metadata: {what}"
+        self._events.append(Event(t_s, sysid, "info", text, "link"))
 
     def receive_sent(self, frame: Frame) -> None:
         """Take a frame that was sent to a vehicle: where it is to be."""
@@ -157,6 +174,13 @@ class Observer:
     def add_event(self, event: Event) -> None:
         """Add to the next snapshot an event that no vehicle reported."""
         self._events.append(event)
+
+    def add_text(self, sysid: int, severity: int, text: str, t_s: float) -> None:
+        """Add a vehicle's EVENT in words, unless a STATUSTEXT of the same words has come with it."""
+        if (sysid, text) in self._texts:
+            self._texts.remove((sysid, text))
+        else:
+            self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
 
     def resume(self, gaps: GapCounter, t_s: float) -> None:
         """Count lost frames from `t_s` on where those before are counted already."""
@@ -312,6 +336,7 @@ class Observer:
     def _said(self, t_s: float) -> None:
         for sysid, severity, text in self.fleet.pop_statustexts(t_s):
             self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
+            self._texts.append((sysid, text))
         for sysid, ack in self.fleet.pop_acks():
             self._acknowledged(t_s, sysid, ack)
 

@@ -11,12 +11,13 @@ from gcs.mavlink import codec
 from gcs.mavlink.autopilots import STEERABLE, End
 from gcs.mavlink.codec import Frame, Message
 from gcs.mavlink.command_protocol import CommandRequest, CommandResult, result_in_words
-from gcs.mavlink.services import standard_modes, vehicle_uid
+from gcs.mavlink.ids import AUTOPILOT
+from gcs.mavlink.services import standard_modes, vehicle_events, vehicle_uid
+from gcs.mavlink.services.vehicle_events import VehicleEvents
 from gcs.mavlink.stream_requests import CHECK_S, SLOW_SHARE, Ask, StreamRequests, needs
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.estimators import Estimators
-from gcs.supervisor.services.external_events import METADATA, ExternalEvents
 from gcs.supervisor.services.operator_control import TOKEN as CONTROL
 from gcs.supervisor.services.operator_control import OperatorControl
 from gcs.telemetry.events import Event, Kind, Level
@@ -40,7 +41,7 @@ BEHIND_S = 2.0
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY, Stage.MISSION})
-ENDING, MODES, UID = "end", "modes", "uid"
+ENDING, MODES, UID, METADATA = "end", "modes", "uid", "metadata"
 UID_EVERY_S, UID_TIMES = 1.0, 3
 """A vehicle is asked so often for its uid: behind one address another may have its id, whose answer may be lost."""
 _ENDS: Mapping[End, str] = {"hold": "hold", "return": "return to where it took off", "land": "land"}
@@ -59,7 +60,8 @@ class ExternalFleet:
         self._estimators = Estimators(scenario)
         self._modes = standard_modes.ModeRequests()
         self.control = OperatorControl(self.rules, scenario.station)
-        self._own_events = ExternalEvents(scenario)
+        self._own_events = VehicleEvents()
+        self._texts: list[tuple[int, int, str]] = []
         self.lost: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
@@ -105,8 +107,8 @@ class ExternalFleet:
                 self._events.append(flies_on)
             self._events += self.control.receive(sysid, own, now_s)
             self._compare_uids(sysid, own)
-            fleet.statustexts += self._own_events.receive(sysid, own, now_s)
-            self._events += self._own_events.losses(sysid, now_s)
+            if sysid in self._uids:
+                self._receive_events(sysid, own)
             if own:
                 self._last_received_s[sysid] = now_s
                 if sysid in self.lost:
@@ -120,6 +122,12 @@ class ExternalFleet:
                 self._note(
                     sysid, "critical", f"No telemetry for {LOST_S:.0f} s: it is counted as lost until it is heard"
                 )
+
+    def _receive_events(self, sysid: int, frames: Iterable[Frame]) -> None:
+        texts = self._own_events.receive(sysid, AUTOPILOT, frames, self._now_s)
+        self._texts += [(sysid, *text) for text in texts]
+        if lost := self._own_events.losses(sysid, self._now_s):
+            self._note(sysid, "warning", lost)
 
     def _compare_uids(self, sysid: int, frames: Iterable[Frame]) -> None:
         """Notice two vehicles with one id behind one address."""
@@ -169,8 +177,9 @@ class ExternalFleet:
             requests, answers = self.control.decide(sysid, now_s, released=sysid in released)
             commands += requests
             messages[sysid] += answers
-            messages[sysid] += self._own_events.requests(sysid, now_s)
-            commands += self._own_events.commands(view, now_s)
+            messages[sysid] += self._own_events.poll(sysid, now_s)
+            if self._own_events.due(sysid, now_s, armed=view.armed):
+                commands.append(CommandRequest(sysid, *vehicle_events.ASKED, METADATA))
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
@@ -288,6 +297,11 @@ class ExternalFleet:
     def pop_events(self) -> list[Event]:
         """Events since the last call."""
         taken, self._events = self._events, []
+        return taken
+
+    def pop_texts(self) -> list[tuple[int, int, str]]:
+        """(system id, MAV_SEVERITY, text) of vehicles' own events since the last call."""
+        taken, self._texts = self._texts, []
         return taken
 
     def _note(self, sysid: int, level: Level, text: str, kind: Kind = "link") -> None:

@@ -149,6 +149,8 @@ class Supervisor:
         self.grounded: frozenset[int] = frozenset()
         """vehicles that land at a base, or stand at one"""
         self._watch = ChangeDetector()
+        self._told: list[dict[str, Any]] = []
+        """vehicles' own events, which a recording's frames alone do not put into words"""
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
@@ -374,11 +376,18 @@ class Supervisor:
         self.received += len(received.frames) + len(received.late_frames)
         if texts := self.fleet.pop_statustexts(now_s):
             self._report_texts(texts, now_s)
+        if texts := self.externals.pop_texts():
+            shown = self._report_texts(texts, now_s)
+            self._told += [
+                {"t_s": now_s, "kind": "event", "sysid": sysid, "severity": severity, "text": text}
+                for sysid, severity, text in shown
+            ]
         return received
 
-    def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> None:
-        """Report what vehicles have said."""
+    def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> list[tuple[int, int, str]]:
+        """Report what vehicles have said; what of it is shown."""
         count: Counter[int] = Counter()
+        shown = []
         for sysid, severity, text in texts:
             count[sysid] += 1
             if count[sysid] > MOST_TEXTS:
@@ -387,6 +396,8 @@ class Supervisor:
             if self.externals.repeats(sysid, text, now_s) or (arming and arming.repeats(text)):
                 continue
             self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
+            shown.append((sysid, severity, text))
+        return shown
 
     def _receive_forwarded(self, forwarder: Forwarder, now_s: float) -> None:
         """Let pass what other ground stations may say to vehicles; without control it is read and forgotten."""
@@ -601,10 +612,19 @@ class Supervisor:
         return faults
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Records of a program's answers and acts, faults, deaths and operators' commands since the last call."""
+        """Records of a program's answers and acts, vehicles' own events, faults, deaths and operators' commands since
+        the last call."""
         deaths, self._deaths = self._deaths, []
         answered = [record for one in self._plugins for record in one.pop_records()]
-        return answered + self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
+        told, self._told = self._told, []
+        return (
+            answered
+            + told
+            + self.script.pop_records()
+            + self.faults.pop_records()
+            + deaths
+            + self.operator.pop_records()
+        )
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

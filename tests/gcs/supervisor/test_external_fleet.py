@@ -11,10 +11,10 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 
 from gcs.mavlink import codec
 from gcs.mavlink.command_protocol import CommandResult, CommandTarget
+from gcs.mavlink.services.vehicle_events import ASK_AFTER_S
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
-from gcs.supervisor.external_fleet import ENDING, LOST_S, SAY_AGAIN_S, ExternalFleet
-from gcs.supervisor.services.external_events import ASK_AFTER_S, METADATA
+from gcs.supervisor.external_fleet import ENDING, LOST_S, METADATA, SAY_AGAIN_S, ExternalFleet
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.track import Member
 
@@ -360,7 +360,7 @@ def test_events_are_said_by_the_vehicles_own_metadata() -> None:
         files = [message for message in sent if message.get_type() == "FILE_TRANSFER_PROTOCOL"]
         answers = [answer for message in files for answer in vehicle.hear(message)]
     assert set(asked) == {2}  # which never comes
-    assert tower.fleet.pop_statustexts(now_s) == [(3, 4, "Arming denied: 2.2")] * 2
+    assert tower.externals.pop_texts() == [(3, 4, "Arming denied: 2.2")] * 2
     assert [text for _, text in tower.said() if "events" in text] == [
         "1 of its events did not arrive, nor when asked for"
     ]

@@ -107,6 +107,8 @@ class Separation:
         self.peers = PeerTable(rules.vehicles, rules.period_s)
         self.traffic, self._traffic_reach = KnownTraffic(), TrafficReach()
         self._limits = rules.vehicles[sysid]
+        self._beside_m = rules.separation_m + 4.0 * ASIDE_M
+        """nearer columns are one for two that climb"""
         self._brake_m_s2 = BRAKE_SHARE * self._limits.acceleration_m_s2
         self._next_ms = 0
         self._p_ned: Vec3 = AT_REST
@@ -189,8 +191,7 @@ class Separation:
             return rests
         due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
         own = self._from_ned[self._sysid]
-        beside_m = self._rules.separation_m + 4.0 * ASIDE_M
-        if due_s == 0.0 and elementary.distance(own[:2], here[:2]) < beside_m:
+        if due_s == 0.0 and elementary.distance(own[:2], here[:2]) < self._beside_m:
             known_ned, _ = self._known(peer.silent_s)
             if self._higher.setdefault(sysid, (known_ned[2], -self._sysid) < (here[2], -sysid)):
                 return rests
@@ -237,6 +238,23 @@ class Separation:
             self._from_ned[self._sysid] = nearest_rest(self.resting_place(), *known, PARTED_S)
         self._silent |= silent.keys()
         self._vehicle.return_from(self._from_ned[self._sysid])
+        self._waits = self._barred()
+
+    def _barred(self) -> bool:
+        """Whether a peer that is received is above, in the column through which this vehicle would climb, and returns
+        less high: this one could not pass it, and would wait among the ways of those that are silent."""
+        if not 0.0 <= self._vehicle.returning_s() < self.plan.level_after_s:
+            return False
+        own, now_ms = self._from_ned[self._sysid], self._vehicle.time_ms
+        top_d = min(own[2], self.home_ned[2] - self.plan.altitude_m)
+        for sysid, member in self._rules.vehicles.items():
+            said_ms, (n, e, d), _ = self.peers.newest(sysid)
+            if sysid == self._sysid or said_ms < 0 or now_ms - said_ms > 1e3 * PARTED_S or d >= self._p_ned[2]:
+                continue
+            beside = elementary.distance((n, e), own[:2]) < self._beside_m
+            if beside and min(d, member.home_ned[2] - member.failsafe.altitude_m) > top_d:
+                return True
+        return False
 
     def _tubes(self, near: _Near, margin_m: NDArray[np.float64]) -> tuple[Any, Any]:
         """Walls of all, north, east and down, within which each stays on its way home (skytender/safety/silence.py)."""

@@ -32,7 +32,7 @@ from skytender import geometry as shapes
 GRID_M = 2.0
 FEWEST, MOST, MOST_SERVED = 4, 40, 10
 SILENT_FROM_S, SILENT_BEFORE_S = 5.0, 35.0
-SILENCE_S, COMES_DOWN_S, GOES_ON_S = 30.0, 100.0, 25.0
+SILENCE_S, COMES_DOWN_S, GOES_ON_S = 30.0, 160.0, 25.0
 """Of a silence that ends; after one that does not, until all have landed; after one that does."""
 FAR_M = 4.0
 """From the grid's edge to where the fleet flies."""

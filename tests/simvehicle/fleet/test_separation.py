@@ -194,6 +194,23 @@ def test_the_lower_of_a_column_waits_if_the_radio_parts_it_while_it_climbs(parte
     assert swarm.least_m >= 0.63
 
 
+def test_one_below_another_that_returns_less_high_waits_where_it_is_while_others_are_silent() -> None:
+    """Three of the 22 of row 98 of the campaign silence, seed 20261128: 20 cannot pass 11, both of which do not receive
+    10, and would wait beneath it where 10 flies level."""
+    places = {10: (16.12, 5.97, -6.85), 11: (12.55, 1.37, -8.86), 20: (13.15, 1.30, -3.42)}
+    homes = {10: (2.0, -4.0, 0.0), 11: (4.0, 4.0, 0.0), 20: (6.0, 4.0, 0.0)}
+    heights_m = {10: 20.215, 11: 21.445, 20: 32.515}
+    rules = rules_of(homes, heights_m, {"level_after_s": 10.5, "down_after_s": 17.0}, separation_m=0.83)
+    swarm = Swarm(places, rules, lambda sender, reader, now_s: now_s < 2.0 or 10 not in (sender, reader), up=True)
+    climbed_m = []
+    swarm.fly(40.0, lambda _: climbed_m.append(places[20][2] - swarm.vehicles[20].p_ned[2]))
+    assert swarm.least_m >= 0.83
+    assert max(climbed_m) < 0.3
+    swarm.fly(75.0)
+    assert swarm.least_m >= 0.83
+    assert math.dist(swarm.vehicles[20].p_ned[:2], homes[20][:2]) < 0.6
+
+
 @pytest.mark.parametrize("parted_s", [2.1, 2.5])
 def test_one_that_turns_while_the_radio_parts_it_stays_where_the_other_group_presumes_it(parted_s: float) -> None:
     """Seven of the 26 of row 4 of that seed, and their heights: 21 evades 6 and 22 on its way up while the radio

@@ -85,10 +85,10 @@ def test_one_plan_of_twenty_items_reads_equal_on_all_nine(missions: Missions, si
     assert len(lines) == 27
     assert all("items uploaded, read back equal" in line for line in lines.values())
     for sysid in PX4S:
-        words = "20 items uploaded, read back equal; not kept, as without use: item 1 NAV_TAKEOFF: Pitch 15 is 0"
+        words = "20 items uploaded, read back equal; not kept as given: item 1 NAV_TAKEOFF: Pitch 15 is 0"
         assert lines[str(sysid), "mission"].endswith(words)
     for sysid in ARDUPILOTS:
-        assert "; not kept, as without use: item 4 NAV_WAYPOINT: Accept Radius 2 is 0;" in lines[str(sysid), "mission"]
+        assert "; not kept as given: item 4 NAV_WAYPOINT: Accept Radius 2 is 0;" in lines[str(sysid), "mission"]
     again = missions("set", str(site))
     assert again.returncode == 0
     assert again.stdout.count("there already") == 27

@@ -322,7 +322,7 @@ def _words(client: PlanClient) -> str:
             words = f"{items} uploaded, read back equal" if client.items else "cleared, read back"
         case _:
             return f"{client.outcome}: {client.why}"
-    return words + (f"; not kept, as without use: {_some([one.text for one in client.lost])}" if client.lost else "")
+    return words + (f"; not kept as given: {_some([one.text for one in client.lost])}" if client.lost else "")
 
 
 def _complain(found: Found, well: Collection[str]) -> int:

@@ -78,7 +78,7 @@ class PlanClient:
         self.found: tuple[PlanItem, ...] | None = None
         """what it has, by its last whole reading"""
         self.lost: list[ItemDifference] = []
-        """parameters of the plan that its autopilot does not keep"""
+        """what of the plan its autopilot does not keep as it was given"""
         self._habits, self._station = habits, station
         self._home = int(kind == MISSION and habits.begin_with_home)
         self._first = first - self._home
@@ -201,7 +201,7 @@ class PlanClient:
             self._sent = max(self._sent, content.seq + 1)
             self._tries = 0
             item = items[content.seq]
-            sent = as_sent(item, self._habits) if self.kind == MISSION else item
+            sent = as_sent(self.kind, item, self._habits)
             self._put(now_s, "MISSION_ITEM_INT", seq=content.seq, **sent._asdict())
         elif name == "MISSION_ACK":
             self.why = ""

@@ -60,8 +60,13 @@ class PlanItem(NamedTuple):
         return self.param1, self.param2, self.param3, self.param4, x, y, self.z
 
 
-def as_sent(item: PlanItem, habits: PlanHabits) -> PlanItem:
-    """A mission's item without parameters that its autopilot has no use for and may refuse."""
+def as_sent(kind: int, item: PlanItem, habits: PlanHabits) -> PlanItem:
+    """A mission's item without parameters that its autopilot has no use for and may refuse; a rally point with its
+    height rounded up to what the autopilot keeps."""
+    if kind == RALLY and habits.whole_rally_m:
+        return item._replace(z=float(math.ceil(item.z)))
+    if kind != MISSION:
+        return item
     names = [f"param{number}" for number in habits.not_sent.get(item.command, "")]
     return PlanItem(**item._asdict() | {name: math.nan for name in names if getattr(item, name) != 0.0})
 
@@ -74,7 +79,7 @@ class PlanDifference(NamedTuple):
     wanted: float | str
     found: float | str
     lost: bool = False
-    """whether that is only a parameter for which the autopilot has no use"""
+    """whether that is only what the autopilot has no use for, or a height that it keeps in whole metres"""
 
     @property
     def text(self) -> str:
@@ -87,16 +92,13 @@ def wire_items(plan: MissionPlan, kind: int, habits: PlanHabits, not_given: floa
     """A plan's items of one kind (MAV_MISSION_TYPE) as a vehicle is given them; `not_given` is what its autopilot wants
     for a parameter that is not. Raises ItemError for a number that the wire cannot carry.
 
-    A mission has home before it where the autopilot counts that, by which its jumps count then. A rally point's height
-    is rounded up to what the autopilot keeps.
+    A mission has home before it where the autopilot counts that, by which its jumps count then.
     """
     if kind == MISSION:
         items = mission_items(plan) if habits.begin_with_home else list(numbered(plan, 0).mission)
         items = items if plan.mission else []
     else:
         items = fence_items(plan) if kind == FENCE else rally_items(plan)
-    if kind == RALLY and habits.whole_rally_m:
-        items = [one._replace(params=(*one.params[:6], float(math.ceil(one.params[6])))) for one in items]
     wired = [_wired(index, item, not_given) for index, item in enumerate(items)]
     return [item._replace(current=int(kind == MISSION and index == 0)) for index, item in enumerate(wired)]
 
@@ -136,6 +138,9 @@ def _differences(kind: int, own: PlanItem, other: PlanItem, habits: PlanHabits) 
         if habits.loses(own.command, number) and (math.isnan(found) or found in (-1.0, 0.0, 1.0)):
             if wanted != 0.0:
                 yield PlanDifference(name, wanted, found, lost=True)
+            continue
+        if number == 7 and kind == RALLY and habits.whole_rally_m and found == math.ceil(wanted):
+            yield PlanDifference(name, wanted, found, lost=True)
             continue
         scale = unit if number in (5, 6) else 1.0
         yield PlanDifference(name, wanted / scale, found / scale)

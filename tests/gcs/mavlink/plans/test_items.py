@@ -71,7 +71,12 @@ def test_places_are_in_the_units_of_their_frames() -> None:
 def test_a_fence_is_written_as_it_is_and_a_rally_point_no_lower_than_it_is() -> None:
     (circle,) = wire_items(PLAN, FENCE, ARDUCOPTER.plans, 0.0)
     assert (circle.command, circle.param1, circle.x) == (mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, 80.0, 475000000)
-    assert [wire_items(PLAN, RALLY, whose)[0].z for whose in (ARDUCOPTER.plans, PX4.plans)] == [41.0, 40.25]
+    (point,) = wire_items(PLAN, RALLY, ARDUCOPTER.plans)
+    assert [as_sent(RALLY, point, whose).z for whose in (ARDUCOPTER.plans, PX4.plans)] == [41.0, 40.25]
+    (rounded,) = differences(RALLY, point, point._replace(z=41.0), ARDUCOPTER.plans)
+    assert (rounded.lost, rounded.text) == (True, "Altitude 40.25 is 41")
+    for whose, z in ((ARDUCOPTER.plans, 40.0), (PX4.plans, 41.0)):
+        assert [one.lost for one in differences(RALLY, point, point._replace(z=z), whose)] == [False]
     assert wire_items(MissionPlan(), MISSION, ARDUCOPTER.plans) == []
 
 
@@ -130,9 +135,9 @@ def test_only_a_parameter_without_use_that_reads_as_none_is_lost() -> None:
 
 def test_a_px4_is_not_given_what_it_may_refuse() -> None:
     takeoff = PlanItem(mav.MAV_CMD_NAV_TAKEOFF, 3, 15.0, 1, 2, 20.0)
-    assert math.isnan(as_sent(takeoff, PX4.plans).param1)
-    assert as_sent(takeoff._replace(param1=0.0), PX4.plans) == takeoff._replace(param1=0.0)
-    assert as_sent(takeoff, ARDUCOPTER.plans) == takeoff
-    assert as_sent(WAYPOINT, PX4.plans) == WAYPOINT
+    assert math.isnan(as_sent(MISSION, takeoff, PX4.plans).param1)
+    assert as_sent(MISSION, takeoff._replace(param1=0.0), PX4.plans) == takeoff._replace(param1=0.0)
+    assert as_sent(MISSION, takeoff, ARDUCOPTER.plans) == takeoff
+    assert as_sent(MISSION, WAYPOINT, PX4.plans) == WAYPOINT
     (lost,) = differences(MISSION, takeoff, takeoff._replace(param1=0.0), PX4.plans)
     assert (lost.text, lost.lost) == ("Pitch 15 is 0", True)

@@ -1,3 +1,8 @@
 """A vector as Python's numbers."""
 
 Vec3 = tuple[float, float, float]
+
+
+def along(a: Vec3, b: Vec3, share: float) -> Vec3:
+    """a + share b."""
+    return a[0] + share * b[0], a[1] + share * b[1], a[2] + share * b[2]

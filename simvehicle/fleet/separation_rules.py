@@ -9,9 +9,14 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.autopilot.vectors import Vec3
-from skytender import geometry
+from simvehicle.autopilot.vectors import Vec3, along
+from skytender import elementary, geometry
+from skytender.safety.braking_clearance import stop_way
+from skytender.safety.safety_filter import BRAKE_SHARE
 from skytender.safety.silence import Failsafe
+
+STANDS_M_S = 1e-4
+"""A leader that is slower stands."""
 
 
 class SeparationRulesError(ValueError):
@@ -38,6 +43,14 @@ class SeparationRules:
     vehicles: Mapping[int, PeerProfile]
     obstacles: NDArray[np.float64]
     """table of skytender/geometry.py"""
+
+    def rest(self, sysid: int, p_ned: Vec3, v_ned: Vec3) -> Vec3:
+        """Place (NED, m) where the leader of a vehicle stands if it brakes now."""
+        speed_m_s = elementary.norm(v_ned)
+        if speed_m_s < STANDS_M_S:
+            return p_ned
+        brake_m_s2 = BRAKE_SHARE * self.vehicles[sysid].acceleration_m_s2
+        return along(p_ned, v_ned, stop_way(speed_m_s, brake_m_s2, self.period_s) / speed_m_s)
 
 
 _KEYS = {"period_s", "separation_m", "clearance_m", "vehicles", "obstacles"}

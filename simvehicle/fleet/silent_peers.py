@@ -1,0 +1,135 @@
+"""Peers that are silent while the station is too: where they may be, and where this vehicle stays so that they presume
+rightly (docs/protocol/onboard.md#separation-on-board).
+
+NED, SI units; times are the vehicle's own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Mapping
+
+from simvehicle.autopilot.maneuvers import AT_REST
+from simvehicle.autopilot.vectors import Vec3, along
+from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.fleet.peer_table import PeerTable
+from simvehicle.fleet.separation_rules import SeparationRules
+from skytender import elementary
+from skytender.safety.silence import AHEAD_S, OVER_HOME_M, STEP_M, nearest_rest, stretch, tube, way_home
+
+PARTED_S = 0.5
+"""[choice] A peer of which nothing has come for so long is silent, while the station is silent too."""
+SAID_S = 3.0
+"""[choice] A peer that is found silent received this vehicle no longer ago."""
+LATE_S = 2.0
+"""[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
+ASIDE_M = 0.15
+"""[choice] Distance from its way home that a vehicle keeps within while a peer is silent."""
+
+
+class SilentPeers:
+    """One vehicle's silent peers."""
+
+    def __init__(self, vehicle: Vehicle, sysid: int, rules: SeparationRules, peers: PeerTable) -> None:
+        self.waits = False
+        """whether this vehicle waits at `from_ned` until it receives others again, or they have landed"""
+        self._vehicle, self._sysid, self._rules, self._peers = vehicle, sysid, rules, peers
+        own = rules.vehicles[sysid]
+        self._home_ned, self._plan = own.home_ned, own.failsafe
+        self._beside_m = rules.separation_m + 4.0 * ASIDE_M
+        """nearer columns are one for two that climb"""
+        self._said: deque[tuple[float, Vec3, Vec3]] = deque(maxlen=math.ceil(SAID_S / rules.period_s))
+        self._rest_ned: Vec3 = AT_REST
+        self._silent: set[int] = set()
+        self._from_ned: dict[int, Vec3] = {}
+        """where those came to rest that this vehicle knows, itself among them"""
+        self._higher: dict[int, bool] = {}
+
+    @property
+    def any(self) -> bool:
+        """Whether a peer is silent."""
+        return bool(self._silent)
+
+    @property
+    def from_ned(self) -> Vec3:
+        """Place where this vehicle came to rest; call it only while a peer is silent."""
+        return self._from_ned[self._sysid]
+
+    def say(self, p_ned: Vec3, v_ned: Vec3) -> None:
+        """This vehicle reports its leader now."""
+        self._said.append((self._vehicle.time_s, p_ned, v_ned))
+
+    def part(self, silent: Mapping[int, float], p_ned: Vec3, v_ned: Vec3) -> None:
+        """Let this vehicle, whose leader is at p and v, stay where silent peers (by system id, for how long) presume
+        it, as it presumes them, and all those that it receives: on the way home from where it came to rest."""
+        self.waits = False
+        self._rest_ned = self._rules.rest(self._sysid, p_ned, v_ned)
+        if not silent:
+            self._silent, self._from_ned, self._higher = set(), {}, {}
+            return
+        if self._sysid not in self._from_ned:
+            known = self._known(min(silent.values()))
+            self._from_ned[self._sysid] = nearest_rest(self._rest_ned, *known, PARTED_S)
+        self._silent |= silent.keys()
+        self._vehicle.return_from(self.from_ned)
+        self.waits = self._barred(p_ned)
+
+    def presumed(self, sysid: int, rest_ned: Vec3, v_ned: Vec3, silent_s: float) -> list[Vec3]:
+        """Where a silent peer may be that returns by the timetable, as this vehicle does: where it came to rest, if it
+        braked within PARTED_S of its last report, and on the leg that is due, from its beginning to where it can have
+        come. Of two that would climb through each other's columns the higher goes first, and the lower waits.
+
+        rest_ned, v_ned: where it stood if it braked at its last report, and how fast it was then.
+        """
+        member = self._rules.vehicles[sysid]
+        count = math.ceil(PARTED_S * elementary.norm(v_ned) / STEP_M)
+        rests = [along(rest_ned, v_ned, PARTED_S * k / max(count, 1)) for k in range(count + 1)]
+        now_s, plan = max(self._vehicle.returning_s(), 0.0), member.failsafe
+        begun_s = max(now_s - silent_s, 0.0)
+        if begun_s > plan.down_after_s and elementary.distance(rest_ned[:2], member.home_ned[:2]) > OVER_HOME_M:
+            return rests
+        due_s = max(at_s for at_s in (0.0, plan.level_after_s, plan.down_after_s) if at_s <= max(now_s - LATE_S, 0.0))
+        if due_s == 0.0 and elementary.distance(self.from_ned[:2], rest_ned[:2]) < self._beside_m:
+            known_ned, _ = self._known(silent_s)
+            if self._higher.setdefault(sysid, (known_ned[2], -self._sysid) < (rest_ned[2], -sysid)):
+                return rests
+            self.waits = True
+        legs = way_home(rest_ned, member.home_ned, plan)
+        places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s)
+        if now_s > plan.again_after_s:
+            return places or [member.home_ned]
+        return [*rests, *places]
+
+    def tube(self, sysid: int, p_ned: Vec3, v_ned: Vec3) -> tuple[Vec3, Vec3]:
+        """Least and greatest places of the leg that is due on the way home of a vehicle that is received, or of this
+        one, whose leader is at p and v (skytender/safety/silence.py)."""
+        member = self._rules.vehicles[sysid]
+        now_s = -1.0 if sysid == self._sysid and self.waits else self._vehicle.returning_s()
+        if sysid not in self._from_ned:
+            self._from_ned[sysid] = self._rules.rest(sysid, p_ned, v_ned)
+        return tube(p_ned, self._from_ned[sysid], member.home_ned, now_s, member.failsafe)
+
+    def _known(self, silent_s: float) -> tuple[Vec3, Vec3]:
+        """Resting place and velocity of this vehicle's leader, as a peer has last received them that has been silent
+        for so long: such a peer knows of no turn since."""
+        then_s = self._vehicle.time_s - silent_s
+        for said_s, p_ned, v_ned in self._said:
+            if abs(said_s - then_s) < 0.5 * self._rules.period_s:
+                return self._rules.rest(self._sysid, p_ned, v_ned), v_ned
+        return self._rest_ned, AT_REST
+
+    def _barred(self, p_ned: Vec3) -> bool:
+        """Whether a peer that is received is above, in the column through which this vehicle would climb, and returns
+        less high: this one could not pass it, and would wait among the ways of those that are silent."""
+        if not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
+            return False
+        now_ms, top_d = self._vehicle.time_ms, min(self.from_ned[2], self._home_ned[2] - self._plan.altitude_m)
+        for sysid, member in self._rules.vehicles.items():
+            said_ms, (n, e, d), _ = self._peers.newest(sysid)
+            if sysid == self._sysid or said_ms < 0 or now_ms - said_ms > 1e3 * PARTED_S or d >= p_ned[2]:
+                continue
+            beside = elementary.distance((n, e), self.from_ned[:2]) < self._beside_m
+            if beside and min(d, member.home_ned[2] - member.failsafe.altitude_m) > top_d:
+                return True
+        return False

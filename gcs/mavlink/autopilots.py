@@ -200,7 +200,7 @@ PX4 = Profile(
 
 
 def _ardupilot(kind: str) -> dict[int, str]:
-    """Names of modes: MAVProxy's, and for modes that it lacks those of MAVLink's definitions."""
+    """Modes' names as in MAVProxy. Modes that MAVProxy lacks are named as in MAVLink's definitions."""
     prefix = f"{kind.upper()}_MODE"
     defined = {number: name.removeprefix(f"{prefix}_") for number, name in mav.ENUMS.get(prefix, {}).items()}
     return defined | {number: name for name, number in mav.MODES[kind].items()}

@@ -246,7 +246,7 @@ class MonitorSource:
                 self._transmit(view.sysid, [CommandLong(target, *standard_modes.asked(index)).message(0)])
 
     def _ask_for_metadata(self, t_s: float) -> None:
-        """Ask each vehicle for the words of its events, and report those that are lost."""
+        """Ask each vehicle for the texts of its events. Report lost events."""
         for view in self._observer.view(t_s).vehicles:
             sysid, component = self._autopilot(view.sysid)
             if (sysid, component) in self._peers and self._vehicle_events.due(sysid, t_s, armed=view.armed):

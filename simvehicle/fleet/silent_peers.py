@@ -1,5 +1,5 @@
-"""Peers that are silent while the station is too: where they may be, and where this vehicle stays so that they presume
-rightly (docs/protocol/onboard.md#separation-on-board).
+"""Peers that are silent while the station is silent too: their presumed places, and the way to which this vehicle
+keeps so that peers presume it rightly (docs/protocol/onboard.md#separation-on-board).
 
 NED, SI units; times are the vehicle's own.
 """
@@ -61,8 +61,8 @@ class SilentPeers:
         self._said.append((self._vehicle.time_s, p_ned, v_ned))
 
     def part(self, silent: Mapping[int, float], p_ned: Vec3, v_ned: Vec3) -> None:
-        """Let this vehicle, whose leader is at p and v, stay where silent peers (by system id, for how long) presume
-        it, as it presumes them, and all those that it receives: on the way home from where it came to rest."""
+        """Note which peers are silent, and for how long, by system id. While any is silent, this vehicle, whose leader
+        is at p and v, returns from its resting place, where silent peers presume it."""
         self.waits = False
         self._rest_ned = self._rules.rest(self._sysid, p_ned, v_ned)
         if not silent:
@@ -120,8 +120,8 @@ class SilentPeers:
         return self._rest_ned, AT_REST
 
     def _barred(self, p_ned: Vec3) -> bool:
-        """Whether a peer that is received is above, in the column through which this vehicle would climb, and returns
-        less high: this one could not pass it, and would wait among the ways of those that are silent."""
+        """Whether a received peer bars the climb: it is above this vehicle in the same column, and its return height is
+        lower. Below it this vehicle would wait at a height at which silent peers fly."""
         if not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
             return False
         now_ms, top_d = self._vehicle.time_ms, min(self.from_ned[2], self._home_ned[2] - self._plan.altitude_m)

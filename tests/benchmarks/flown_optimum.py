@@ -1,4 +1,4 @@
-"""Vehicles lost in flight, beside those that a schedule loses which knows all consumption before.
+"""Vehicles lost in flight, compared with the losses of a schedule that knows all consumption in advance.
 
     python flown_optimum.py --out ../../campaigns/optimum --sessions 30
 

@@ -73,9 +73,10 @@ faults: $(DEV_READY)
 docs: $(DEV_READY) $(DOCS_READY)
 	@$(VENV)/bin/python docs/.site/build.py --builder $(DOCS)/bin/python
 
-# The moving picture at the README's top; needs Chromium.
+# The README's pictures: the flight, which needs Chromium, and the console.
 picture: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/picture.py
+	@$(VENV)/bin/python docs/.site/console_picture.py
 
 # The pictures of docs/gallery.md and of how-to pages, by flights; needs Chromium. GALLERY="demo act" makes only these.
 gallery: $(DEV_READY)

@@ -35,6 +35,8 @@ WIDTH, WIDE = 720, 880
 QUALITY = 60
 AWAY, FROM_AFAR = 3, (1600, 1000)
 PALE, MARGIN = 190, 24
+NORTH, SCALE = (1500, 0, 1600, 70), (1380, 940, 1600, 1000)
+"""Corners of a picture from afar in which the arrow to the north and the width of the squares stand."""
 PAGE_AT_S = 62.0
 SPACE = """(() => {
   const picture = document.querySelector('.picture');
@@ -99,6 +101,8 @@ def taken(page: Path, t_s: float, style: str, *, from_afar: bool = False) -> byt
 def cropped(png: bytes) -> bytes:
     """The part of a picture that shows something: the grid on the ground is paler than `PALE`."""
     image = Image.open(io.BytesIO(png)).convert("RGB")
+    for corner in (NORTH, SCALE):
+        image.paste("white", corner)
     box = image.convert("L").point(lambda grey: 255 * (grey < PALE)).getbbox() or (0, 0, *image.size)
     left, top, right, bottom = box
     high = max(bottom - top, (right - left) // 3)

@@ -7,7 +7,6 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -61,8 +60,9 @@ from gcs.supervisor.reception import Received, Reception
 from gcs.supervisor.recovery import Recovery
 from gcs.supervisor.script import COMMAND, Script
 from gcs.supervisor.services.operator_control import TOKEN as CONTROL
+from gcs.supervisor.services.vehicle_texts import VehicleTexts
 from gcs.telemetry.changes import ChangeDetector
-from gcs.telemetry.events import Event, level_of
+from gcs.telemetry.events import Event
 from gcs.telemetry.metrics import Metrics
 from gcs.telemetry.state import FleetSnapshot, Vec3
 
@@ -70,8 +70,6 @@ if TYPE_CHECKING:  # most sessions have none
     from gcs.link.forwarder import Forwarder
 
 WAIT_FOR_FLEET_S = 30.0
-MOST_TEXTS = 20
-"""Most texts of one vehicle that are shown in one tick."""
 _SETTLED = frozenset({Stage.FLY, Stage.MISSION, Stage.YIELDED, Stage.DOWN, Stage.TAKEN})
 
 
@@ -149,8 +147,7 @@ class Supervisor:
         self.grounded: frozenset[int] = frozenset()
         """vehicles that land at a base, or stand at one"""
         self._watch = ChangeDetector()
-        self._told: list[dict[str, Any]] = []
-        """vehicles' own events, which a recording's frames alone do not put into words"""
+        self._texts = VehicleTexts(self.fleet, self.externals, self.arming)
         self._deaths: list[dict[str, Any]] = []
         self._reported_lost: set[int] = set()
         self.set_points: Sequence[SetPoint] = []
@@ -374,30 +371,8 @@ class Supervisor:
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.missions.receive(delivered)
         self.received += len(received.frames) + len(received.late_frames)
-        if texts := self.fleet.pop_statustexts(now_s):
-            self._report_texts(texts, now_s)
-        if texts := self.externals.pop_texts():
-            shown = self._report_texts(texts, now_s)
-            self._told += [
-                {"t_s": now_s, "kind": "event", "sysid": sysid, "severity": severity, "text": text}
-                for sysid, severity, text in shown
-            ]
+        self.events += self._texts.pop_events(now_s)
         return received
-
-    def _report_texts(self, texts: Iterable[tuple[int, int, str]], now_s: float) -> list[tuple[int, int, str]]:
-        """Report what vehicles have said; what of it is shown."""
-        count: Counter[int] = Counter()
-        shown = []
-        for sysid, severity, text in texts:
-            count[sysid] += 1
-            if count[sysid] > MOST_TEXTS:
-                continue
-            arming = self.arming.get(sysid)
-            if self.externals.repeats(sysid, text, now_s) or (arming and arming.repeats(text)):
-                continue
-            self.events.append(Event(now_s, sysid, level_of(severity), text, "text"))
-            shown.append((sysid, severity, text))
-        return shown
 
     def _receive_forwarded(self, forwarder: Forwarder, now_s: float) -> None:
         """Let pass what other ground stations may say to vehicles; without control it is read and forgotten."""
@@ -615,16 +590,8 @@ class Supervisor:
         """Records of a program's answers and acts, vehicles' own events, faults, deaths and operators' commands since
         the last call."""
         deaths, self._deaths = self._deaths, []
-        answered = [record for one in self._plugins for record in one.pop_records()]
-        told, self._told = self._told, []
-        return (
-            answered
-            + told
-            + self.script.pop_records()
-            + self.faults.pop_records()
-            + deaths
-            + self.operator.pop_records()
-        )
+        answered = [record for one in self._plugins for record in one.pop_records()] + self._texts.pop_records()
+        return answered + self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:
         """Recording and hashing wait until the grants are out: the vehicles fly meanwhile."""

@@ -21,7 +21,7 @@ _DEBUG_FLOAT_ARRAY = codec.msgid("DEBUG_FLOAT_ARRAY")
 
 
 class Received(NamedTuple):
-    """What came through in one tick."""
+    """Frames that came through in one tick."""
 
     frames: Sequence[bytes]
     """at the tick's time, in order of system id"""

@@ -42,12 +42,16 @@ class Intruder:
         radius_m: float,
         age_s: float,
         agile_m_s: float = 0.0,
+        *,
+        unheard_s: float | None = None,
     ) -> Intruder:
         """Carried forward by `lead_s`, and the less certain the older the report of it is. agile_m_s: -w where it
-        `turning` at w is for those that can outrun it."""
+        `turning` at w is for those that can outrun it. unheard_s: since that report came, `age_s` by default; reports
+        that keep coming over a slow link are old, and grow no older."""
         v = np.array(v_ned)
         drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
-        growth_m_s = min(DRIFT_M_S2 * age_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
+        growing_s = age_s if unheard_s is None else unheard_s
+        growth_m_s = min(DRIFT_M_S2 * growing_s, MOST_GROWTH_M_S) if drift_m < MOST_DRIFT_M else 0.0
         return cls(name, owner, np.array(p_ned) + lead_s * v, v, radius_m + drift_m, growth_m_s, agile_m_s)
 
     @classmethod

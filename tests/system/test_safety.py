@@ -121,6 +121,16 @@ def test_a_vehicle_that_stops_early_where_nobody_hears_it_is_not_run_into(tmp_pa
     assert nearest_m(at_grants(fly(content, tmp_path), range(1, 8))) > 0.63
 
 
+def test_close_neighbours_on_a_slow_link_stay_where_they_are_until_they_are_steered(tmp_path: Path) -> None:
+    """Reports of peers are half a second old, and so are the first set points: no reason to fly apart, after which
+    leaders would have to be put back to where the vehicles are again and again."""
+    content = circle(20, 3.0, radio={"delay_s": 0.5}, goal={"duration_s": 2.0})
+    outcome = fly(content, tmp_path)
+    for one in content["vehicles"]["pursuers"]:
+        p_ned = outcome.truth(one["sysid"]).p_ned
+        assert np.linalg.norm(p_ned - one["start_m"], axis=1).max() < 0.5
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("planner", ["OnePoint", "Raises"])
 def test_a_planner_of_a_users_own_cannot_make_them_meet(tmp_path: Path, planner: str) -> None:

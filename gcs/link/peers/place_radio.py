@@ -47,9 +47,10 @@ class PlaceRadio:
         self._all_fitting: dict[int, bytes] = {}
         """by room"""
         self._flying: Collection[int] = ()
+        self._steered: Container[int] = ()
         self._ticks = 0
         self.listening: frozenset[int] = frozenset()
-        """vehicles that may fly, and to which no set point goes"""
+        """vehicles that may fly, and are not known to follow set points"""
         self.delivered = False
         """whether a place has been delivered in this tick"""
 
@@ -65,18 +66,20 @@ class PlaceRadio:
 
     def begin(self, flying: Collection[int], steered: Container[int], *, seldom: bool = False) -> None:
         """Begin a tick's deliveries. `flying`: vehicles that may be in the air; `steered`: those to which a set point
-        goes. `seldom`: all hear the station, and places are carried in every third tick alone, to save time."""
+        goes and which follow it, as far as is known. `seldom`: all hear the station, and places are carried in every third tick alone, to save time."""
         self._ticks += 1
         rests = seldom and not self._splits and self._ticks % SELDOM != 0
         self._flying, self.delivered = () if rests else flying, False
-        led: Container[int] = () if self._splits else steered
-        self.listening = frozenset(sysid for sysid in self._members if sysid in self._flying and sysid not in led)
+        self._steered = () if self._splits else steered
+        self.listening = frozenset(
+            sysid for sysid in self._members if sysid in self._flying and sysid not in self._steered
+        )
 
     def deliver(self, sysid: int, t_s: float, *, led: bool, beside_bytes: int = 0) -> bytes:
         """Places that reach a vehicle at a session time, as one piece of data, once per tick; `led`: a set point has
-        reached it. One that is led, or on the ground, has no use for them, and they are kept from it to save time;
-        but what a split may soon keep from it. `beside_bytes` of other frames go with them."""
-        needs = sysid in self._flying and sysid in self._members and not (led and not self._splits)
+        reached it. One that follows it, or is on the ground, has no use for them, and they are kept from it to save
+        time; but what a split may soon keep from it. `beside_bytes` of other frames go with them."""
+        needs = sysid in self._flying and sysid in self._members and not (led and sysid in self._steered)
         if not needs and (self._radio.prompt or sysid not in self._members):
             return b""
         received = self._received(sysid, t_s, MOST_BYTES - beside_bytes)

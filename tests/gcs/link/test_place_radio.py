@@ -55,6 +55,14 @@ def test_who_is_not_led_receives_places_and_leaders_and_nothing_else() -> None:
     assert radio.delivered
 
 
+def test_one_that_is_not_known_to_follow_the_set_points_that_reach_it_receives_places() -> None:
+    radio = PlaceRadio([1, 2], Impairment())
+    radio.send({1: [place(1)], 2: [place(2)]})
+    radio.begin({1, 2}, {2})
+    assert received(radio, 1, led=True) != []
+    assert received(radio, 2, led=True) == []
+
+
 def test_one_on_the_ground_or_of_another_kind_receives_none() -> None:
     radio = PlaceRadio([1, 2], Impairment())
     radio.send({1: [place(1)], 2: [place(2)]})

@@ -66,11 +66,13 @@ class Swarm:
     """Vehicles, each with its services, and a radio between them: `passes` decides about each frame by its sender, its
     reader and the time in s."""
 
-    def __init__(self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio, *, up: bool = False) -> None:
-        """`up`: they hover at their starts, over homes that are elsewhere."""
-        self.passes = passes
+    def __init__(
+        self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio, *, up: bool = False, delay: int = 0
+    ) -> None:
+        """`up`: they hover at their starts, over homes that are elsewhere. `delay`: of the radio, in periods."""
+        self.passes, self.delay = passes, delay
         self.vehicles, self._services, self._connections = {}, {}, {}
-        self._sent: dict[int, list[ReceivedFrame]] = {}
+        self._sent: list[dict[int, list[ReceivedFrame]]] = []
         self.least_m = math.inf
         for sysid, start in starts.items():
             parameters = Parameters({"RTL_RETURN_ALT": rules.vehicles[sysid].failsafe.altitude_m})
@@ -97,16 +99,18 @@ class Swarm:
         while time_ms < 1e3 * until_s:
             each(time_ms / 1e3)
             for reader, services in self._services.items():
-                for sender, frames in self._sent.items():
+                arriving = self._sent[-1 - self.delay] if len(self._sent) > self.delay else {}
+                for sender, frames in arriving.items():
                     for frame in frames if sender != reader else ():
                         if self.passes(sender, reader, time_ms / 1e3):
                             services.receive(frame, self._connections[reader])
             time_ms += PERIOD_MS
+            self._sent.append({})
             for sysid, services in self._services.items():
                 self.vehicles[sysid].advance(time_ms)
                 services.decide()
                 services.report()
-                self._sent[sysid] = split(b"".join(self._connections[sysid].frames()))
+                self._sent[-1][sysid] = split(b"".join(self._connections[sysid].frames()))
             self._measure()
 
     def _measure(self) -> None:
@@ -345,6 +349,24 @@ def test_one_that_returns_counts_on_no_leader_of_one_that_the_station_steers_aga
     assert begun
     assert upper.mode is Mode.OFFBOARD
     assert swarm.least_m >= SEPARATION_M
+
+
+@pytest.mark.parametrize("delay", [0, 5])
+def test_neighbours_that_hover_do_not_fly_apart_because_their_reports_are_old(delay: int) -> None:
+    places = {1: (0.0, 0.0, -10.0), 2: (1.4, 0.0, -10.0)}
+    swarm = Swarm(places, rules_of(places, dict.fromkeys(places, 15.0)), lambda *_: True, up=True, delay=delay)
+    for sysid, vehicle in swarm.vehicles.items():  # of which no further set point comes
+        vehicle.set_point(OffboardSetPoint(places[sysid], AT_REST, (True,) * 3, None, 0.0))
+        vehicle.trigger(Trigger.OFFBOARD)
+
+    def station(_: float) -> None:
+        for vehicle in swarm.vehicles.values():
+            vehicle.receive_gcs_heartbeat()
+
+    swarm.fly(5.0, station)
+    assert {vehicle.mode for vehicle in swarm.vehicles.values()} == {Mode.HOLD}
+    for sysid, vehicle in swarm.vehicles.items():
+        assert vehicle.p_ned == pytest.approx(places[sysid], abs=0.1)
 
 
 def test_set_points_of_a_pilot_leave_it_to_the_pilot() -> None:

@@ -122,7 +122,9 @@ class GrantSender:
         if self._place_radio is not None:
             up = columns.flying if self._radio.clear else columns.alive  # more is not known of silent ones
             flying = {sysid for sysid, flies in zip(columns.sysids, up.tolist(), strict=True) if flies}
-            following = {sysid for sysid, follows in zip(columns.sysids, columns.steerable.tolist(), strict=True) if follows}
+            following = {
+                sysid for sysid, follows in zip(columns.sysids, columns.steerable.tolist(), strict=True) if follows
+            }
             self._place_radio.begin(flying, following.intersection(points.sysids), seldom=self._radio.clear)
         for key in self._with_more(keys, relays):
             own = [points.message(key[0])] if key[0] in points.sysids else []

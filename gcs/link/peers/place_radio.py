@@ -66,7 +66,8 @@ class PlaceRadio:
 
     def begin(self, flying: Collection[int], steered: Container[int], *, seldom: bool = False) -> None:
         """Begin a tick's deliveries. `flying`: vehicles that may be in the air; `steered`: those to which a set point
-        goes and which follow it, as far as is known. `seldom`: all hear the station, and places are carried in every third tick alone, to save time."""
+        goes and which follow it, as far as is known. `seldom`: all hear the station, and places are carried in every
+        third tick alone, to save time."""
         self._ticks += 1
         rests = seldom and not self._splits and self._ticks % SELDOM != 0
         self._flying, self.delivered = () if rests else flying, False

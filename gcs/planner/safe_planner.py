@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.mavlink.autopilots import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
 from gcs.planner.fence import FenceBorder
@@ -56,13 +56,14 @@ SETTLE_S = 0.5
 """A leader that is not where a planner of a user's own wants it comes there in about so long."""
 PARTNERS_SHARE = 0.5
 """Of the height in which a tanker stands: so near may partners of a transfer come."""
-ACTS_M_S2 = 1.0
-"""A change of a wanted velocity by so much is an intervention to be recorded, once in QUIET_S for each vehicle and
+ACTS_M_S2, REPEAT_AFTER_S = 1.0, 2.0
+"""A change of a wanted velocity by so much is an intervention to be recorded, once in so long for each vehicle and
 cause."""
-REPEAT_AFTER_S = 2.0
 ANSWERED_S = 0.25
 """[choice] Offboard is asked for when set points have flowed for 0.2 s, and where nothing is lost the next report says
 that they are followed: one that has been sent set points for longer without that may follow them or not."""
+TAKES_OFF = STEERABLE | {FlightMode.TAKEOFF}
+"""Modes in which a vehicle without a leader may climb to where its flight begins: ArduPilots take off in GUIDED."""
 EVADES_M_S = 0.1
 """[choice] One of ours that flies by itself may evade others on board, and come back at any time: where it is faster,
 others also keep apart from where it would come to rest."""
@@ -91,6 +92,7 @@ class SafePlanner(TickPlanner):
         self.tracking = Tracking(n, LOOKAHEAD_S)
         speeds = speeds_m_s(scenario)
         self._speed_m_s = np.array([speeds[v.sysid] for v in every])
+        self._takeoff_m = [v.takeoff_m for v in every]
         self._a_max = np.array([acceleration_m_s2(scenario, v) for v in every])
         spreads = spreads_m(scenario)
         self._spread_m = np.array([spreads[v.sysid] for v in every])
@@ -303,8 +305,7 @@ class SafePlanner(TickPlanner):
             place = self._place(view)
             if place is None:
                 continue
-            silent = bool(self._link_age.silent[row])
-            radius_m = rules.separation_m + self.margin_m(view.sysid) + float(self._spread_m[row])
+            silent, radius_m = bool(self._link_age.silent[row]), self._radius_m(row, view.sysid)
             name, owner = f"vehicle {view.sysid}", view.sysid if self._led[row] else None
             age_s = min(view.age_s, request.snapshot.time_s)
             home, failsafe = self._failsafes.get(view.sysid, (STILL, None))
@@ -320,6 +321,7 @@ class SafePlanner(TickPlanner):
             if silent and failsafe:
                 for presumed in presumed_places(place, home, age_s, failsafe):
                     others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+        others += self._climbs(request, columns) if rules.vehicles_repel else ()
         for sysid, places in request.claims.items():
             strays_m = rules.separation_m + STRAYS_M + float(self._spread_m[self._row[sysid]]) + 0.5 * STEP_M
             owner = sysid if self._led[self._row[sysid]] else None
@@ -327,6 +329,24 @@ class SafePlanner(TickPlanner):
                 others.append(Intruder.of(f"vehicle {sysid}", owner, claimed, STILL, 0.0, strays_m, 0.0))
         traffic = request.snapshot.traffic
         return others + self._traffic_reach.intruders(traffic, self.lag_s, rules.separation_m, self._attracting)
+
+    def _radius_m(self, row: int, sysid: int) -> float:
+        return self._scenario.planner.separation_m + self.margin_m(sysid) + float(self._spread_m[row])
+
+    def _climbs(self, request: PlanRequest, columns: FleetColumns) -> list[Intruder]:
+        """Ways up of vehicles that take off: the velocity of one that has just left the ground does not show them."""
+        found = []
+        for row in np.flatnonzero(columns.alive & ~self._led).tolist():
+            view = request.snapshot.vehicle(columns.sysids[row])
+            if not view.armed or view.p_ned is None or view.mode not in TAKES_OFF:
+                continue
+            here_ned = view.p_now_ned()
+            top_ned = (here_ned[0], here_ned[1], float(columns.ground_down_m[row]) - self._takeoff_m[row])
+            wide_m = elementary.hypot(self._radius_m(row, view.sysid), 0.5 * STEP_M)
+            if top_ned[2] < here_ned[2]:
+                for place, _ in [*between((here_ned, STILL), (top_ned, STILL)), (top_ned, STILL)]:
+                    found.append(Intruder.of(f"vehicle {view.sysid}", None, place, STILL, 0.0, wide_m, 0.0))
+        return found
 
     def _unled(self, columns: FleetColumns) -> list[int]:
         """Rows of the live vehicles that may fly without following a leader.

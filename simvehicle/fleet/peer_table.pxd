@@ -7,7 +7,7 @@ cdef struct PeerRow:
     bint known
     long long place_ms
     long long leader_ms
-    long long heard_ms
+    long long arrived_ms
     double[3] p
     double[3] v
     double[3] lp  # of its leader
@@ -34,6 +34,6 @@ cdef class PeerTable:
     cpdef tuple place(self, unsigned int sysid)
     @cython.locals(m='PeerRow *')
     cpdef tuple leader(self, unsigned int sysid)
-    cpdef long long heard(self, unsigned int sysid)
+    cpdef long long arrived(self, unsigned int sysid)
     @cython.locals(m='PeerRow *', led=cython.bint)
     cpdef tuple newest(self, unsigned int sysid)

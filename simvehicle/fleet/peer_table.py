@@ -33,7 +33,7 @@ class PeerTable:
         """Reports of others than `sysids` are passed over; `period_s`: for which a leader's acceleration is wanted."""
         memset(cython.address(self._peers[0]), 0, VEHICLES * cython.sizeof(self._peers[0]))
         for sysid in range(VEHICLES):
-            self._peers[sysid].place_ms = self._peers[sysid].leader_ms = self._peers[sysid].heard_ms = -1
+            self._peers[sysid].place_ms = self._peers[sysid].leader_ms = self._peers[sysid].arrived_ms = -1
         for sysid in sysids:
             self._peers[sysid].known = True
         self._period_s = period_s
@@ -52,7 +52,7 @@ class PeerTable:
             )
             total = place.x + place.y + place.z + place.vx + place.vy + place.vz
             if peer.place_ms <= place.time_boot_ms <= now_ms and math.isfinite(total):
-                peer.place_ms, peer.heard_ms = place.time_boot_ms, now_ms
+                peer.place_ms, peer.arrived_ms = place.time_boot_ms, now_ms
                 peer.p[0], peer.p[1], peer.p[2] = place.x, place.y, place.z
                 peer.v[0], peer.v[1], peer.v[2] = place.vx, place.vy, place.vz
             return
@@ -68,7 +68,7 @@ class PeerTable:
         )
         if leader.type_mask & ignored or not peer.leader_ms < leader.time_boot_ms <= now_ms or not math.isfinite(total):
             return
-        peer.leader_ms, peer.heard_ms = leader.time_boot_ms, now_ms
+        peer.leader_ms, peer.arrived_ms = leader.time_boot_ms, now_ms
         peer.lp[0], peer.lp[1], peer.lp[2] = leader.x, leader.y, leader.z
         peer.lv[0], peer.lv[1], peer.lv[2] = leader.vx, leader.vy, leader.vz
         peer.rp[0], peer.rp[1], peer.rp[2] = leader.x, leader.y, leader.z
@@ -122,9 +122,9 @@ class PeerTable:
         p, v = (m.lp[0], m.lp[1], m.lp[2]), (m.lv[0], m.lv[1], m.lv[2])
         return m.leader_ms, p, v, (m.wanted[0], m.wanted[1], m.wanted[2])
 
-    def heard(self, sysid: int) -> int:
+    def arrived(self, sysid: int) -> int:
         """When the last report of a peer came, which may have been long on its way."""
-        return self._peers[sysid].heard_ms
+        return self._peers[sysid].arrived_ms
 
     def newest(self, sysid: int) -> tuple[int, Vec3, Vec3]:
         """Time, place and velocity of a peer's last report of its leader; of its own place where the leader's report is

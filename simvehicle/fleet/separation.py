@@ -377,7 +377,7 @@ class Separation:
             return []
         lead_s = lag_s + min(silent_s, SILENT_S)
         reach_m = distance_m + LEAST_MARGIN_M
-        unheard_s = (self._vehicle.time_ms - self.peers.heard(sysid)) / 1e3
+        unheard_s = (self._vehicle.time_ms - self.peers.arrived(sysid)) / 1e3
         name, p_ned, v_ned = f"vehicle {sysid}", peer.p_ned, peer.v_ned
         return [Intruder.of(name, None, p_ned, v_ned, lead_s, reach_m, silent_s, unheard_s=unheard_s)]
 

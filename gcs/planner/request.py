@@ -37,6 +37,7 @@ class PlanRequest(NamedTuple):
     vehicles that are to be at a place instead. given: position and velocity of vehicles that a program steers, in place
     of a planner's. stand_off_m: how far above their receivers tankers in approaches are to stand; without it, as the
     others. claims: (k, 3) places where a vehicle on a mission will be, by its system id; the others stay away.
+    takes_off: vehicles that are ordered to take off, or will be as soon as they are armed.
     """
 
     snapshot: FleetSnapshot
@@ -50,6 +51,7 @@ class PlanRequest(NamedTuple):
     given: Mapping[int, tuple[Vec3, Vec3]] = _NONE
     stand_off_m: Mapping[int, float] = _NONE
     claims: Mapping[int, NDArray[np.float64]] = _NONE
+    takes_off: frozenset[int] = frozenset()
 
 
 class TickPlanner(Protocol):

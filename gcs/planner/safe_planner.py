@@ -62,8 +62,6 @@ cause."""
 ANSWERED_S = 0.25
 """[choice] Offboard is asked for when set points have flowed for 0.2 s, and where nothing is lost the next report says
 that they are followed: one that has been sent set points for longer without that may follow them or not."""
-TAKES_OFF = STEERABLE | {FlightMode.TAKEOFF}
-"""Modes in which a vehicle without a leader may climb to where its flight begins: ArduPilots take off in GUIDED."""
 EVADES_M_S = 0.1
 """[choice] One of ours that flies by itself may evade others on board, and come back at any time: where it is faster,
 others also keep apart from where it would come to rest."""
@@ -334,11 +332,11 @@ class SafePlanner(TickPlanner):
         return self._scenario.planner.separation_m + self.margin_m(sysid) + float(self._spread_m[row])
 
     def _climbs(self, request: PlanRequest, columns: FleetColumns) -> list[Intruder]:
-        """Ways up of vehicles that take off: the velocity of one that has just left the ground does not show them."""
+        """Ways up of vehicles that take off, or are about to: their velocities do not show them in time."""
         found = []
         for row in np.flatnonzero(columns.alive & ~self._led).tolist():
             view = request.snapshot.vehicle(columns.sysids[row])
-            if not view.armed or view.p_ned is None or view.mode not in TAKES_OFF:
+            if view.p_ned is None or not (view.sysid in request.takes_off or view.mode is FlightMode.TAKEOFF):
                 continue
             here_ned = view.p_now_ned()
             top_ned = (here_ned[0], here_ned[1], float(columns.ground_down_m[row]) - self._takeoff_m[row])

@@ -61,6 +61,11 @@ class FleetArming:
         return frozenset([sysid for sysid, one in self.sequences.items() if one.sends_set_points])
 
     @property
+    def takes_off(self) -> frozenset[int]:
+        """Vehicles on their way into the air, from before they are armed."""
+        return frozenset([sysid for sysid, one in self.sequences.items() if one.stage in (Stage.ARM, Stage.TAKEOFF)])
+
+    @property
     def yielded(self) -> frozenset[int]:
         """Vehicles under other control: another ground station's or a pilot's."""
         return frozenset([sysid for sysid, one in self.sequences.items() if one.stage is Stage.YIELDED])

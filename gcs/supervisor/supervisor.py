@@ -489,6 +489,7 @@ class Supervisor:
                 decision.stations,
                 self.script.given(self.time_s),
                 claims=self.missions.claims,
+                takes_off=self._fleet_arming.takes_off,
             )
         )
 

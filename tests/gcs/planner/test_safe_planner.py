@@ -85,23 +85,26 @@ def test_one_that_flies_by_itself_may_stop_and_come_back_at_any_time(mode: Fligh
     assert nearest_to_rest_m(mode) >= scenario().planner.separation_m
 
 
-@pytest.mark.parametrize("mode", [FlightMode.TAKEOFF, FlightMode.OFFBOARD])
-@pytest.mark.parametrize("begins_s", [0.6, 0.8, 1.0])
-def test_others_stay_out_of_the_way_up_of_one_that_takes_off(mode: FlightMode, begins_s: float) -> None:
-    """Vehicle 1 stands 2 m ahead of vehicle 2, which would pass over it; ArduPilots take off in GUIDED."""
+@pytest.mark.parametrize("ordered", [True, False])
+@pytest.mark.parametrize("begins_s", [0.6, 0.8, 1.0, 1.4])
+def test_others_stay_out_of_the_way_up_of_one_that_takes_off(ordered: bool, begins_s: float) -> None:
+    """Vehicle 1 stands 2 m ahead of vehicle 2, which would pass over it; it is to be armed, and shows no mode of its
+    own for a take-off, or shows one that another station has ordered."""
     content = scenario(((2.0, 0.0, 0.0), (0.0, 0.0, -0.5)), ((2.0, 0.0, 0.0), (30.0, 0.0, -0.5)))
     planner = SafePlanner(content, Planner(content))
     there, nearest_m = (0.0, 0.0, -0.5), math.inf
+    mode, takes_off = (FlightMode.HOLD, frozenset({1})) if ordered else (FlightMode.TAKEOFF, frozenset())
     for tick in range(30):
         climbs_s = max(tick * PERIOD_S - begins_s, 0.0)
         up_m_s, up_m = min(3.0 * climbs_s, 1.5), max(1.5 * climbs_s - 0.375, 1.5 * min(climbs_s, 0.5) ** 2)
         one = (2.0, 0.0, -min(up_m, content.vehicles.pursuers[0].takeoff_m))
+        stands = {"landed": up_m == 0.0, "armed": up_m > 0.0 or not ordered, "ground_down_m": 0.0}
         vehicles = (
-            view(1, p_ned=one, v_ned=(0.0, 0.0, -up_m_s), mode=mode, landed=up_m == 0.0, ground_down_m=0.0),
+            view(1, p_ned=one, v_ned=(0.0, 0.0, -up_m_s), mode=mode, **stands),
             view(2, p_ned=there, ground_down_m=0.0),
         )
-        time_s = 20.0 + tick * PERIOD_S
-        (point,) = planner.plan(PlanRequest(FleetSnapshot(time_s, vehicles, ()), frozenset({2}), PERIOD_S))
+        snapshot = FleetSnapshot(20.0 + tick * PERIOD_S, vehicles, ())
+        (point,) = planner.plan(PlanRequest(snapshot, frozenset({2}), PERIOD_S, takes_off=takes_off))
         there = point.p_ned
         nearest_m = min(nearest_m, math.dist(one, there))
     assert nearest_m >= content.planner.separation_m

@@ -1,4 +1,4 @@
-"""Scenario families under three planners, for the comparison in docs/campaigns/safety.md."""
+"""Scenario families under several planners, for the comparisons in docs/campaigns/safety.md and dense.md."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ PLANNERS: dict[str, dict[str, Any]] = {
     "skytender": {},
     "field": {"safety": False},
     "orca": {"safety": False, "method": "orca_planner:AStarOrca"},
+    "orca3d": {"safety": False, "method": "orca3d_planner:AStarOrca3d"},
+    "navground": {"safety": False, "method": "navground_planner:AStarNavground"},
 }
 
 

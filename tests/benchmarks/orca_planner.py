@@ -35,9 +35,9 @@ FLOOR_M = 0.3
 MARGIN_M = 0.1
 """[choice] Beyond the separation wanted, between two vehicles."""
 LOOKAHEAD_S = 0.37
-_HORIZON_S = 0.7  # [choice] with the turn, of 0.7 to 3 s the fastest on circles 0 to 11, and none stuck there
-_NEIGHBOUR_M, _NEIGHBOURS = 15.0, 12
-_WALL_S, _WALL_M = 0.5, 0.25
+HORIZON_S = 0.7  # [choice] with the turn, of 0.7 to 3 s the fastest on circles 0 to 11, and none stuck there
+NEIGHBOUR_M, _NEIGHBOURS = 15.0, 12
+_WALL_S, _WALL_M, _STEP_M = 0.5, 0.25, 1e-4
 _CORNER_M_S = 0.8
 _TURN_RAD = 0.1  # [choice] of the wish to the right, and up to as much more by id, so that nobody stands face to face
 
@@ -59,6 +59,10 @@ class AStarOrca:
         self._v: dict[int, FloatArray] = {}
         self._answers: dict[int, tuple[FloatArray, FloatArray]] = {}
         self._time_s = -math.inf
+        ends = [p for p in scenario.vehicles.pursuers if p.waypoints_m]
+        if ends:  # the first routes of a large fleet take longer than a tick may
+            starts, aims = np.array([p.start_m for p in ends]), np.array([self._ends[p.sysid] for p in ends])
+            self._guide.aims([p.sysid for p in ends], starts, aims)
 
     def plan(self, vehicle: VehicleView, situation: Situation) -> tuple[ArrayLike, ArrayLike]:
         """Place and velocity of a vehicle's leader; the first call of a tick moves all of them."""
@@ -78,9 +82,8 @@ class AStarOrca:
         goals, goal_v = self._goals(situation, led)
         speed, period_s = self._scenario.planner.cruise_m_s, situation.period_s
         wish = self._wish(led, p, goals, goal_v, speed, period_s)
-        wish[:, :2] = self._reciprocal(situation, led, p, v, wish, speed)
-        for i in range(len(led)):
-            wish[i] = _off_walls(self._table, p[i], wish[i])
+        wish = self._reciprocal(situation, led, p, v, wish, speed)
+        wish = _off_walls(self._table, p, wish)
         change = wish - v
         size = np.linalg.norm(change, axis=1, keepdims=True)
         v_next = v + change * np.minimum(1.0, ACCELERATION_M_S2 * period_s / np.maximum(size, 1e-9))
@@ -122,38 +125,56 @@ class AStarOrca:
         size = np.linalg.norm(wish, axis=1, keepdims=True)
         return wish * np.minimum(1.0, cruise / np.maximum(size, 1e-9))
 
-    def _reciprocal(
-        self, situation: Situation, led: Sequence[int], p: FloatArray, v: FloatArray, wish: FloatArray, speed: float
-    ) -> FloatArray:
-        """Horizontal velocities (n, 2) by ORCA, among all who are in the air."""
-        separation_m = self._scenario.planner.separation_m
-        orca = pyrvo.RVOSimulator(
-            situation.period_s, _NEIGHBOUR_M, _NEIGHBOURS, _HORIZON_S, _HORIZON_S, (separation_m + MARGIN_M) / 2, speed
-        )
+    def _everything(
+        self, situation: Situation, led: Sequence[int], p: FloatArray, v: FloatArray
+    ) -> tuple[FloatArray, FloatArray]:
+        """Places and velocities (m, 3) of all that are in the air, leaders first."""
         others = [
             (o.p_now_ned(), o.v_ned) for o in situation.snapshot.vehicles if o.flying and o.p_ned and o.sysid not in led
         ]
         others += [(a.p_ned, a.v_ned) for a in situation.snapshot.traffic]
-        for place, velocity in [*zip(p, v, strict=True), *others]:
+        if not others:
+            return p, v
+        return np.vstack([p, [place for place, _ in others]]), np.vstack([v, [velocity for _, velocity in others]])
+
+    def _reciprocal(
+        self, situation: Situation, led: Sequence[int], p: FloatArray, v: FloatArray, wish: FloatArray, speed: float
+    ) -> FloatArray:
+        """Velocities (n, 3) that evade; this one changes their horizontal part."""
+        separation_m = self._scenario.planner.separation_m
+        orca = pyrvo.RVOSimulator(
+            situation.period_s, NEIGHBOUR_M, _NEIGHBOURS, HORIZON_S, HORIZON_S, (separation_m + MARGIN_M) / 2, speed
+        )
+        for place, velocity in zip(*self._everything(situation, led, p, v), strict=True):
             agent = orca.add_agent((float(place[0]), float(place[1])))
             orca.set_agent_velocity(agent, (float(velocity[0]), float(velocity[1])))
             orca.set_agent_pref_velocity(agent, (float(velocity[0]), float(velocity[1])))
         for i in range(len(led)):
             orca.set_agent_pref_velocity(i, (float(wish[i, 0]), float(wish[i, 1])))
         orca.do_step()
-        return np.array([orca.get_agent_velocity(i).to_tuple() for i in range(len(led))])
+        level = np.array([orca.get_agent_velocity(i).to_tuple() for i in range(len(led))])
+        return np.column_stack([level, wish[:, 2]])
 
 
 def _off_walls(table: FloatArray, p: FloatArray, v: FloatArray) -> FloatArray:
-    """The velocity without what would bring it nearer than _WALL_M to an obstacle within _WALL_S."""
-    if not len(table):
-        return v
-    surfaces = np.array([geometry.shape_surface(table, i, *p) for i in range(len(table))])
-    distance_m, out_ned = surfaces[:, 0], surfaces[:, 1:]
+    """Velocities (n, 3) without what would bring each nearer than _WALL_M to an obstacle within _WALL_S."""
     v = v.copy()
-    for _ in range(2):
-        for i in np.argsort(distance_m, kind="stable")[:4]:
-            missing = -(distance_m[i] - _WALL_M) / _WALL_S - v @ out_ned[i]
-            if missing > 0.0:
-                v += missing * out_ned[i]
+    distances_m = np.array([geometry.clearance(table[k : k + 1], p) for k in range(len(table))]).reshape(-1, len(p)).T
+    reach_m = _WALL_M + _WALL_S * np.linalg.norm(v, axis=1, keepdims=True)
+    for i in np.flatnonzero((distances_m < reach_m).any(axis=1)).tolist():
+        near = [k for k in np.argsort(distances_m[i], kind="stable")[:4] if distances_m[i, k] < reach_m[i, 0]]
+        out_ned = [_outward(table[k : k + 1], p[i]) for k in near]
+        for _ in range(2):
+            for k, away in zip(near, out_ned, strict=True):
+                missing = -(distances_m[i, k] - _WALL_M) / _WALL_S - v[i] @ away
+                if missing > 0.0:
+                    v[i] += missing * away
     return v
+
+
+def _outward(obstacle: FloatArray, place: FloatArray) -> FloatArray:
+    """Direction in which the distance from an obstacle grows, by differences."""
+    steps = np.vstack([_STEP_M * np.eye(3), -_STEP_M * np.eye(3)])
+    around = geometry.clearance(obstacle, place + steps)
+    gradient: FloatArray = around[:3] - around[3:]
+    return gradient / max(float(np.linalg.norm(gradient)), 1e-12)

@@ -46,8 +46,8 @@ class Intruder:
         unheard_s: float | None = None,
     ) -> Intruder:
         """Carried forward by `lead_s`, and the less certain the older the report of it is. agile_m_s: -w where it
-        `turning` at w is for those that can outrun it. unheard_s: since that report came, `age_s` by default; reports
-        that keep coming over a slow link are old, and grow no older."""
+        `turning` at w is for those that can outrun it. unheard_s: time since that report came, `age_s` by default. On a
+        slow link a report is old when it comes, but the next one is no older."""
         v = np.array(v_ned)
         drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
         growing_s = age_s if unheard_s is None else unheard_s

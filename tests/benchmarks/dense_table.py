@@ -70,7 +70,7 @@ def _is(row: Row, family: str, planner: str) -> bool:
 
 
 def _line(family: str, planner: str, rows: dict[int, Row], ours: dict[int, Row], spent_ms: float) -> str:
-    """Times and ways are those of sessions in which all vehicles came to their goals, by this planner and by ours."""
+    """Times and ways count the sessions in which all vehicles arrived, by this planner and by Skytender."""
     near = wilson(sum(row["goal.separation.met"] == 0.0 for row in rows.values()), len(rows))
     hit = sum(row["goal.clearance.met"] == 0.0 for row in rows.values())
     there = [session for session, row in rows.items() if not row["stuck"]]

@@ -375,9 +375,12 @@ class Separation:
             return self._at([peer.p_ned], sysid, distance_m)
         if silent_s > FORGOTTEN_S:
             return []
+        unheard_s = (self._vehicle.time_ms - self.peers.arrived(sysid)) / 1e3
+        if unheard_s >= PARTED_S:  # it came to rest, as this vehicle did, or is led past it: fleeing, both might meet
+            _, p_ned, v_ned = self.peers.newest(sysid)
+            return self._at([self._rules.rest(sysid, p_ned, v_ned)], sysid, distance_m)
         lead_s = lag_s + min(silent_s, SILENT_S)
         reach_m = distance_m + LEAST_MARGIN_M
-        unheard_s = (self._vehicle.time_ms - self.peers.arrived(sysid)) / 1e3
         name, p_ned, v_ned = f"vehicle {sysid}", peer.p_ned, peer.v_ned
         return [Intruder.of(name, None, p_ned, v_ned, lead_s, reach_m, silent_s, unheard_s=unheard_s)]
 

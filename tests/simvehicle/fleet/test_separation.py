@@ -351,10 +351,14 @@ def test_one_that_returns_counts_on_no_leader_of_one_that_the_station_steers_aga
     assert swarm.least_m >= SEPARATION_M
 
 
-@pytest.mark.parametrize("delay", [0, 5])
-def test_neighbours_that_hover_do_not_fly_apart_because_their_reports_are_old(delay: int) -> None:
+@pytest.mark.parametrize(("delay", "until_s"), [(0, math.inf), (5, math.inf), (0, 1.0)])
+def test_neighbours_that_hover_do_not_fly_apart_because_reports_are_old_or_stay_away(
+    delay: int, until_s: float
+) -> None:
+    """Where each came to rest is where peers presume it that do not receive it any more."""
     places = {1: (0.0, 0.0, -10.0), 2: (1.4, 0.0, -10.0)}
-    swarm = Swarm(places, rules_of(places, dict.fromkeys(places, 15.0)), lambda *_: True, up=True, delay=delay)
+    rules = rules_of(places, dict.fromkeys(places, 15.0))
+    swarm = Swarm(places, rules, lambda _, __, now_s: now_s < until_s, up=True, delay=delay)
     for sysid, vehicle in swarm.vehicles.items():  # of which no further set point comes
         vehicle.set_point(OffboardSetPoint(places[sysid], AT_REST, (True,) * 3, None, 0.0))
         vehicle.trigger(Trigger.OFFBOARD)

@@ -34,6 +34,7 @@ FEWEST, MOST, MOST_SERVED = 4, 40, 10
 SILENT_FROM_S, SILENT_BEFORE_S = 5.0, 35.0
 SILENCE_S, COMES_DOWN_S, GOES_ON_S = 30.0, 160.0, 25.0
 """Of a silence that ends; after one that does not, until all have landed; after one that does."""
+PAD_NED = np.array([-4.0, 0.0, 0.0])
 FAR_M = 4.0
 """From the grid's edge to where the fleet flies."""
 STANDING = ("box_m", "cylinder_m")
@@ -157,5 +158,6 @@ def _refuel(rng: np.random.Generator, document: Document, starts: ArrayLike) -> 
         tanker = {"sysid": 201 + i, "start_m": rounded_m(start), "home_m": rounded_m(home)}
         tankers.append(tanker | {"speed_m_s": speed_of(rng), "battery": {**BATTERY, "capacity_j": 150000.0}})
     document["vehicles"]["tankers"] = tankers
-    if rng.random() < 0.4:
-        document["bases"] = [{"name": "pad", "position_m": [-4.0, 0.0, 0.0], "stock_j": 100000.0}]
+    solid = table_of({"obstacles": document.get("obstacles", [])})
+    if rng.random() < 0.4 and shapes.clearance(solid, PAD_NED[np.newaxis])[0] >= OBSTACLE_M:
+        document["bases"] = [{"name": "pad", "position_m": rounded_m(PAD_NED), "stock_j": 100000.0}]

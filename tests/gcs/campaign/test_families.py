@@ -70,6 +70,12 @@ def test_fleets_that_do_not_know_their_places_exactly_have_room_for_that(tmp_pat
         assert [warning.text for warning in warnings(load(path)) if warning.about == "accuracy"] == []
 
 
+def test_where_an_obstacle_stands_on_the_pad_there_is_no_base(tmp_path: Path) -> None:
+    path = tmp_path / "scenario.yaml"
+    path.write_text(yaml.safe_dump(family("silence", 4012201166), sort_keys=False))
+    assert load(path).bases == ()
+
+
 @pytest.mark.parametrize("name", FAMILIES)
 def test_a_scenario_is_plain_data_and_the_same_again(name: str) -> None:
     one, again, other = family(name, 3), family(name, 3), family(name, 4)

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
 from simvehicle.autopilot.modes import STEERED, Mode
 from simvehicle.autopilot.parameters import float32
-from simvehicle.autopilot.vectors import Vec3, along
+from simvehicle.autopilot.vectors import Vec3, along, vec
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
 from simvehicle.fleet.separation_rules import SeparationRules
@@ -160,7 +160,7 @@ class Separation:
         vehicle = self._vehicle
         if vehicle.leads:
             wanted = self._wanted() if vehicle.mode not in STEERED else AT_REST
-            asked = _as_sent(along(AT_REST, _minus(wanted, self._v_ned), 1.0 / self._rules.period_s))
+            asked = _as_sent(along(AT_REST, along(wanted, self._v_ned, -1.0), 1.0 / self._rules.period_s))
             self._wanted_ned = along(self._v_ned, asked, self._rules.period_s)
             self._silent.say(self._p_ned, self._v_ned)
             vehicle.put_leader((*self._p_ned, *self._v_ned, *asked))
@@ -197,7 +197,7 @@ class Separation:
         if self._way and self._way[0][0] <= then_s:
             for (a_s, a), (b_s, b) in zip(self._way, list(self._way)[1:], strict=False):
                 if a_s <= then_s <= b_s:
-                    error_m = elementary.distance(here, along(a, _minus(b, a), (then_s - a_s) / (b_s - a_s)))
+                    error_m = elementary.distance(here, along(a, along(b, a, -1.0), (then_s - a_s) / (b_s - a_s)))
                     self._error_m = max(self._error_m, error_m)
                     if error_m > OFF_LEADER_M:
                         self.release()
@@ -227,7 +227,7 @@ class Separation:
         gentle_m_s = math.sqrt(2.0 * GENTLE_SHARE * self._limits.acceleration_m_s2 * away_m)
         speed_m_s = min(target.speed_m_s, self._limits.speed_m_s, gentle_m_s, away_m / ARRIVES_S)
         share = speed_m_s / away_m if away_m > 0.0 else 0.0
-        return along(target.v_ned, _vec(away), share)
+        return along(target.v_ned, vec(away), share)
 
     def _aircraft(self) -> list[Intruder]:
         traffic = self.traffic.at(self._vehicle.time_s)
@@ -282,7 +282,7 @@ class Separation:
             motion = braked(p_ned, v_ned, brake_m_s2, self._rules.period_s, self._missed(sysid))
             ids, places, velocities = [*ids, sysid], [*places, motion[0]], [*velocities, motion[1]]
         if len(ids) == 1:
-            return _vec(u_ned.tolist())
+            return vec(u_ned.tolist())
         brakes = np.array([BRAKE_SHARE * self._rules.vehicles[sysid].acceleration_m_s2 for sysid in ids])
         required_m = np.full(len(ids) - 1, self._rules.separation_m + self._margin_m() + LEAST_MARGIN_M)
         dt = self._rules.period_s
@@ -327,9 +327,9 @@ class Separation:
         for sysid, p_ned, v_ned in zip(
             near.ids[1:], filtered.p_next_ned[1:].tolist(), filtered.v_next_ned[1:].tolist(), strict=True
         ):
-            self.peers.predict(sysid, _vec(p_ned), _vec(v_ned))
+            self.peers.predict(sysid, vec(p_ned), vec(v_ned))
         if not self._by_plan():
-            return _vec(filtered.u_ned[0].tolist())
+            return vec(filtered.u_ned[0].tolist())
         # One that returns while others have the station: each may be steered at any time, from where it is.
         steerable = [] if self._vehicle.alone(ALONE_S) else [*near.ids[1:], *near.unled]
         late = [sysid for sysid in (*near.ids[1:], *near.unled) if self._missed(sysid) > 0]
@@ -379,8 +379,7 @@ class Separation:
         if unheard_s >= PARTED_S:  # it came to rest, as this vehicle did, or is led past it: fleeing, both might meet
             _, p_ned, v_ned = self.peers.newest(sysid)
             return self._at([self._rules.rest(sysid, p_ned, v_ned)], sysid, distance_m)
-        lead_s = lag_s + min(silent_s, SILENT_S)
-        reach_m = distance_m + LEAST_MARGIN_M
+        lead_s, reach_m = lag_s + min(silent_s, SILENT_S), distance_m + LEAST_MARGIN_M
         name, p_ned, v_ned = f"vehicle {sysid}", peer.p_ned, peer.v_ned
         return [Intruder.of(name, None, p_ned, v_ned, lead_s, reach_m, silent_s, unheard_s=unheard_s)]
 
@@ -397,13 +396,5 @@ class Separation:
         ]
 
 
-def _vec(numbers: Any) -> Vec3:
-    return numbers[0], numbers[1], numbers[2]
-
-
 def _as_sent(v: Vec3) -> Vec3:
     return float32(v[0]), float32(v[1]), float32(v[2])
-
-
-def _minus(a: Vec3, b: Vec3) -> Vec3:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]

@@ -85,22 +85,24 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Flown]:
         running = Running(lanes(connects, GOAL), folder, "--json", "--forward", forward)
         stack.callback(running.stop)
 
+        there: set[int] = set()
+
         def seen(snapshot: dict[str, Any]) -> None:
             snapshots.append(snapshot)
+            there.update(v["sysid"] for v in snapshot["vehicles"] if v["p_ned"] and v["p_ned"][0] > 3.0 - NEAR_M)
 
         def all_fly(snapshot: dict[str, Any]) -> bool:
             seen(snapshot)
             return all(v["stage"] == "fly" for v in snapshot["vehicles"])
 
         running.wait_for(all_fly)
-        there: set[int] = set()
 
-        def both_at_first_point(snapshot: dict[str, Any]) -> bool:
+        def both_have_been_at_first_point(snapshot: dict[str, Any]) -> bool:
+            """Also before the others had taken off."""
             seen(snapshot)
-            there.update(v["sysid"] for v in snapshot["vehicles"] if v["p_ned"] and v["p_ned"][0] > 3.0 - NEAR_M)
             return {CABLE, TCP} <= there
 
-        pulled_s = running.wait_for(both_at_first_point)["t_s"]
+        pulled_s = running.wait_for(both_have_been_at_first_point)["t_s"]
         cable.pull()
         tcp.pull()
 

@@ -45,9 +45,11 @@ class Intruder:
         *,
         unheard_s: float | None = None,
     ) -> Intruder:
-        """Carried forward by `lead_s`, and the less certain the older the report of it is. agile_m_s: -w where it
-        `turning` at w is for those that can outrun it. unheard_s: time since that report came, `age_s` by default. On a
-        slow link a report is old when it comes, but the next one is no older."""
+        """Carried forward by `lead_s`, and the less certain the older the report of it is.
+
+        agile_m_s: -w if it may turn at the speed w and others can outrun it, else 0. unheard_s: time since the report
+        arrived, `age_s` by default; the radius grows with it, because a slow link delays all reports equally.
+        """
         v = np.array(v_ned)
         drift_m = min(0.5 * DRIFT_M_S2 * age_s * age_s, MOST_DRIFT_M)
         growing_s = age_s if unheard_s is None else unheard_s

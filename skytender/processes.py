@@ -19,6 +19,13 @@ from skytender.exit import CANNOT_WRITE, INTERNAL_ERROR, INTERRUPTED
 PR_SET_PDEATHSIG = 1
 """of prctl(2): the signal that the kernel sends a process when its parent dies"""
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+SAFE_PATH, BY_US = "PYTHONSAFEPATH", "skytender"
+"""variable that keeps the current folder out of Python's path, and its value where Skytender has set it"""
+
+
+def environment_for_programs() -> dict[str, str]:
+    """The environment as the user set it, for a program of the user's: one in Python finds modules beside itself."""
+    return {name: value for name, value in os.environ.items() if (name, value) != (SAFE_PATH, BY_US)}
 
 
 def end_with(parent: int, number: signal.Signals = signal.SIGKILL) -> None:

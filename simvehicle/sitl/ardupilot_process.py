@@ -13,6 +13,7 @@ from simvehicle.sitl.autopilot_process import (
     AutopilotWanted,
 )
 from simvehicle.sitl.settings import Setting, given
+from skytender.processes import environment_for_programs
 
 JSON_PORT, SERIAL_PORT, APART = 9002, 5760, 10
 STEP_MS = 5
@@ -77,4 +78,4 @@ def start_ardupilot(wanted: AutopilotWanted, instance: int) -> AutopilotProcess:
         *("--start-time", str(wanted.epoch_s), "--sysid", str(wanted.sysid)),
         *("--serial1", "none:1", "--serial2", "none:1"),
     ]
-    return AutopilotProcess(wanted, argv)
+    return AutopilotProcess(wanted, argv, environment_for_programs())

@@ -60,9 +60,7 @@ class AutopilotWanted:
 class AutopilotProcess:
     """The process of an autopilot, which ends with this one, or with the block that it is opened for."""
 
-    def __init__(
-        self, wanted: AutopilotWanted, argv: Sequence[str], environment: Mapping[str, str] | None = None
-    ) -> None:
+    def __init__(self, wanted: AutopilotWanted, argv: Sequence[str], environment: Mapping[str, str]) -> None:
         """Start it in its folder, with its output in a log. Raises AutopilotError."""
         self._wanted = wanted
         with (wanted.folder / "autopilot.log").open("wb") as log:

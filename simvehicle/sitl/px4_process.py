@@ -23,6 +23,7 @@ from simvehicle.sitl.autopilot_process import (
     AutopilotWanted,
 )
 from simvehicle.sitl.settings import Setting, given
+from skytender.processes import environment_for_programs
 
 SIMULATION_PORT, MAVLINK_PORT = 4560, 18570
 LOCK = "/tmp/px4_lock"
@@ -105,7 +106,7 @@ def start_px4(wanted: AutopilotWanted, instance: int, *, hover_throttle: float, 
     (wanted.folder / "px4-rc.mavlink").write_text(mavlink, encoding="utf-8")
     simulator = f"param set MAV_SYS_ID {wanted.sysid}\n. etc/init.d-posix/px4-rc.simulator\n"
     (wanted.folder / "px4-rc.simulator").write_text(simulator, encoding="utf-8")
-    kept = {name: value for name, value in os.environ.items() if not name.startswith("PX4_")}
+    kept = {name: value for name, value in environment_for_programs().items() if not name.startswith("PX4_")}
     path = f".{os.pathsep}{kept.get('PATH', os.defpath)}"
     environment = {**kept, "PATH": path, "PX4_SIM_MODEL": MODEL, "PX4_SIM_HOSTNAME": HOST}
     environment |= {f"PX4_PARAM_{name}": value for name, value in said.items()}

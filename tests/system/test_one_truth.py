@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bisect
 import json
 import os
 import signal
@@ -18,7 +19,7 @@ from gcs.recording.session_folder import read
 from gcs.report.findings import Findings
 from gcs.session.replay import Replay
 
-STRANGER = 3
+STRANGER, PERIOD_S = 3, 0.1
 LATE_S = 0.7
 """For so long the supervisor is stopped while the stranger takes off."""
 TEXT = "Battery 1 is low and the pilot is told so at such length that it needs a third chunk, which ends here and now"
@@ -110,10 +111,21 @@ def test_a_text_in_chunks(told: Told) -> None:
 
 
 def test_how_long_the_pursuit_was_held(told: Told) -> None:
-    by_session, by_replay, by_sought = (snapshot["goal"]["pursue_held_s"] for snapshot in told.snapshots)
-    assert by_session > 2.0
-    assert by_replay == by_sought == pytest.approx(by_session, abs=0.11)
-    assert min(told.report.nearness.held_s.values()) == pytest.approx(by_session, abs=0.11)
+    """The session measures at the ticks that it makes, a replay at all: where ticks come late as the pursuit begins,
+    they may differ by as much. A busy machine shows the last moments in fewer snapshots, so that the last one is
+    compared with the replay's of the same time."""
+    last = told.live[-1]
+    then = min(told.replay, key=lambda snapshot: abs(float(snapshot["t_s"]) - float(last["t_s"])))
+    held_s = last["goal"]["pursue_held_s"]
+    made_s = sorted({t_s for t_s, _ in told.outcome.messages("SET_POSITION_TARGET_LOCAL_NED")})
+    after = bisect.bisect_left(made_s, last["t_s"] - held_s - 0.01)
+    late_s = made_s[after] - made_s[after - 1] - PERIOD_S
+    assert held_s > 2.0
+    assert then["goal"]["pursue_held_s"] == pytest.approx(held_s, abs=0.11 + late_s)
+    (reached_s,) = (part["value"] for part in told.outcome.summary["goal"] if part["part"] == "pursue")
+    by_replay, by_sought = (snapshot["goal"]["pursue_held_s"] for snapshot in (told.replay[-1], told.sought))
+    assert by_replay == by_sought == pytest.approx(reached_s, abs=0.11 + late_s)
+    assert min(told.report.nearness.held_s.values()) == pytest.approx(reached_s, abs=0.11 + late_s)
 
 
 def test_frames_lost(told: Told) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -91,6 +92,21 @@ def test_one_that_cannot_be_had_is_one_sentence_and_nothing_is_left(tmp_path: Pa
     assert "is no ArduCopter with four rotors" in outcome.stderr
     assert "Traceback" not in outcome.stderr
     assert copters() == []
+
+
+def test_one_in_python_finds_modules_beside_itself_where_the_supervisor_is_started_anew(tmp_path: Path) -> None:
+    """A process with a second thread cannot fork its supervisor: it starts a Python that keeps its folder out of its
+    path, which is no business of the autopilot's."""
+    over = threading.Event()
+    other = threading.Thread(target=over.wait)
+    other.start()
+    try:
+        content = with_copter(program(tmp_path)) | {"goal": {"duration_s": 5.0}}
+        outcome = fly(content, tmp_path / "session", "--plain")
+    finally:
+        over.set()
+        other.join()
+    assert outcome.status == 0, outcome.stderr
 
 
 def test_a_period_that_is_no_multiple_of_its_step_is_flown(tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ from skytender import elementary
 from skytender.geometry import FloatArray
 from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import KINDS, Filtered, FilterSettings, Leaders, filter_step
-from skytender.safety.silence import BRAKES_M_S2, STEP_M, between, braked, flown_on, presumed_places
+from skytender.safety.silence import BRAKES_M_S2, STEP_M, between, braked, presumed_places, stopping
 from skytender.safety.traffic import TrafficReach
 
 MOST_MARGIN_M = 1.5
@@ -307,18 +307,20 @@ class SafePlanner(TickPlanner):
             name, owner = f"vehicle {view.sysid}", view.sysid if self._led[row] else None
             age_s = min(view.age_s, request.snapshot.time_s)
             home, failsafe = self._failsafes.get(view.sysid, (STILL, None))
-            v_ned, lead_s = view.v_ned, self.lag_s
+            states, lead_s = [(place, view.v_ned)], self.lag_s
             if silent and failsafe and view.p_ned is not None and view.mode in STEERABLE:
-                (place, v_ned), lead_s = flown_on(view.p_ned, v_ned, age_s, self.lag_s, failsafe), 0.0
-                for p, v in between(braked(view.p_ned, view.v_ned, age_s), (place, v_ned)):
-                    others.append(Intruder.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+                states, lead_s = stopping(view.p_ned, view.v_ned, age_s, self.lag_s, failsafe), 0.0
+            for p, v in states[:-1]:
+                others.append(Intruder.of(name, owner, p, v, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+            place, v_ned = states[-1]
             others.append(Intruder.of(name, owner, place, v_ned, lead_s, radius_m, age_s))
             if failsafe and not silent and view.mode not in STEERABLE and elementary.norm(v_ned) > EVADES_M_S:
                 rest_ned, _ = braked(place, v_ned, math.inf)
                 others.append(Intruder.of(name, owner, rest_ned, STILL, 0.0, radius_m, age_s))
             if silent and failsafe:
-                for presumed in presumed_places(place, home, age_s, failsafe):
-                    others.append(Intruder.of(name, owner, presumed, STILL, 0.0, radius_m + 0.5 * STEP_M, 0.0))
+                wide_m = radius_m + elementary.hypot(0.5 * STEP_M, 0.5 * STEP_M if len(states) > 1 else 0.0)
+                for presumed in (one for p, _ in states for one in presumed_places(p, home, age_s, failsafe)):
+                    others.append(Intruder.of(name, owner, presumed, STILL, 0.0, wide_m, 0.0))
         others += self._climbs(request, columns) if rules.vehicles_repel else ()
         for sysid, places in request.claims.items():
             strays_m = rules.separation_m + STRAYS_M + float(self._spread_m[self._row[sysid]]) + 0.5 * STEP_M

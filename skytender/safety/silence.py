@@ -82,6 +82,13 @@ def braked(p_ned: Vec3, v_ned: Vec3, silent_s: float) -> tuple[Vec3, Vec3]:
     return (n, e, d), (left * v_ned[0], left * v_ned[1], left * v_ned[2])
 
 
+def stopping(p_ned: Vec3, v_ned: Vec3, silent_s: float, lag_s: float, failsafe: Failsafe) -> list[tuple[Vec3, Vec3]]:
+    """Places (NED, m) and velocities (m/s) of a vehicle whose last report, silent_s ago, was p and v: all along from
+    where it is if it braked at once to where it is if it flew on, which comes last; STEP_M apart or less."""
+    last = flown_on(p_ned, v_ned, silent_s, lag_s, failsafe)
+    return [*between(braked(p_ned, v_ned, silent_s), last), last]
+
+
 def between(first: tuple[Vec3, Vec3], last: tuple[Vec3, Vec3]) -> list[tuple[Vec3, Vec3]]:
     """Places and velocities from the first on, so near to each other that their spheres overlap; without the last."""
     count = math.ceil(elementary.distance(first[0], last[0]) / STEP_M)
@@ -90,9 +97,10 @@ def between(first: tuple[Vec3, Vec3], last: tuple[Vec3, Vec3]) -> list[tuple[Vec
 
 
 def presumed_places(p_ned: Vec3, home_ned: Vec3, silent_s: float, failsafe: Failsafe) -> list[Vec3]:
-    """Places (NED, m) where a vehicle may be that last reported p_ned; none while it may only hold."""
+    """Places (NED, m) where a vehicle may be that last reported p_ned, now or AHEAD_S later; none while it may only
+    hold."""
     begun_s = silent_s - failsafe.loss_s + HEARTBEAT_S
-    if begun_s <= 0.0:
+    if begun_s + AHEAD_S <= 0.0:
         return []
     legs = way_home(p_ned, home_ned, failsafe)
     return stretch(legs, max(begun_s - HEARTBEAT_S - SLOW_S, 0.0), begun_s + AHEAD_S) or [home_ned]

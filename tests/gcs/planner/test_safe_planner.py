@@ -60,6 +60,28 @@ def test_a_silent_vehicle_is_looked_for_where_its_mode_takes_it() -> None:
     assert gives_way_m(FlightMode.RETURN) > gives_way_m(FlightMode.OFFBOARD) + 0.2
 
 
+@pytest.mark.parametrize("begins_s", [3.5, 4.3, 5.0])
+@pytest.mark.parametrize("stops_m", [1.2, 1.8, 2.4])
+def test_others_stay_out_of_the_way_up_of_a_silent_one_wherever_it_has_stopped(stops_m: float, begins_s: float) -> None:
+    """Vehicle 2 flew at 3 m/s when it last reported, so that it stops after 1.1 to 3 m, and climbs home from there some
+    time after its last HEARTBEAT; vehicle 1 wants to be 1.3 m above that place."""
+    there = (0.0, 0.0, -5.0)
+    content = scenario(((stops_m, -5.0, -6.3), there), ((stops_m, 0.0, -6.3), (30.0, 0.0, -5.0)))
+    planner, follower = SafePlanner(content, Planner(content)), Follower((stops_m, -5.0, -6.3))
+    nearest_m = math.inf
+    for tick in range(100):
+        age_s = tick * PERIOD_S
+        own_ned, v_ned = follower.fly()
+        vehicles = (view(1, p_ned=own_ned, v_ned=v_ned), view(2, p_ned=there, v_ned=(SPEED_M_S, 0.0, 0.0), age_s=age_s))
+        (point,) = planner.plan(PlanRequest(FleetSnapshot(20.0 + age_s, vehicles, ()), frozenset({1}), PERIOD_S))
+        climbs_s = max(age_s - begins_s, 0.0)
+        up_m = 5.0 * climbs_s - 3.125 if climbs_s > 1.25 else 2.0 * climbs_s**2
+        if age_s > 1.5:
+            nearest_m = min(nearest_m, math.dist(own_ned, (stops_m, 0.0, -5.0 - up_m)))
+        follower.receive(point)
+    assert nearest_m >= content.planner.separation_m
+
+
 def nearest_to_rest_m(mode: FlightMode) -> float:
     """How near the leader of vehicle 2, on its way along the row, comes to where vehicle 1 would rest if it braked at
     4 m/s²: 1.2 m ahead of where it is at first."""

@@ -18,7 +18,9 @@ USUAL = Failsafe()
 
 
 def test_it_holds_until_the_ground_station_may_be_lost() -> None:
-    assert presumed_places(LAST, HOME, 3.4, USUAL) == []
+    """After 3.5 s, for which others make room 1.5 s before."""
+    assert presumed_places(LAST, HOME, 1.9, USUAL) == []
+    assert presumed_places(LAST, HOME, 3.4, USUAL)[-1] == pytest.approx((18.0, 0.0, -10.0))  # in 1.4 s
 
 
 def test_it_is_looked_for_all_along_the_way_that_it_may_have_flown() -> None:

@@ -216,8 +216,8 @@ class Separation:
     def _wanted(self) -> Vec3:
         """Velocity towards what the mode wants, slow enough to come to rest there."""
         target, now_s = self._vehicle.mode_target(), self._vehicle.time_s
-        if self._silent.waits:
-            target = target._replace(p_ned=self._silent.from_ned)
+        if self._silent.waits_at_ned is not None:
+            target = target._replace(p_ned=self._silent.waits_at_ned)
         ahead_s = now_s - target.time_s
         away = [
             target.p_ned[i] + ahead_s * target.v_ned[i] - self._p_ned[i] if target.use_position[i] else 0.0

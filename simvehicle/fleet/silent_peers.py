@@ -32,8 +32,8 @@ class SilentPeers:
     """One vehicle's silent peers."""
 
     def __init__(self, vehicle: Vehicle, sysid: int, rules: SeparationRules, peers: PeerTable) -> None:
-        self.waits = False
-        """whether this vehicle waits at `from_ned` until it receives others again, or they have landed"""
+        self.waits_at_ned: Vec3 | None = None
+        """where this vehicle waits until it receives others again, or they have landed, or its column is free"""
         self._vehicle, self._sysid, self._rules, self._peers = vehicle, sysid, rules, peers
         own = rules.vehicles[sysid]
         self._home_ned, self._plan = own.home_ned, own.failsafe
@@ -63,17 +63,19 @@ class SilentPeers:
     def part(self, silent: Mapping[int, float], p_ned: Vec3, v_ned: Vec3) -> None:
         """Note which peers are silent, and for how long, by system id. While any is silent, this vehicle, whose leader
         is at p and v, returns from its resting place, where silent peers presume it."""
-        self.waits = False
+        self.waits_at_ned = None
         self._rest_ned = self._rules.rest(self._sysid, p_ned, v_ned)
         if not silent:
             self._silent, self._from_ned, self._higher = set(), {}, {}
+            self._step_aside(p_ned)
             return
         if self._sysid not in self._from_ned:
             known = self._known(min(silent.values()))
             self._from_ned[self._sysid] = nearest_rest(self._rest_ned, *known, PARTED_S)
         self._silent |= silent.keys()
         self._vehicle.return_from(self.from_ned)
-        self.waits = self._barred(p_ned)
+        if self._lower_above(self.from_ned, p_ned[2]):  # below it, this one would wait where silent peers fly
+            self.waits_at_ned = self.from_ned
 
     def presumed(self, sysid: int, rest_ned: Vec3, v_ned: Vec3, silent_s: float) -> list[Vec3]:
         """Where a silent peer may be that returns by the timetable, as this vehicle does: where it came to rest, if it
@@ -94,7 +96,7 @@ class SilentPeers:
             known_ned, _ = self._known(silent_s)
             if self._higher.setdefault(sysid, (known_ned[2], -self._sysid) < (rest_ned[2], -sysid)):
                 return rests
-            self.waits = True
+            self.waits_at_ned = self.from_ned
         legs = way_home(rest_ned, member.home_ned, plan)
         places = stretch(legs, due_s, now_s + LATE_S + AHEAD_S, begun_s)
         if now_s > plan.again_after_s:
@@ -105,7 +107,7 @@ class SilentPeers:
         """Least and greatest places of the leg that is due on the way home of a vehicle that is received, or of this
         one, whose leader is at p and v (skytender/safety/silence.py)."""
         member = self._rules.vehicles[sysid]
-        now_s = -1.0 if sysid == self._sysid and self.waits else self._vehicle.returning_s()
+        now_s = -1.0 if sysid == self._sysid and self.waits_at_ned else self._vehicle.returning_s()
         if sysid not in self._from_ned:
             self._from_ned[sysid] = self._rules.rest(sysid, p_ned, v_ned)
         return tube(p_ned, self._from_ned[sysid], member.home_ned, now_s, member.failsafe)
@@ -119,17 +121,33 @@ class SilentPeers:
                 return self._rules.rest(self._sysid, p_ned, v_ned), v_ned
         return self._rest_ned, AT_REST
 
-    def _barred(self, p_ned: Vec3) -> bool:
-        """Whether a received peer bars the climb: it is above this vehicle in the same column, and its return height is
-        lower. Below it this vehicle would wait at a height at which silent peers fly."""
+    def _step_aside(self, p_ned: Vec3) -> None:
+        """Leave a column before climbing in it, if it has a vehicle above that returns less high: pushed from below,
+        that one would leave its own height, and be parted from others there."""
+        above = self._lower_above(p_ned, p_ned[2])
+        if not above:
+            return
+        north = east = 0.0
+        for n, e, _ in above:
+            away_m = elementary.distance((n, e), p_ned[:2])
+            along_n, along_e = ((p_ned[0] - n) / away_m, (p_ned[1] - e) / away_m) if away_m > 0.0 else (1.0, 0.0)
+            north += (self._beside_m + ASIDE_M - away_m) * along_n
+            east += (self._beside_m + ASIDE_M - away_m) * along_e
+        self.waits_at_ned = (p_ned[0] + north, p_ned[1] + east, p_ned[2])
+        self._vehicle.return_from(self.waits_at_ned)
+
+    def _lower_above(self, column_ned: Vec3, height_d: float) -> list[Vec3]:
+        """Places of received peers that bar a climb in a column from a height: above this vehicle, with a lower height
+        of their return."""
         if not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
-            return False
-        now_ms, top_d = self._vehicle.time_ms, min(self.from_ned[2], self._home_ned[2] - self._plan.altitude_m)
+            return []
+        now_ms, top_d = self._vehicle.time_ms, min(column_ned[2], self._home_ned[2] - self._plan.altitude_m)
+        found = []
         for sysid, member in self._rules.vehicles.items():
             said_ms, (n, e, d), _ = self._peers.newest(sysid)
-            if sysid == self._sysid or said_ms < 0 or now_ms - said_ms > 1e3 * PARTED_S or d >= p_ned[2]:
+            if sysid == self._sysid or said_ms < 0 or now_ms - said_ms > 1e3 * PARTED_S or d >= height_d:
                 continue
-            beside = elementary.distance((n, e), self.from_ned[:2]) < self._beside_m
+            beside = elementary.distance((n, e), column_ned[:2]) < self._beside_m
             if beside and min(d, member.home_ned[2] - member.failsafe.altitude_m) > top_d:
-                return True
-        return False
+                found.append((n, e, d))
+        return found

@@ -5,17 +5,15 @@ Distances are the vehicles' true ones; nothing of the filter is asked.
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common
+from swarm import FRAME, SEPARATION_M, Radio, Swarm, rules_of
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.maneuvers import AT_REST, OffboardSetPoint
 from simvehicle.autopilot.modes import Mode, Trigger
@@ -23,101 +21,13 @@ from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.separation import Separation
-from simvehicle.fleet.separation_rules import SeparationRules, SeparationRulesError, read_separation
-from simvehicle.mavlink.codec import ReceivedFrame, split
+from simvehicle.fleet.separation_rules import SeparationRulesError
+from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.sitl.traffic import Aircraft, Traffic
 
-FRAME = LocalFrame(47.0, 8.0, 400.0)
-PERIOD_MS, SEPARATION_M = 100, 0.8
 AIR = Connection(255, 156)
-PLAN = {"level_after_s": 8.0, "down_after_s": 16.0, "again_after_s": 40.0, "descend_m": 5.0}
-
-
-Radio = Callable[[int, int, float], bool]
-
-
-def rules_of(
-    homes: dict[int, Vec3], heights_m: dict[int, float], times: dict[str, float] | None = None, **changed: Any
-) -> SeparationRules:
-    """As a file has them; `times` of the timetable other than PLAN's."""
-    members = [
-        {
-            "sysid": sysid,
-            "speed_m_s": 5.0,
-            "acceleration_m_s2": 4.0,
-            "home_ned": list(home),
-            "failsafe": {"altitude_m": heights_m[sysid], **PLAN, **(times or {})},
-        }
-        for sysid, home in homes.items()
-    ]
-    content = {
-        "period_s": PERIOD_MS / 1e3,
-        "separation_m": SEPARATION_M,
-        "clearance_m": 0.2,
-        "vehicles": members,
-        "obstacles": [],
-    }
-    return read_separation(content | changed, homes)
-
-
-class Swarm:
-    """Vehicles, each with its services, and a radio between them: `passes` decides about each frame by its sender, its
-    reader and the time in s."""
-
-    def __init__(
-        self, starts: dict[int, Vec3], rules: SeparationRules, passes: Radio, *, up: bool = False, delay: int = 0
-    ) -> None:
-        """`up`: they hover at their starts, over homes that are elsewhere. `delay`: of the radio, in periods."""
-        self.passes, self.delay = passes, delay
-        self.vehicles, self._services, self._connections = {}, {}, {}
-        self._sent: list[dict[int, list[ReceivedFrame]]] = []
-        self.least_m = math.inf
-        for sysid, start in starts.items():
-            parameters = Parameters({"RTL_RETURN_ALT": rules.vehicles[sysid].failsafe.altitude_m})
-            vehicle = self.vehicles[sysid] = Vehicle(IDENTITIES["px4"], parameters, FRAME, Start(start, airborne=up))
-            vehicle.period_s, vehicle.separation = rules.period_s, Separation(vehicle, sysid, rules)
-            connection = self._connections[sysid] = Connection(sysid)
-            self._services[sysid] = Services(vehicle, sysid, [connection])
-            vehicle.set_clock(0, 0)
-            vehicle.receive_gcs_heartbeat()
-            if up:
-                vehicle.home_ned = rules.vehicles[sysid].home_ned
-                vehicle.trigger(Trigger.HOLD)
-                continue
-            vehicle.trigger(Trigger.ARM)
-            vehicle.take_off(3.0)
-
-    def receive(self, sysid: int, frame: ReceivedFrame) -> None:
-        """Hand a vehicle a frame, of a sender that is no vehicle."""
-        self._services[sysid].receive(frame, self._connections[sysid])
-
-    def fly(self, until_s: float, each: Callable[[float], None] = lambda _: None) -> None:
-        """Up to a time; `each` is called before every tick."""
-        time_ms = next(iter(self.vehicles.values())).time_ms
-        while time_ms < 1e3 * until_s:
-            each(time_ms / 1e3)
-            for reader, services in self._services.items():
-                arriving = self._sent[-1 - self.delay] if len(self._sent) > self.delay else {}
-                for sender, frames in arriving.items():
-                    for frame in frames if sender != reader else ():
-                        if self.passes(sender, reader, time_ms / 1e3):
-                            services.receive(frame, self._connections[reader])
-            time_ms += PERIOD_MS
-            self._sent.append({})
-            for sysid, services in self._services.items():
-                self.vehicles[sysid].advance(time_ms)
-                services.decide()
-                services.report()
-                self._sent[-1][sysid] = split(b"".join(self._connections[sysid].frames()))
-            self._measure()
-
-    def _measure(self) -> None:
-        places = [np.array(vehicle.true_motion_ned[:3]) for vehicle in self.vehicles.values()]
-        for a, b in itertools.combinations(places, 2):
-            if min(a[2], b[2]) < -0.05:
-                self.least_m = min(self.least_m, float(np.linalg.norm(a - b)))
 
 
 def circle(count: int, radius_m: float) -> dict[int, Vec3]:
@@ -162,90 +72,6 @@ def test_a_third_of_all_reports_may_be_lost() -> None:
 def test_at_heights_of_their_own_they_keep_apart_though_nothing_is_received_any_more() -> None:
     swarm = returned(8, {sysid: 5.0 + 1.2 * sysid for sysid in range(1, 9)}, lambda _s, _r, now_s: now_s < 6.0)
     assert swarm.least_m >= SEPARATION_M
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("loss", [0.0, 0.3])
-@pytest.mark.parametrize("from_s", [1.0, 6.5])
-def test_two_groups_that_do_not_receive_each_other_keep_apart(from_s: float, loss: float) -> None:
-    """Two stacks in which the lowest returns highest, so that each has to pass others, of its own group and of the
-    other, when the radio parts them: before they set out, or while they pass."""
-    places = {3 * k + i + 1: (9.0, 1.5 * k, -2.5 - 1.4 * i) for k in range(2) for i in range(3)}
-    homes = {sysid: (2.0 * (sysid // 3), 2.0 * (sysid % 3), 0.0) for sysid in places}
-    heights_m = {sysid: 9.0 + 1.2 * (2 * (2 - (sysid - 1) % 3) + (sysid - 1) // 3) for sysid in places}
-    rng = np.random.default_rng(5)
-    group = {1: 0, 2: 1, 3: 0, 4: 1, 5: 1, 6: 0}
-
-    def passes(sender: int, reader: int, now_s: float) -> bool:
-        parted = from_s <= now_s < 40.0 and group[sender] != group[reader]
-        return not parted and rng.random() >= loss
-
-    swarm = Swarm(places, rules_of(homes, heights_m), passes, up=True)
-    swarm.fly(80.0)
-    assert swarm.least_m >= SEPARATION_M
-    for sysid, vehicle in swarm.vehicles.items():
-        assert math.dist(vehicle.p_ned[:2], homes[sysid][:2]) < 0.6
-
-
-@pytest.mark.parametrize("parted_s", [0.0, 0.1, 0.3, 0.6])
-def test_the_lower_of_a_column_waits_if_the_radio_parts_it_while_it_climbs(parted_s: float) -> None:
-    """One below the other, from their places, heights and homes of row 56 of the campaign silence, seed 7301: each has
-    climbed past where the other received it last when it finds that other silent."""
-    places = {3: (6.0, 0.0, -6.19), 4: (6.0, 0.0, -4.96)}
-    rules = rules_of({3: (0.0, -1.0, 0.0), 4: (2.0, 1.0, 0.0)}, {3: 10.06, 4: 11.09}, separation_m=0.63)
-    swarm = Swarm(places, rules, lambda _s, _r, now_s: now_s < 5.0 + parted_s, up=True)
-    swarm.fly(30.0)
-    assert swarm.least_m >= 0.63
-
-
-def test_one_below_another_that_returns_less_high_waits_where_it_is_while_others_are_silent() -> None:
-    """Three of the 22 of row 98 of the campaign silence, seed 20261128: 20 cannot pass 11, both of which do not receive
-    10, and would wait beneath it where 10 flies level."""
-    places = {10: (16.12, 5.97, -6.85), 11: (12.55, 1.37, -8.86), 20: (13.15, 1.30, -3.42)}
-    homes = {10: (2.0, -4.0, 0.0), 11: (4.0, 4.0, 0.0), 20: (6.0, 4.0, 0.0)}
-    heights_m = {10: 20.215, 11: 21.445, 20: 32.515}
-    rules = rules_of(homes, heights_m, {"level_after_s": 10.5, "down_after_s": 17.0}, separation_m=0.83)
-    swarm = Swarm(places, rules, lambda sender, reader, now_s: now_s < 2.0 or 10 not in (sender, reader), up=True)
-    climbed_m = []
-    swarm.fly(40.0, lambda _: climbed_m.append(places[20][2] - swarm.vehicles[20].p_ned[2]))
-    assert swarm.least_m >= 0.83
-    assert max(climbed_m) < 0.3
-    swarm.fly(75.0)
-    assert swarm.least_m >= 0.83
-    assert math.dist(swarm.vehicles[20].p_ned[:2], homes[20][:2]) < 0.6
-
-
-@pytest.mark.parametrize("parted_s", [2.1, 2.5])
-def test_one_that_turns_while_the_radio_parts_it_stays_where_the_other_group_presumes_it(parted_s: float) -> None:
-    """Seven of the 26 of row 4 of that seed, and their heights: 21 evades 6 and 22 on its way up while the radio
-    parts them from 7 and 9, which later fly level past the place where they received it last."""
-    places = {
-        6: (17.81, -0.46, -5.9),
-        7: (20.71, -0.84, -5.48),
-        9: (18.9, 0.47, -5.46),
-        17: (17.59, 0.83, -5.41),
-        21: (17.65, -0.24, -4.33),
-        22: (18.2, -1.42, -4.83),
-        23: (16.91, -1.71, -4.97),
-    }
-    homes = {
-        6: (6.0, -3.0, 0.0),
-        7: (6.0, -1.0, 0.0),
-        9: (4.0, 3.0, 0.0),
-        17: (6.0, 5.0, 0.0),
-        21: (4.0, -3.0, 0.0),
-        22: (2.0, -1.0, 0.0),
-        23: (0.0, 3.0, 0.0),
-    }
-    heights_m = {6: 13.15, 7: 14.48, 9: 17.14, 17: 27.78, 21: 33.1, 22: 34.43, 23: 35.76}
-    times = {"level_after_s": 11.95, "down_after_s": 21.42, "again_after_s": 40.51}
-
-    def passes(sender: int, reader: int, now_s: float) -> bool:
-        return now_s < 5.0 + parted_s or (sender in (7, 9)) == (reader in (7, 9))
-
-    swarm = Swarm(places, rules_of(homes, heights_m, times, separation_m=0.93), passes, up=True)
-    swarm.fly(24.0)
-    assert swarm.least_m >= 0.93
 
 
 @pytest.mark.parametrize("parted_s", [1.2, 1.3, 1.4])

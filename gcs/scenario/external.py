@@ -86,8 +86,9 @@ class External(Part):
     at_end: Literal["hold", "return", "land"] = "hold"
     """order to it at the session's end, however that comes"""
     rejoins: bool = False
-    """whether it is flown again when its link was out or it has booted, whatever its failsafe did meanwhile; without
-    it a return or a landing is left alone, for a pilot may have wanted it, until the operator's `rejoin`"""
+    """whether it is flown again when its link was out, the session stood still or it has booted, whatever its failsafe
+    did meanwhile; without it a return or a landing is left alone, for a pilot may have wanted it, until the operator's
+    `rejoin`"""
     signing: SigningKey | None = None
     """MAVLink 2 signing; every vehicle at one address has the same key"""
 

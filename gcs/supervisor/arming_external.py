@@ -24,7 +24,7 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.external import External
-from gcs.supervisor.arming import ON_MISSION, ArmingSequence, Mission, Stage
+from gcs.supervisor.arming import CUT_OFF_S, ON_MISSION, ArmingSequence, Mission, Stage
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -99,6 +99,8 @@ class ExternalArmingSequence(ArmingSequence):
             self._begun_s, self._took_off = now_s, False
         if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > STALE_S or not view.alive:
             self._starved_s = now_s
+        if late_s > CUT_OFF_S and self.stage in _FLOWN:
+            self._cut_off_s = now_s  # the session stood still, which is as silent
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
         if self._silent:

@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Mapping
 
 from simvehicle.autopilot.maneuvers import AT_REST
+from simvehicle.autopilot.modes import Mode
 from simvehicle.autopilot.vectors import Vec3, along
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
@@ -139,7 +140,7 @@ class SilentPeers:
     def _lower_above(self, column_ned: Vec3, height_d: float) -> list[Vec3]:
         """Places of received peers that bar a climb in a column from a height: above this vehicle, with a lower height
         of their return."""
-        if not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
+        if self._vehicle.mode is not Mode.RETURN or not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
             return []
         now_ms, top_d = self._vehicle.time_ms, min(column_ned[2], self._home_ned[2] - self._plan.altitude_m)
         found = []

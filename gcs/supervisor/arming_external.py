@@ -99,9 +99,11 @@ class ExternalArmingSequence(ArmingSequence):
             self._begun_s, self._took_off = now_s, False
         if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > STALE_S or not view.alive:
             self._starved_s = now_s
-        if late_s > CUT_OFF_S and self.stage in _FLOWN:
-            self._cut_off_s = now_s  # the session stood still, which is as silent
         self._now_s = self._decided_s = now_s
+        if late_s > CUT_OFF_S and self.stage in _FLOWN:  # the session stood still, which is as silent
+            self._cut_off_s = now_s
+            if now_s - self._stage_since_s <= LATE_S:  # it woke in the tick before, and read what had happened
+                self.mend(view)
         self._silent = not view.alive
         if self._silent:
             if self.stage in _FLOWN:

@@ -239,14 +239,17 @@ def test_a_hold_that_a_late_tick_reads_at_once_is_our_doing_too() -> None:
     assert steered(made, 12.0, 12.9, UP) == [SET_MODE]
 
 
-@pytest.mark.parametrize(("late_s", "rejoins"), [(0.0, False), (0.0, True), (2.5, False), (2.5, True)])
+@pytest.mark.parametrize("rejoins", [False, True])
+@pytest.mark.parametrize("late_s", [(0.0, 0.0), (2.5, 0.0), (0.0, 2.5)])
 def test_a_return_is_left_alone_unless_set_points_failed_to_reach_it_and_the_scenario_says_rejoins(
-    late_s: float, rejoins: bool
+    late_s: tuple[float, float], rejoins: bool
 ) -> None:
-    """A PX4 by its defaults returns without set points, and is in offboard again when they flow."""
+    """The tick in which a session wakes that stood still reads it, or the late one after. A PX4 by its defaults returns
+    without set points, and is in offboard again when they flow."""
     made = flown(rejoins=rejoins)
-    returns, again = FLYING._replace(mode=FlightMode.RETURN), rejoins and late_s > 0.0
-    made.decide(returns, 10.0, late_s=late_s)
+    returns, again = FLYING._replace(mode=FlightMode.RETURN), rejoins and max(late_s) > 0.0
+    for k, late in enumerate(late_s):
+        made.decide(returns, 10.0 + 0.1 * k, late_s=late)
     assert steered(made, 12.0, 12.9, returns) == ([SET_MODE] if again else [])
     assert (made.stage, made.sends_set_points) == (Stage.OFFBOARD if again else Stage.YIELDED, True)
     play(made, (14.0, FLYING, [], Stage.FLY))

@@ -318,8 +318,8 @@ class SafePlanner(TickPlanner):
                 rest_ned, _ = braked(place, v_ned, math.inf)
                 others.append(Intruder.of(name, owner, rest_ned, STILL, 0.0, radius_m, age_s))
             if silent and failsafe:
-                wide_m = radius_m + elementary.hypot(0.5 * STEP_M, 0.5 * STEP_M if len(states) > 1 else 0.0)
-                for presumed in (one for p, _ in states for one in presumed_places(p, home, age_s, failsafe)):
+                wide_m = radius_m + elementary.hypot(0.5 * STEP_M, STEP_M if len(states) > 1 else 0.0)
+                for presumed in (one for p, _ in states[::-2] for one in presumed_places(p, home, age_s, failsafe)):
                     others.append(Intruder.of(name, owner, presumed, STILL, 0.0, wide_m, 0.0))
         others += self._climbs(request, columns) if rules.vehicles_repel else ()
         for sysid, places in request.claims.items():

@@ -25,6 +25,10 @@ SAID_S = 3.0
 """[choice] A peer that is found silent received this vehicle no longer ago."""
 LATE_S = 2.0
 """[choice] So much earlier or later a peer may have begun to return: heartbeats get lost."""
+ASIDE_S = 2.0
+"""[choice] For so long since its return began a vehicle leaves a column that another one bars."""
+CLIMBS_M_S = 0.5
+"""[choice] A peer that wants to rise so fast while this vehicle returns does so too."""
 ASIDE_M = 0.15
 """[choice] Distance from its way home that a vehicle keeps within while a peer is silent."""
 
@@ -34,7 +38,7 @@ class SilentPeers:
 
     def __init__(self, vehicle: Vehicle, sysid: int, rules: SeparationRules, peers: PeerTable) -> None:
         self.waits_at_ned: Vec3 | None = None
-        """where this vehicle waits until it receives others again, or they have landed, or its column is free"""
+        """where this vehicle waits until it receives others again or they have landed, or to leave a column"""
         self._vehicle, self._sysid, self._rules, self._peers = vehicle, sysid, rules, peers
         own = rules.vehicles[sysid]
         self._home_ned, self._plan = own.home_ned, own.failsafe
@@ -124,31 +128,44 @@ class SilentPeers:
 
     def _step_aside(self, p_ned: Vec3) -> None:
         """Leave a column before climbing in it, if it has a vehicle above that returns less high: pushed from below,
-        that one would leave its own height, and be parted from others there."""
-        above = self._lower_above(p_ned, p_ned[2])
-        if not above:
+        that one would leave its own height, and be parted from others there.
+
+        Only in the return's first moments, for the timetable has no more time; only from vehicles that climb home too,
+        since a station that leads others expects this one in its column; and not between two, where no way leads out.
+        """
+        if self._vehicle.returning_s() > ASIDE_S:
             return
-        north = east = 0.0
-        for n, e, _ in above:
+        north = east = farthest_m = 0.0
+        for sysid, (n, e, _) in self._lower_above(p_ned, p_ned[2]).items():
+            said_ms, _, _, wanted_ned = self._peers.leader(sysid)
+            if said_ms < self._vehicle.time_ms - 1e3 * PARTED_S or wanted_ned[2] > -CLIMBS_M_S:
+                continue
             away_m = elementary.distance((n, e), p_ned[:2])
             along_n, along_e = ((p_ned[0] - n) / away_m, (p_ned[1] - e) / away_m) if away_m > 0.0 else (1.0, 0.0)
-            north += (self._beside_m + ASIDE_M - away_m) * along_n
-            east += (self._beside_m + ASIDE_M - away_m) * along_e
-        self.waits_at_ned = (p_ned[0] + north, p_ned[1] + east, p_ned[2])
-        self._vehicle.return_from(self.waits_at_ned)
+            missing_m = self._beside_m + ASIDE_M - away_m
+            north, east, farthest_m = (
+                north + missing_m * along_n,
+                east + missing_m * along_e,
+                max(farthest_m, missing_m),
+            )
+        push_m = elementary.hypot(north, east)
+        if farthest_m > 0.0 and push_m >= 0.5 * farthest_m:
+            share = farthest_m / push_m
+            self.waits_at_ned = (p_ned[0] + share * north, p_ned[1] + share * east, p_ned[2])
+            self._vehicle.return_from(self.waits_at_ned)
 
-    def _lower_above(self, column_ned: Vec3, height_d: float) -> list[Vec3]:
-        """Places of received peers that bar a climb in a column from a height: above this vehicle, with a lower height
-        of their return."""
+    def _lower_above(self, column_ned: Vec3, height_d: float) -> dict[int, Vec3]:
+        """Places of received peers that bar a climb in a column from a height, by system id: above this vehicle, with a
+        lower height of their return."""
         if self._vehicle.mode is not Mode.RETURN or not 0.0 <= self._vehicle.returning_s() < self._plan.level_after_s:
-            return []
+            return {}
         now_ms, top_d = self._vehicle.time_ms, min(column_ned[2], self._home_ned[2] - self._plan.altitude_m)
-        found = []
+        found = {}
         for sysid, member in self._rules.vehicles.items():
             said_ms, (n, e, d), _ = self._peers.newest(sysid)
             if sysid == self._sysid or said_ms < 0 or now_ms - said_ms > 1e3 * PARTED_S or d >= height_d:
                 continue
             beside = elementary.distance((n, e), column_ned[:2]) < self._beside_m
             if beside and min(d, member.home_ned[2] - member.failsafe.altitude_m) > top_d:
-                found.append((n, e, d))
+                found[sysid] = (n, e, d)
         return found

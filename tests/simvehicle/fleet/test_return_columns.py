@@ -9,7 +9,7 @@ import math
 
 import numpy as np
 import pytest
-from swarm import SEPARATION_M, Swarm, rules_of
+from swarm import PLAN, SEPARATION_M, Swarm, rules_of
 
 
 @pytest.mark.slow
@@ -86,6 +86,30 @@ def test_one_below_another_that_returns_less_high_climbs_beside_its_column(parte
     assert swarm.least_m >= 0.85
     for sysid, vehicle in swarm.vehicles.items():
         assert math.dist(vehicle.p_ned[:2], homes[sysid][:2]) < 0.6
+
+
+@pytest.mark.parametrize(("aside_m", "returns"), [((-1.2, 1.2), True), ((-1.2, 1.2), False), ((0.9,), False)])
+def test_one_between_others_or_below_one_that_is_held_climbs_in_its_column(
+    aside_m: tuple[float, ...], returns: bool
+) -> None:
+    """Others that return are on both sides of it, or stay in the air by their station's order while it has lost that:
+    a station that leads others expects it above where it was."""
+    places = {1: (9.0, 0.0, -5.0), **{sysid: (9.0, e, -6.0) for sysid, e in enumerate(aside_m, 2)}}
+    heights_m = {1: 12.0, 2: 9.0, 3: 10.2}
+    homes = {sysid: (0.0, 2.0 * sysid, 0.0) for sysid in places}
+    swarm = Swarm(places, rules_of(homes, heights_m), lambda *_: True, up=True)
+    off_m = []
+
+    def station(_: float) -> None:
+        for sysid, vehicle in swarm.vehicles.items():
+            if not returns and sysid != 1:
+                vehicle.receive_gcs_heartbeat()
+        off_m.append(math.dist(swarm.vehicles[1].p_ned[:2], places[1][:2]))
+
+    swarm.fly(5.0 + PLAN["level_after_s"], station)
+    assert swarm.least_m >= SEPARATION_M
+    assert -swarm.vehicles[1].p_ned[2] == pytest.approx(12.0, abs=0.3)
+    assert returns or max(off_m) < 0.3
 
 
 @pytest.mark.parametrize("parted_s", [2.1, 2.5])

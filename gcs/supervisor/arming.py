@@ -147,6 +147,10 @@ class ArmingSequence:
         """The vehicle does not hear the ground station: what its failsafe does is put down to that, for a while."""
         self._cut_off_s = now_s
 
+    def back_from(self, view: VehicleView) -> bool:
+        """Whether it is brought back from what flies it since the session stood still: no pilot's wish."""
+        return view.failsafe or view.mode is FlightMode.HOLD
+
     def mend(self, view: VehicleView) -> None:
         """Nothing keeps the vehicle from flying any more: bring it back if it is down, and its battery allows."""
         if self.stage is Stage.DOWN and self.ordered is None and self._has_energy(view) and self._rejoins_itself:

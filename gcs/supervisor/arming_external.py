@@ -24,7 +24,7 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Message
 from gcs.mavlink.command_protocol import CommandRequest
 from gcs.scenario.external import External
-from gcs.supervisor.arming import CUT_OFF_S, ON_MISSION, ArmingSequence, Mission, Stage
+from gcs.supervisor.arming import ON_MISSION, ArmingSequence, Mission, Stage
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -73,14 +73,16 @@ class ExternalArmingSequence(ArmingSequence):
         self._took_off = self._climbs = self._on_its_way = False
         self._reads = 0
         self._decided_s = self._starved_s = self._takeoff_s = self._hold_asked_s = -math.inf
-        self._late_s, self._awake_s = 0.0, -math.inf
-        """how late this tick and those before it were, and the last that was not"""
 
     @property
     def sends_set_points(self) -> bool:
         """Whether set points should flow."""
         flown = self.stage in _FLOWN and self.stage is not Stage.MISSION
         return (flown or super().sends_set_points) and not self._silent
+
+    def back_from(self, view: VehicleView) -> bool:
+        """As `ArmingSequence.back_from`; where the scenario says `rejoins`, from anything."""
+        return self._rejoins_itself or super().back_from(view)
 
     def mend(self, view: VehicleView) -> None:
         """As `ArmingSequence.mend`, also while its failsafe still flies it; a mode that it reports late counts too."""
@@ -101,7 +103,6 @@ class ExternalArmingSequence(ArmingSequence):
             self._begun_s, self._took_off = now_s, False
         if max(now_s - self._decided_s, late_s) > LATE_S or view.age_s > STALE_S or not view.alive:
             self._starved_s = now_s
-        self._stood_still(view, now_s, late_s)
         self._now_s = self._decided_s = now_s
         self._silent = not view.alive
         if self._silent:
@@ -109,21 +110,6 @@ class ExternalArmingSequence(ArmingSequence):
                 self._cut_off_s = now_s
             return [], []
         return super().decide(view, now_s, bound=bound)
-
-    def _stood_still(self, view: VehicleView, now_s: float, late_s: float) -> None:
-        """Take a session that stood still for a link that was out.
-
-        It makes up for that in late ticks, one right after the other, and has read what happened meanwhile in the tick
-        before them, or in the first.
-        """
-        if late_s <= LATE_S:
-            self._late_s, self._awake_s = 0.0, now_s
-            return
-        self._late_s += late_s
-        if self._late_s > CUT_OFF_S and self.stage in _FLOWN:
-            self._cut_off_s = now_s
-            if self._stage_since_s >= self._awake_s:
-                self.mend(view)
 
     def rests(self, view: VehicleView) -> bool:
         """Never: how long ago it was asked last is what it judges silence and late ticks by."""

@@ -87,7 +87,7 @@ def stage_event(view: VehicleView, arming: ArmingSequence, before: Stage, now_s:
     if arming.stage is Stage.YIELDED:
         pilot, back = "Its failsafe" if view.failsafe else "A pilot or another station", view.profile.offboard_name
         if arming.unheard_lately(now_s) and not view.failsafe:
-            pilot = "It went without set points, and its failsafe, a pilot or another station"
+            pilot = "Its link was out, and its failsafe, a pilot or another station"
         why = f"{pilot} flies it ({view.mode_name}): it takes part again by rejoin, or when it is put into {back}"
         return Event(now_s, view.sysid, "warning", why)
     if arming.stage is Stage.FLY and before is Stage.YIELDED:

@@ -1,14 +1,13 @@
 """Brings vehicles back that their failsafe has taken while the supervisor was away.
 
-Only vehicles that it flew, that report that a failsafe flies them or that hold, and that have energy left: one that a
-person may have taken over meanwhile stays with that person.
+Only vehicles that it flew, that report that a failsafe flies them or hold (external ones that rejoin by the scenario:
+whatever they do), and that have energy left: one that a person may have taken over meanwhile stays with that person.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from gcs.mavlink.autopilots import FlightMode
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -49,7 +48,7 @@ class Recovery:
         return events
 
     def _bring_back(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> Event:
-        if arming.stage is Stage.YIELDED and not view.failsafe and view.mode is not FlightMode.HOLD:
+        if arming.stage is Stage.YIELDED and not arming.back_from(view):
             text = f"A pilot or another station may control it ({view.mode_name}): rejoin brings it back"
         elif view.energy_source != "none" and view.remaining_j <= 0.0:
             text = "Stays where its failsafe brought it: it has no energy left"

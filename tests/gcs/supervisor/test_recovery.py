@@ -7,8 +7,11 @@ import pytest
 from views import snapshot, view
 
 from gcs.mavlink.autopilots import FlightMode
+from gcs.scenario.external import External
 from gcs.supervisor.arming import Stage
+from gcs.supervisor.arming_external import ExternalArmingSequence
 from gcs.supervisor.recovery import WATCHED_S, Recovery
+from gcs.telemetry.state import VehicleView
 
 
 @dataclass
@@ -16,10 +19,15 @@ class Pilot:
     stage: Stage = Stage.FLY
     left_out: str = ""
     ordered: str | None = None
+    rejoins: bool = False
     back: int = 0
 
     def rejoin(self) -> None:
         self.back += 1
+
+    def back_from(self, seen: VehicleView) -> bool:
+        external = External(connect="udpin:127.0.0.1:14550", capacity_j=1e5, rejoins=self.rejoins)
+        return ExternalArmingSequence(1, 2.5, external).back_from(seen)
 
 
 @pytest.mark.parametrize(
@@ -54,6 +62,15 @@ def test_whom_the_supervisor_did_not_fly_is_nobody_to_bring_back(pilot: Pilot) -
     pilot.stage = Stage.YIELDED
     assert recovery.look(snapshot(view(sysid=1, mode=FlightMode.HOLD), time_s=11.0)) == []
     assert pilot.back == 0
+
+
+def test_an_external_vehicle_that_rejoins_is_brought_back_from_a_return_that_may_be_a_pilots() -> None:
+    pilot = Pilot(rejoins=True)
+    recovery = Recovery({1: pilot})  # type: ignore[dict-item]
+    recovery.returned(10.0)
+    pilot.stage = Stage.YIELDED
+    (event,) = recovery.look(snapshot(view(sysid=1, mode=FlightMode.RETURN), time_s=11.0))
+    assert (pilot.back, event.level) == (1, "info")
 
 
 def test_a_failsafe_much_later_has_another_cause() -> None:

@@ -170,13 +170,13 @@ class Findings:
 
     def _losses(self) -> list[goal.Loss]:
         """Vehicles that the session counted as lost while it flew."""
-        found = {}
+        found, died = {}, {}
         for d in self.recorded.decisions:
             if d["kind"] == "death":
-                found[int(d["sysid"])] = goal.Loss(int(d["sysid"]), d["t_s"], "its process died")
+                died[int(d["sysid"])] = goal.Loss(int(d["sysid"]), d["t_s"], "its process died")
             elif d["kind"] == "violation" and d["part"] == "lost" and d["sysids"]:
                 found[d["sysids"][0]] = goal.Loss(d["sysids"][0], d["at_s"], d["text"].partition(" is lost: ")[2])
-        return list(found.values())
+        return list((found | died).values())
 
     def _closest(self, line: Series, pair: Any) -> Nearest:
         """Nearest approach by the recording."""

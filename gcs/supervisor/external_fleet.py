@@ -63,6 +63,7 @@ class ExternalFleet:
         self._own_events = VehicleEvents()
         self._texts: list[tuple[int, int, str]] = []
         self.lost: set[int] = set()
+        self._died: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
         self._said_s: dict[tuple[int, str], float] = {}
         self._asks: dict[int, list[Ask]] = {sysid: [] for sysid in self.rules}
@@ -111,7 +112,7 @@ class ExternalFleet:
                 self._receive_events(sysid, own)
             if own:
                 self._last_received_s[sysid] = now_s
-                if sysid in self.lost:
+                if sysid in self.lost - self._died:
                     self.lost.discard(sysid)
                     streams.restart()
                     fleet.found(sysid)
@@ -122,6 +123,12 @@ class ExternalFleet:
                 self._note(
                     sysid, "critical", f"No telemetry for {LOST_S:.0f} s: it is counted as lost until it is heard"
                 )
+
+    def die(self, sysid: int) -> None:
+        """The process of a launched one has ended: it is lost at once, and for good."""
+        if sysid in self.rules:
+            self.lost.add(sysid)
+            self._died.add(sysid)
 
     def _receive_events(self, sysid: int, frames: Iterable[Frame]) -> None:
         texts = self._own_events.receive(sysid, AUTOPILOT, frames, self._now_s)

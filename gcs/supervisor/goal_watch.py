@@ -215,8 +215,8 @@ class GoalWatch:
         return "its battery is empty" if empty and (arming.ordered is None or view.flying) else ""
 
     def lose(self, sysid: int, t_s: float, why: str) -> None:
-        """Count a vehicle as lost, or the traffic, 255."""
-        self._lost[sysid] = Loss(sysid, t_s, why)
+        """Count a vehicle as lost, or the traffic, 255; what it was lost by first stays."""
+        self._lost.setdefault(sysid, Loss(sysid, t_s, why))
         if sysid in self._rows:
             self._restless.add(sysid)
 

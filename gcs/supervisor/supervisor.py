@@ -317,6 +317,7 @@ class Supervisor:
         self._deaths.append({"t_s": self.time_s, "kind": "death", "sysid": key[0], "text": why})
         self.goal_watch.lose(key[0], self.time_s, "its process died")
         if key != TRAFFIC:
+            self.externals.die(key[0])
             self.fleet.lost(key[0])
         self.events.append(Event(self.time_s, key[0], "critical", why, "death"))
 

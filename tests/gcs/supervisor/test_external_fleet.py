@@ -87,6 +87,17 @@ def test_ten_seconds_of_silence_count_as_lost_until_it_is_heard() -> None:
     assert "stream LOCAL_POSITION_NED" in tower.decide(LOST_S + 3.0)  # it may have booted meanwhile
 
 
+def test_one_whose_process_died_is_lost_at_once_and_for_good() -> None:
+    """Its last datagrams may come after its death."""
+    tower = Tower()
+    tower.hear(0.0, heartbeat(), origin())
+    tower.externals.die(3)
+    tower.externals.die(1)
+    for time_s in (0.1, LOST_S, LOST_S + 5.0):
+        tower.hear(time_s, *([heartbeat()] if time_s < 1.0 else []))
+        assert (tower.externals.lost, tower.said()) == ({3}, [])
+
+
 def test_the_words_of_its_gimbal_are_not_its_own() -> None:
     tower = Tower()
     tower.hear(0.0, heartbeat())

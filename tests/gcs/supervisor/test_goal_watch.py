@@ -116,3 +116,12 @@ def test_only_an_order_that_explains_a_landing_keeps_it_from_counting_as_a_loss(
     assert lost("hold", left_j=40.0) == (falls, landed)
     assert lost("return", left_j=40.0) == lost("land", left_j=40.0) == ([], [])
     assert lost("hold", left_j=0.0) == lost("return", left_j=0.0) == lost("land", left_j=0.0) == (empty, empty)
+
+
+def test_what_a_vehicle_was_lost_by_first_stays() -> None:
+    content = scenario()
+    watch = GoalWatch(content, geometry.of_scenario(content.obstacles), FleetArming(make_arming_sequences(content)))
+    now = snapshot(*(view(sysid) for sysid in SYSIDS), time_s=22.0)
+    watch.lose(2, 12.0, "its process died")
+    watch.lose(2, 22.0, "silent")
+    assert [(loss.t_s, loss.why) for loss in watch.losses(now, 22.0) if loss.sysid == 2] == [(12.0, "its process died")]

@@ -6,9 +6,10 @@ clock compared.
 3. The clock is that of SYSTEM_TIME, of external vehicles only. One that has no time yet, or does not report it, passes.
    At another speed than 1 only the pace of its own time counts, by `time_boot_ms`, over PACE_OVER_S of the session: a
    simulator has to keep the session's, within PACE_OFF.
-4. Return parameters are set on vehicles whose autopilots are not ours, and put back at the end (return_setting.py).
-5. A mission that does not read as it was written fails its vehicle whatever `preflight` says: it would fly elsewhere.
-6. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
+4. Whether an external vehicle keeps its fence by itself is read and said, not set (services/fence_switch.py).
+5. Return parameters are set on vehicles whose autopilots are not ours, and put back at the end (return_setting.py).
+6. A mission that does not read as it was written fails its vehicle whatever `preflight` says: it would fly elsewhere.
+7. Until its list has ended a vehicle is not armed; one that fails is not armed at all, unless `preflight: warn`.
 Origins are judged where frames are (`arming_external`): one that is too far away is left out.
 """
 
@@ -34,6 +35,7 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.parts.mission import items_of, plan_of
 from gcs.supervisor import return_setting
 from gcs.supervisor.return_setting import ReturnSetting
+from gcs.supervisor.services.fence_switch import FenceSwitch
 from gcs.telemetry.events import Event, Level
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import geodesy
@@ -66,7 +68,7 @@ class CheckItem(NamedTuple):
     """An entry of a vehicle's check list."""
 
     key: str
-    """fence, rally, mission, return, clock, or pace at another speed than 1"""
+    """fence, switch (of the fence), rally, mission, return, clock, or pace at another speed than 1"""
     passed: bool
     text: str
 
@@ -76,6 +78,7 @@ class _CheckList:
 
     def __init__(
         self,
+        sysid: int,
         clients: dict[str, PlanClient],
         homecoming: ReturnSetting | None,
         mission: MissionPlan,
@@ -87,6 +90,7 @@ class _CheckList:
         self.mission = mission
         """which is put into it once its autopilot's habits are known"""
         self.homecoming = homecoming
+        self.fence_switch = FenceSwitch(sysid) if external and "fence" in clients else None
         self.items: dict[str, CheckItem] = {}
         self.asks_clock = ASK_TIMES if external and not paced else 0
         self.clock_open = external and not paced
@@ -101,7 +105,8 @@ class _CheckList:
         """Whether nothing of it is open."""
         due = self.clients.keys() | ({"return"} if self.homecoming is not None else set())
         due |= {"mission"} if self.mission.mission else set()
-        return self.items.keys() >= due and not self.clock_open and not self.pace_open
+        asked = self.fence_switch is not None and not self.fence_switch.done
+        return self.items.keys() >= due and not (self.clock_open or self.pace_open or asked)
 
 
 class Preflight:
@@ -116,6 +121,7 @@ class Preflight:
         returns = foreign_returns_of(scenario)
         self._lists = {
             v.sysid: _CheckList(
+                v.sysid,
                 {
                     key: PlanClient(
                         v.sysid,
@@ -176,8 +182,11 @@ class Preflight:
                     content = codec.fields(frame)
                     for client in checks.clients.values():
                         client.receive(codec.name(frame.msgid), content, now_s)
-                elif frame.msgid in _PARAMETERS and checks.homecoming is not None:
-                    checks.homecoming.receive(codec.name(frame.msgid), codec.fields(frame), now_s)
+                elif frame.msgid in _PARAMETERS:
+                    asks: tuple[ReturnSetting | FenceSwitch | None, ...] = (checks.homecoming, checks.fence_switch)
+                    for one in asks:
+                        if one is not None:
+                            one.receive(codec.name(frame.msgid), codec.fields(frame), now_s)
                 elif frame.msgid == _SYSTEM_TIME and checks.clock_open:
                     self._clock(checks, codec.fields(frame).time_unix_usec, unix_us)
                 elif frame.msgid in CLOCKS and checks.pace_open:
@@ -205,6 +214,8 @@ class Preflight:
                 messages += checks.homecoming.poll(view, now_s)
                 if (verdict := checks.homecoming.verdict) is not None:
                     checks.items["return"] = CheckItem("return", *verdict)
+            if checks.fence_switch is not None and "fence" in checks.items:
+                messages += self._switch(checks.fence_switch, view, checks, now_s)
             if messages:
                 out[sysid] = messages
             if checks.complete:
@@ -270,6 +281,16 @@ class Preflight:
                 text = f"mission not taken: {client.why}"
             fails = _FAILS_MISSION if key == "mission" else _FAILS
             checks.items[key] = CheckItem(key, client.outcome not in fails, text)
+        return messages
+
+    def _switch(self, switch: FenceSwitch, view: VehicleView, checks: _CheckList, now_s: float) -> list[Message]:
+        """Ask a vehicle that has its fence whether it keeps it."""
+        if checks.clients["fence"].outcome not in ("kept", "uploaded"):
+            checks.fence_switch = None
+            return []
+        messages = switch.poll(view, now_s)
+        if switch.note:
+            checks.items["switch"] = CheckItem("switch", True, switch.note)
         return messages
 
     def _ask_clock(self, sysid: int, checks: _CheckList, now_s: float) -> list[Message]:

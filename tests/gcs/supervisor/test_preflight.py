@@ -106,6 +106,25 @@ def test_who_takes_no_fence_is_named_and_flies_without() -> None:
     assert session.end() == (True, "", [("info", "Check list: clock right; fence not taken: it flies without")])
 
 
+@pytest.mark.parametrize(("number", "note"), [(2.0, ""), (0.0, "; GF_ACTION is 0: by itself it keeps no fence")])
+def test_one_that_keeps_no_fence_by_itself_is_named(number: float, note: str) -> None:
+    session = Session(inside=[{"circle_m": [0, 0], "radius_m": 30.0}])
+    session.hear(system_time(0.0))
+    (item,) = session.preflight._lists[3].clients["fence"].items
+    session.go_on(0.2)
+    kind = mav.MAV_MISSION_TYPE_FENCE
+    session.hear(mav.MAVLink_mission_count_message(255, 190, 1, kind))
+    session.go_on(0.2)
+    whole = (255, 190, 0, item.frame, item.command, 0, 1, item.param1, 0, 0, 0, item.x, item.y, item.z, kind)
+    session.hear(mav.MAVLink_mission_item_int_message(*whole))
+    session.go_on(0.2)
+    assert session.sent[-1] == "PARAM_REQUEST_READ"
+    assert not session.preflight.ended(3)
+    session.hear(mav.MAVLink_param_value_message(b"GF_ACTION", number, mav.MAV_PARAM_TYPE_REAL32, 1, 0))
+    session.go_on(0.2)
+    assert session.end() == (True, "", [("info", f"Check list: clock right; fence there already{note}")])
+
+
 def test_nobody_is_armed_before_its_list_has_ended_and_who_fails_is_left_out() -> None:
     arming, ground = ArmingSequence(3, 2.5), view(armed=False, landed=True, p_ned=(0.0, 0.0, 0.0))
     arming.checked = False

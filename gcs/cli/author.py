@@ -294,7 +294,8 @@ _WORDS = {"true", "false", "null", "yes", "no", "on", "off"}
 def doctor(as_json: bool) -> int:
     """Check this machine: Python, versions, sockets, receive buffers, ports, folder, terminal.
 
-    Each finding that is not fine says what to do about it.
+    Each finding that is not fine says what to do about it. Real autopilots are looked for where SKYTENDER_ARDUCOPTER
+    and SKYTENDER_PX4 name them, then on PATH, then where their builds leave them.
 
     \b
     Exit status:

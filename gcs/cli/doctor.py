@@ -11,8 +11,8 @@ import socket
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 from typing import Literal
@@ -27,6 +27,8 @@ COMMON_PORT = 14550
 ROOM_BYTES = 200 << 20
 COLUMNS, LINES = 80, 24
 _REQUIREMENT = re.compile(r"^([A-Za-z0-9._-]+)\s*([^;]*)(?:;.*extra\s*==\s*['\"]([^'\"]+)['\"])?")
+_COMMIT = re.compile(r"-g([0-9a-f]{7,40})$")
+"""what `git describe` ends with, after the nearest tag that it knows and the commits since"""
 
 
 @dataclass(frozen=True)
@@ -84,27 +86,52 @@ def _versions() -> Iterator[MachineFinding]:
         yield MachineFinding("problem", PACKAGE, "not installed, only on the path", advice)
         return
     yield MachineFinding("ok", PACKAGE, own)
-    for line in wanted:
+    for package in _wanted(wanted):
+        yield _package(package)
+
+
+@dataclass
+class _Wanted:
+    """A package that Skytender needs, or that extras of it want."""
+
+    name: str
+    limits: str
+    extras: list[str] = field(default_factory=list)
+    """empty for what it always needs"""
+
+
+def _wanted(requirements: Iterable[str]) -> list[_Wanted]:
+    """Each package once, those of the extra `dev` left out: it is for Skytender's own developers."""
+    found: dict[str, _Wanted] = {}
+    for line in requirements:
         match = _REQUIREMENT.match(line)
         if match is None or match[3] == "dev":
             continue
         name, limits, extra = match[1], match[2].strip(), match[3]
-        try:
-            have = version(name)
-        except PackageNotFoundError:
-            if extra:
-                yield MachineFinding(
-                    "note", name, "not installed", f"for the extra: pip install '.[{extra}]' in Skytender's checkout"
-                )
-            else:
-                yield MachineFinding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
-            continue
-        if satisfies(have, limits):
-            yield MachineFinding("ok", name, have)
-        else:
-            yield MachineFinding(
-                "problem", name, f"{have}, not {limits}", f"install another: pip install '{name}{limits}'"
-            )
+        package = found.setdefault(name, _Wanted(name, limits, [extra] if extra else []))
+        both = filter(None, [*package.limits.split(","), *limits.split(",")])
+        package.limits = ",".join(dict.fromkeys(both))
+        if not extra:
+            package.extras = []
+        elif package.extras and extra not in package.extras:
+            package.extras.append(extra)
+    return list(found.values())
+
+
+def _package(package: _Wanted) -> MachineFinding:
+    name, limits, extras = package.name, package.limits, package.extras
+    of_extras = f" (for the extra{'s' * (len(extras) > 1)} {', '.join(extras)})" if extras else ""
+    try:
+        have = version(name)
+    except PackageNotFoundError:
+        if extras:
+            advice = f"if you want {' or '.join(extras)}: pip install '.[{extras[0]}]' in Skytender's checkout"
+            return MachineFinding("note", name, f"not installed{of_extras}", advice)
+        return MachineFinding("problem", name, "not installed", f"install it: pip install '{name}{limits}'")
+    if satisfies(have, limits):
+        return MachineFinding("ok", name, f"{have}{of_extras}")
+    advice = f"install another: pip install '{name}{limits}'"
+    return MachineFinding("problem", name, f"{have}, not {limits}{of_extras}", advice)
 
 
 def satisfies(have: str, limits: str) -> bool:
@@ -247,12 +274,20 @@ def _autopilots() -> Iterator[MachineFinding]:
         elif release is None:
             advice = f"its program names no version of {kind.name}; a session needs {kind.program}"
             yield MachineFinding("note", kind.name, str(path), advice)
-        elif release in kind.flown:
+        elif any(_same_release(release, one) for one in kind.flown):
             yield MachineFinding("ok", kind.name, f"{release} at {path}")
         else:
             newer = all(_numbers(release)[:2] > _numbers(one)[:2] for one in kind.flown)
             said = f"newer than those {flown}" if newer else flown
             yield MachineFinding("ok", kind.name, f"{release} at {path} ({said})")
+
+
+def _same_release(one: str, other: str) -> bool:
+    """A commit may be described from several tags, and its hash cut to several lengths."""
+    a, b = _COMMIT.search(one), _COMMIT.search(other)
+    if a is None or b is None:
+        return one == other
+    return a[1].startswith(b[1]) or b[1].startswith(a[1])
 
 
 def _own_scenarios() -> Iterator[MachineFinding]:

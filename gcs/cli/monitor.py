@@ -73,7 +73,7 @@ def monitor(
 
     \b
     Exit status:
-      0    closed, or the session has ended
+      0    closed, also by Ctrl-C, or the session has ended
       2    no session runs there, or the address cannot be had
       70   an error of the program itself
     """
@@ -106,7 +106,7 @@ def monitor(
         elif foxglove:
             page.show_in_foxglove(source)
         else:
-            follow(source, click.echo, as_json=as_json)
+            follow(source, click.echo, as_json=as_json, changes_only=connect is not None)
     return 0
 
 

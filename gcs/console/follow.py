@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from gcs.session.client import Message, MessageSource
-from gcs.session.plain_text import JsonView, PlainView, View, mute_stdout, outcome_line
+from gcs.session.plain_text import JsonView, PlainView, View, mute_stdout, outcome_line, progress
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5
@@ -28,20 +28,35 @@ class Steps:
         self.now_s += STEP_S
 
 
+class ChangesView(PlainView):
+    """The plain view without lines of progress that say nothing new: a monitor may run for days beside idle fleets."""
+
+    _before = ""
+
+    def _print_progress(self, now_s: float) -> None:
+        assert self._last is not None
+        now = progress({**self._last, "t_s": 0.0})
+        if now != self._before:
+            self._before = now
+            super()._print_progress(now_s)
+
+
 def follow(
     source: MessageSource,
     write: Callable[[str], object],
     *,
     as_json: bool,
+    changes_only: bool = False,
     clock: Callable[[], float] = time.monotonic,
     wait: Callable[[], object] = lambda: time.sleep(LOOK_EVERY_S),
     over: Callable[[], bool] = lambda: False,
 ) -> None:
     """Show a source until it ends, is `over`, or its reader is gone; Ctrl-C raises KeyboardInterrupt.
 
+    changes_only: as text, no line of progress that says only that time has passed.
     clock, wait: by which what is shown now and then is due, and how the next look is waited for.
     """
-    view = JsonView(write) if as_json else PlainView(write)
+    view = JsonView(write) if as_json else (ChangesView if changes_only else PlainView)(write)
     try:
         end: Message | None = None
         while end is None and not over():

@@ -48,7 +48,7 @@ class MainScreen(Screen[None]):
         self.small_plan = map_view.MapView()
         self._scrolled = self._most = 0
         self._notice: tuple[str, str, float] | None = None
-        self._fleet_size = 0
+        self._arranged_for = (0, False)
         self._inspected: int | None = None
 
     def compose(self) -> ComposeResult:
@@ -94,8 +94,9 @@ class MainScreen(Screen[None]):
             fleet = self._ordered()
             self.chosen = fleet[0]["sysid"] if fleet else None
         self._inspect()
-        if len(self._ordered()) != self._fleet_size:
-            self._fleet_size = len(self._ordered())
+        needs = len(self._ordered()), self.seen.monitors
+        if needs != self._arranged_for:
+            self._arranged_for = needs
             self._arrange()
         self.redraw()
 
@@ -133,6 +134,8 @@ class MainScreen(Screen[None]):
         wide = size.width >= WIDE.width and size.height >= WIDE.height
         self.query_one("#right").display = wide
         self.query_one("#right").styles.width = max(44, size.width - 104)
+        # A monitor knows of no competition.
+        self.query_one("#course").display = not self.seen.monitors
         self._share_left(size)
         self.call_after_refresh(self.redraw)
 

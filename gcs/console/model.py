@@ -114,13 +114,18 @@ class SessionModel:
 
     @property
     def phase(self) -> str:
-        """`starting`, `flying`, `paused` or `ended`."""
+        """`starting`, `flying`, `paused` or `ended`; `monitoring` where vehicles at an address are watched."""
         return clean(self.snapshot.get("phase") or "starting")
 
     @property
     def control(self) -> bool:
         """Whether the other end takes an operator's commands."""
         return bool(self.session.get("control", not self.replay))
+
+    @property
+    def monitors(self) -> bool:
+        """Whether the vehicles at an address are watched (`gcs monitor --connect`), whichever station flies them."""
+        return bool(self.session.get("source") == "monitor")
 
     @property
     def replay(self) -> Mapping[str, Any] | None:

@@ -31,7 +31,7 @@ class OperatorControls:
         if seen.replay is not None and name == "pause":
             self.play()
         elif not seen.control:
-            self._say(f"{'a recording' if seen.replay is not None else 'this source'} takes no commands")
+            self._say(_why_none(seen))
         else:
             order = _ready(next(order for order in ORDERS if order.command == name), seen)
             sysid = chosen if order.of_vehicle else None
@@ -108,6 +108,13 @@ class OperatorControls:
     def seek(self, steps: int) -> None:
         """Ten seconds on or back per step."""
         self._app.source.send({"command": "seek", "t_s": self._app.seen.t_s + SEEK_S * steps})
+
+
+def _why_none(seen: SessionModel) -> str:
+    """Why a source takes no commands and, where something helps, what."""
+    if seen.monitors:
+        return "this monitor only watches; start it with --control to give orders"
+    return f"{'a recording' if seen.replay is not None else 'this source'} takes no commands"
 
 
 def _ready(order: OperatorCommand, seen: SessionModel) -> OperatorCommand:

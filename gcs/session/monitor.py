@@ -113,7 +113,7 @@ class MonitorSource:
             messages.append(self._observer.session())
         if t_s - self._shown_s >= SNAPSHOT_EVERY_S:
             self._shown_s = t_s
-            messages.append(self._observer.snapshot(t_s, speed=1.0, phase="flying"))
+            messages.append(self._observer.snapshot(t_s, speed=1.0, phase="monitoring"))
         return messages
 
     def send(self, command: Mapping[str, Any]) -> None:

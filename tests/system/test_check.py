@@ -11,6 +11,7 @@ import sys
 import threading
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -18,7 +19,7 @@ from commands import gcs
 from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import GCS
-from strangers import ARDUCOPTER
+from strangers import ARDUCOPTER, strangers
 
 VEHICLE = [sys.executable, "-c", "from simvehicle.cli import main; main()"]
 CHECK = ["check", "--json", "--wait", "60"]
@@ -164,6 +165,20 @@ def test_a_check_that_the_machine_keeps_from_running_for_a_while_blames_no_vehic
     status, found = checked["stopped"]
     assert [f for f in found["findings"] if f["outcome"] in ("missing", "wrong")] == []
     assert status == 0
+
+
+@pytest.mark.parametrize("as_json", [False, True])
+def test_one_that_has_just_started_is_said_to_be_not_ready_yet(tmp_path: Path, as_json: bool) -> None:
+    """The scripted one, whose pre-arm bit is set after 60 s here."""
+    port = free_port()
+    copter = [*ARDUCOPTER, "--connect", f"udpout:127.0.0.1:{port}", "--refuse-arming-s", "100"]
+    options = ["--peer", "qgroundcontrol", "--wait", "60", *(["--json"] if as_json else [])]
+    with strangers(tmp_path, copter):
+        done = gcs("check", "--connect", f"udpin:127.0.0.1:{port}", *options)
+    assert done.returncode == 1
+    last = (done.stderr if as_json else done.stdout).splitlines()[-1]
+    assert last.startswith("not ready yet: vehicle 1 had run for ")
+    assert last.endswith("its pre-arm checks did not pass; with --wait-ready 60 the check waits for that first")
 
 
 def test_nobody_there_is_one_sentence() -> None:

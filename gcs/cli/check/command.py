@@ -103,7 +103,7 @@ def check(
       2    bad input, or no vehicle was received
       130  stopped by Ctrl-C
     """
-    from gcs.cli.check import report
+    from gcs.cli.check import readiness, report
     from gcs.cli.check.dialogue import Dialogue
     from gcs.cli.check.questions import questions
     from gcs.cli.check.wire import CheckError, Wire
@@ -144,6 +144,8 @@ def check(
     elif done[0].others and not everyone:
         also = ", ".join(map(str, sorted(done[0].others)))
         click.echo(f"also heard: vehicle {also}; choose with --sysid, or --all")
+    for said in filter(None, map(readiness.hint, () if wait_ready is not None else done)):
+        click.echo(said, err=as_json)
     return 0 if passed else NOT_DONE
 
 

@@ -75,6 +75,8 @@ class CheckedVehicle:
     """other vehicles that acknowledged a command to it, with that command's name, by system id"""
     rates_count_from_s: float = 0.0
     """when it was first received or, where it was waited for, when it was ready: one that boots sends less"""
+    running_s: float | None = None
+    """how long it had run since its boot when it first said so"""
     backwards: str = ""
     """the first message whose time_boot_ms was lower than the one before"""
     _boot_ms: dict[str, int] = field(default_factory=dict)
@@ -85,6 +87,8 @@ class CheckedVehicle:
         self.arrivals_s.setdefault(received.name, []).append(received.at_s)
         boot_ms = getattr(received.fields, "time_boot_ms", None)
         if boot_ms is not None:
+            if self.running_s is None:
+                self.running_s = 1e-3 * boot_ms
             if boot_ms < self._boot_ms.get(received.name, 0) and not self.backwards:
                 self.backwards = received.name
             self._boot_ms[received.name] = boot_ms

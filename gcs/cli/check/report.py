@@ -7,7 +7,7 @@ from typing import Any
 
 from gcs.cli.check.dialogue import CheckedVehicle, CheckFinding
 
-FAULTS = ("missing", "wrong")
+FAULTS = frozenset({"missing", "wrong"})
 """Outcomes after which a vehicle does not pass; a late answer is reported, but peers that ask again get it."""
 
 

@@ -9,7 +9,7 @@ from gcs.console.text import Glyphs, StyledLine, StyledLines, bar, fitted, width
 from gcs.session.plain_text import broken_text, clean, goal_parts
 
 PAGES = ("fleet", "map", "competition", "events", "vehicle")
-PHASES = {"starting": "info", "flying": "well", "paused": "look", "ended": "title"}
+PHASES = {"starting": "info", "flying": "well", "monitoring": "well", "paused": "look", "ended": "title"}
 LONGEST_BAR = 40
 SILENT_S = 3.0
 
@@ -88,6 +88,8 @@ def _goal(watch: SessionModel) -> Iterable[tuple[str, float, float, str]]:
 
 def health_line(watch: SessionModel, width: int, glyphs: Glyphs) -> StyledLine:
     """The worst vehicles and what is wrong with them; on every page, always in the same place."""
+    if not watch.vehicles and watch.monitors:
+        return fitted([(" no vehicle yet", "info")], width, glyphs)
     if not watch.vehicles:
         waiting = watch.session.get("vehicles")
         count = f"{len(waiting)} vehicles" if waiting else "the vehicles"

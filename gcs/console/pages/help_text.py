@@ -89,7 +89,8 @@ def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: G
         lines += [[], [("Operator (each key asks first; what the vehicle answers is an event)", "name")]]
         lines += [_entry(order.key, order.what) for order in ORDERS]
     elif not replay:
-        lines += [[], [("This source takes no commands: the operator's keys are off.", "info")]]
+        off = "The operator's keys are off: start the monitor with --control to give orders."
+        lines += [[], [(off, "info")]]
     for name, entries in PAGE_KEYS.items():
         if entries:
             lines += [[], [(f"On the {name} page", "name")], *(_entry(*entry) for entry in entries)]

@@ -7,6 +7,7 @@ import io
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 from typing import Any
 
@@ -244,6 +245,36 @@ def test_the_doctor_finds_nothing_that_keeps_sessions_from_running_here() -> Non
     assert all(finding["advice"] for finding in findings if finding["level"] != "ok")
 
 
+REQUIRED = [
+    "click<9,>=8.1",
+    'pyarrow<27,>=17; extra == "parquet"',
+    'scipy<2,>=1.13; extra == "paper"',
+    'pyarrow<27,>=17; extra == "campaign"',
+    'scipy<2,>=1.13; extra == "dev"',
+    'mypy>=1.13; extra == "dev"',
+]
+
+
+def test_the_doctor_names_each_package_once_with_the_extras_that_want_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    have = {"skytender": "1.0", "click": "8.2", "pyarrow": "20.0"}
+
+    def version(name: str) -> str:
+        if name not in have:
+            raise PackageNotFoundError(name)
+        return have[name]
+
+    monkeypatch.setattr(doctor, "version", version)
+    monkeypatch.setattr(doctor, "requires", lambda _: REQUIRED)
+    said = [(one.level, one.what, one.found, one.advice) for one in doctor._versions()]
+    wanted = "if you want paper: pip install '.[paper]' in Skytender's checkout"
+    assert said == [
+        ("ok", "skytender", "1.0", ""),
+        ("ok", "click", "8.2", ""),
+        ("ok", "pyarrow", "20.0 (for the extras parquet, campaign)", ""),
+        ("note", "scipy", "not installed (for the extra paper)", wanted),
+    ]
+
+
 def test_the_doctor_says_what_to_do_about_a_missing_program(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr("sys.executable", str(tmp_path / "python"))
     monkeypatch.setenv("PATH", str(tmp_path))
@@ -288,6 +319,9 @@ def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
         ("PX4", b"\0v1.13.3\0" + COMMIT, "ok", "1.13.3 at {} (flown so far: "),
         ("PX4", b"\0v1.2.3-dirty\0v1.18.1\0release/1.18\0\0\0" + COMMIT, "ok", "1.18.1 at {}"),
         ("PX4", b"ArduCopter V4.6.0-dev", "note", "{}"),
+        # the commit of 1.18.0-beta1-38-g83c4f4e580, described from another tag; and changes of it
+        ("PX4", b"\0v1.18.0-beta1-1-g83c4f4e580\0" + COMMIT, "ok", "1.18.0-beta1-1-g83c4f4e580 at {}|"),
+        ("PX4", b"\0v1.18.0-beta1-1-g83c4f4e580-dirty\0" + COMMIT, "ok", "1.18.0-beta1-1-g83c4f4e580-dirty at {} ("),
     ],
 )
 @pytest.mark.parametrize("by", ["name", "path"])
@@ -302,7 +336,7 @@ def test_the_doctor_finds_an_autopilot_and_names_its_version(
         monkeypatch.setenv("PATH", "")
     (finding,) = (one for one in doctor._autopilots() if one.what == name)
     assert finding.level == level
-    assert finding.found.startswith(found.format(program))
+    assert f"{finding.found}|".startswith(found.format(program))
 
 
 def test_the_doctor_finds_a_px4_by_the_folder_of_its_build(monkeypatch: pytest.MonkeyPatch, bare: Path) -> None:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, cast
 
 import pytest
 from pymavlink.dialects.v20 import common as mav
 from scripted_vehicle import Scripted, examine
+
+from gcs.cli.check.dialogue import CheckFinding, Dialogue, Outcome
+from gcs.cli.check.questions import questions
+from gcs.cli.check.readiness import hint
 
 
 @pytest.mark.parametrize(("from_s", "outcome"), [(4.0, "ok"), (1e9, "missing")])
@@ -66,3 +70,50 @@ def test_one_that_could_be_armed_but_tells_no_place_is_named_as_that() -> None:
     found = examine(booting(Scripted(), healthy_s=2.0, place_s=1e9), "ready", ready_within_s=10.0)
     assert found["ready"].outcome == "missing"
     assert found["ready"].text == "its pre-arm checks pass, but it does not tell its place (LOCAL_POSITION_NED)"
+
+
+def asked_too_soon(*, running_s: float, prearm: bool, placed: bool, armed: bool = False, **outcomes: str) -> str:
+    """The hint after a check of a vehicle that had run for so long, with these outcomes of its questions."""
+    vehicle, dialogue = Scripted(), Dialogue([])
+    flags = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (mav.MAV_MODE_FLAG_SAFETY_ARMED if armed else 0)
+    bits = mav.MAV_SYS_STATUS_PREARM_CHECK if prearm else 0
+    said = [
+        vehicle.heartbeat(base_mode=flags),
+        mav.MAVLink_attitude_message(round(1e3 * running_s), 0, 0, 0, 0, 0, 0),
+        mav.MAVLink_sys_status_message(bits, bits, bits, 0, 0, -1, -1, 0, 0, 0, 0, 0, 0),
+        *([place(round(1e3 * running_s) + 9000)] if placed else ()),
+    ]
+    for message in said:
+        dialogue.receive(vehicle.frame(message), 0.0)
+    asked = {question.key: question for question in questions()}
+    dialogue.findings = [
+        CheckFinding(asked[key.replace("_", "-")], cast("Outcome", outcome), "", None)
+        for key, outcome in outcomes.items()
+    ]
+    return hint(dialogue)
+
+
+def test_one_that_was_asked_too_soon_after_its_start_is_named_with_what_helps() -> None:
+    assert asked_too_soon(running_s=5.0, prearm=False, placed=True, health_prearm="wrong") == (
+        "not ready yet: vehicle 7 had run for 5 s, and its pre-arm checks did not pass; "
+        "with --wait-ready 60 the check waits for that first"
+    )
+    meanwhile_ready = asked_too_soon(running_s=5.0, prearm=True, placed=True, health_prearm="wrong")
+    assert "pre-arm checks" in meanwhile_ready
+    for placed in (False, True):
+        missed = asked_too_soon(running_s=5.0, prearm=True, placed=placed, stream_local_position_ned="missing")
+        assert "it did not tell its place (LOCAL_POSITION_NED)" in missed
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        {"running_s": 5.0, "prearm": True, "placed": True, "ping": "missing"},
+        {"running_s": 500.0, "prearm": False, "placed": False, "health_prearm": "wrong"},
+        {"running_s": 5.0, "prearm": False, "placed": True, "armed": True, "health_prearm": "wrong"},
+        {"running_s": 5.0, "prearm": True, "placed": False, "ping": "ok"},
+    ],
+    ids=["ready", "runs for long", "armed", "passes"],
+)
+def test_any_other_is_not_advised_to_wait(told: dict[str, Any]) -> None:
+    assert asked_too_soon(**told) == ""

@@ -164,6 +164,18 @@ def test_a_replay_is_paused_sought_and_hurried_and_takes_no_orders() -> None:
     drive(steps, [session(control=False), snapshot(20.0, replay=replay)])
 
 
+def test_a_monitor_that_only_watches_names_the_option_that_lets_it_order() -> None:
+    async def steps(shown: Shown) -> None:
+        await shown.press("h")
+        assert "start it with --control" in shown.lines()[-1]
+        assert shown.source.sent == []
+        await shown.press("question_mark")
+        assert "start the monitor with --control" in shown.text()
+
+    watched = [session(source="monitor", control=False), snapshot(20.0, phase="monitoring")]
+    drive(steps, watched, size=(120, 70))
+
+
 def test_an_event_is_told_to_its_last_word_and_where_no_event_passes_that_is_said() -> None:
     words = " ".join(f"word{i}" for i in range(30))
     told = {"t_s": 47.0, "sysid": 0, "level": "info", "kind": "operator", "text": f"Operator: {words}"}

@@ -19,21 +19,24 @@ _GONE = frozenset({Stage.YIELDED, Stage.DOWN})
 
 
 class Recovery:
-    """Of one session; `returned` says that the supervisor was away."""
+    """Of the vehicles of one session that fly on without it; `returned` says that the supervisor was away."""
 
     def __init__(self, arming: Mapping[int, ArmingSequence]) -> None:
         self._arming = arming
+        self._led: tuple[set[int], set[int]] = (set(), set())
+        """that it flew when it looked for the last two times"""
         self._flown: set[int] = set()
         self._until_s = 0.0
 
     def returned(self, now_s: float) -> None:
         """The supervisor goes on at a session time; the vehicles that it flew until now may have flown a failsafe
-        meanwhile."""
-        self._flown = {sysid for sysid, arming in self._arming.items() if arming.stage in _FLOWN}
+        meanwhile, which the tick in which it woke may have read."""
+        self._flown = self._led[0] | self._led_now()
         self._until_s = now_s + WATCHED_S
 
     def look(self, snapshot: FleetSnapshot) -> list[Event]:
         """Bring vehicles back where possible; returns the events of it."""
+        self._led = self._led[1], self._led_now()
         if not self._flown:
             return []
         events = []
@@ -46,6 +49,9 @@ class Recovery:
         if snapshot.time_s > self._until_s:
             self._flown.clear()
         return events
+
+    def _led_now(self) -> set[int]:
+        return {sysid for sysid, arming in self._arming.items() if arming.stage in _FLOWN}
 
     def _bring_back(self, view: VehicleView, arming: ArmingSequence, now_s: float) -> Event:
         if arming.stage is Stage.YIELDED and not arming.back_from(view):

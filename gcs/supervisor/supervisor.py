@@ -113,7 +113,7 @@ class Supervisor:
         self._fleet_arming = FleetArming(self.arming)
         self.goal_watch = GoalWatch(scenario, self.planner.obstacles, self._fleet_arming)
         self.operator = Operator(scenario, self.arming, self.schedule)
-        self.recovery = Recovery(self.arming)
+        self.recovery = Recovery(self.arming if scenario.vehicles.external else {})
         stations = dict.fromkeys(scenario.vehicles.external, scenario.station.ids)
         self._forwarded = ForwardedControl(self.arming, self.operator, stations)
         self.externals = ExternalFleet(scenario)

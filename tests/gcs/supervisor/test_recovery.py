@@ -73,6 +73,23 @@ def test_an_external_vehicle_that_rejoins_is_brought_back_from_a_return_that_may
     assert (pilot.back, event.level) == (1, "info")
 
 
+def test_a_failsafe_that_the_tick_has_read_in_which_the_supervisor_woke_is_ended_too() -> None:
+    pilot = Pilot()
+    recovery = Recovery({1: pilot})  # type: ignore[dict-item]
+    falls = view(sysid=1, mode=FlightMode.RETURN, failsafe=True)
+    recovery.look(snapshot(view(sysid=1), time_s=9.9))
+    pilot.stage = Stage.YIELDED
+    recovery.look(snapshot(falls, time_s=10.0))
+    recovery.returned(10.1)
+    recovery.look(snapshot(falls, time_s=10.1))
+    assert pilot.back == 1
+    pilot.back = 0
+    recovery.look(snapshot(falls, time_s=10.2))
+    recovery.returned(10.3)  # it has flown its failsafe for longer
+    recovery.look(snapshot(falls, time_s=10.3))
+    assert pilot.back == 0
+
+
 def test_a_failsafe_much_later_has_another_cause() -> None:
     pilot = Pilot()
     recovery = Recovery({1: pilot})  # type: ignore[dict-item]

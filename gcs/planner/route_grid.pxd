@@ -25,12 +25,16 @@ cdef void _push(long long* heap, Py_ssize_t size, long long key) noexcept nogil
 @cython.locals(at=Py_ssize_t, child=Py_ssize_t)
 cdef long long _pop(long long* heap, Py_ssize_t size) noexcept nogil
 @cython.locals(
-    f=cython.longlong, heap=cython.longlong[::1], seen=cython.longlong[::1], stride_n=Py_ssize_t, stride_e=Py_ssize_t,
-    start_n=Py_ssize_t, start_e=Py_ssize_t, start_d=Py_ssize_t, cell=Py_ssize_t, n=Py_ssize_t, e=Py_ssize_t,
-    d=Py_ssize_t, i=Py_ssize_t, found=cython.bint)
+    f=cython.longlong, heap=cython.longlong[::1], stride_n=Py_ssize_t, stride_e=Py_ssize_t, start_n=Py_ssize_t,
+    start_e=Py_ssize_t, start_d=Py_ssize_t, cell=Py_ssize_t, n=Py_ssize_t, e=Py_ssize_t, d=Py_ssize_t, i=Py_ssize_t)
+cdef _keyed(
+    const long long[::1] open_cells, const int[::1] cost, Py_ssize_t count_e, Py_ssize_t count_d, Py_ssize_t start)
+@cython.locals(
+    heap=cython.longlong[::1], seen=cython.longlong[::1], stride_n=Py_ssize_t, stride_e=Py_ssize_t,
+    found=cython.bint)
 cdef _settle(
     const unsigned char[::1] weight, Py_ssize_t count_e, Py_ssize_t count_d, int[::1] cost,
-    const long long[::1] open_cells, Py_ssize_t start, long long most)
+    const long long[::1] keys, Py_ssize_t start, long long most)
 @cython.locals(
     heap=cython.p_longlong, seen=cython.p_longlong, around=cython.p_longlong, moves=cython.p_longlong,
     size=Py_ssize_t, met=Py_ssize_t, settled=cython.longlong, limit=cython.longlong, own=cython.longlong,

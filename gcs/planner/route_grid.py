@@ -198,7 +198,8 @@ class CostField:
 
     goal: int
     cost: Costs
-    open_cells: IntArray
+    keys: IntArray
+    """heap of the last search: estimate of the whole path << 32 | cell yet to settle; some are settled since"""
     seen: list[IntArray]
     """every cell whose cost is not 0"""
     settled: int = 0
@@ -224,13 +225,21 @@ class CostField:
         """Cells from `start` to the goal; it must be in the same part. None: the search was paused after `most`."""
         if self.cost[start] > 0 and self.paused != start:
             return self._down(grid, start)
-        self.open_cells, seen, settled, found = _settle(
-            grid.weight, grid.count_e, grid.count_d, self.cost, self.open_cells, start, most
+        if self.paused != start:
+            self.keys = _keyed(self._open_cells(), self.cost, grid.count_e, grid.count_d, start)
+        self.keys, seen, settled, found = _settle(
+            grid.weight, grid.count_e, grid.count_d, self.cost, self.keys, start, most
         )
         self.seen.append(seen)
         self.settled += settled
         self.paused = -1 if found else start
         return self._down(grid, start) if found else None
+
+    def _open_cells(self) -> IntArray:
+        """Cells yet to settle, in order."""
+        kept = np.unique(self.keys & _CELL)
+        open_cells: IntArray = kept[self.cost[kept] < 0]
+        return open_cells
 
     def _down(self, grid: Cells, start: int) -> IntArray:
         return _descend(grid.weight, grid.count_e, grid.count_d, self.cost, start, self.goal)
@@ -312,29 +321,37 @@ def _pop(heap: Any, size: int) -> int:
     return least
 
 
-def _settle(
-    weight: Weights, count_e: int, count_d: int, cost: Costs, open_cells: IntArray, start: int, most: int
-) -> tuple[IntArray, IntArray, int, bool]:
-    """Settle every cell that can lie on a cheapest path from `start`, or `most` of them.
+def _keyed(open_cells: IntArray, cost: Costs, count_e: int, count_d: int, start: int) -> IntArray:
+    """Heap of the open cells by their estimates of a path from `start`."""
+    stride_e, stride_n = count_d, count_d * count_e
+    start_n, start_e, start_d = start // stride_n, start // stride_e % count_e, start % stride_e
+    keys = np.empty(len(open_cells), dtype=np.int64)
+    heap = keys
+    for i in range(open_cells.shape[0]):
+        cell = open_cells[i]
+        n, e, d = cell // stride_n, cell // stride_e % count_e, cell % stride_e
+        f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
+        _push(cython.address(heap[0]), i, f << 32 | cell)
+    return keys
 
-    Returns the cells that stay open, those that were not seen before, how many were settled, and whether that was all.
+
+def _settle(
+    weight: Weights, count_e: int, count_d: int, cost: Costs, keys: IntArray, start: int, most: int
+) -> tuple[IntArray, IntArray, int, bool]:
+    """Settle every cell that can lie on a cheapest path from `start`, or `most` of them; keys: a heap for that start.
+
+    Returns the heap that is left, the cells that were not seen before, how many were settled, and whether that was all.
     """
     stride_e = count_d
     stride_n = count_d * count_e
     front = cython.declare(Front)
     front.limit = cost[start] if cost[start] > 0 else 1 << 62
-    front.size = front.met = front.settled = 0
+    front.size = keys.shape[0]
+    front.met = front.settled = 0
     front.count_e, front.stride_n, front.stride_e, front.start = count_e, stride_n, stride_e, start
-    start_n, start_e, start_d = start // stride_n, start // stride_e % count_e, start % stride_e
     _moves(stride_n, stride_e, front.around, front.moves)
     seen = np.empty(1024, dtype=np.int64)
-    heap = np.empty(1024 + len(open_cells), dtype=np.int64)
-    for i in range(open_cells.shape[0]):
-        cell = open_cells[i]
-        n, e, d = cell // stride_n, cell // stride_e % count_e, cell % stride_e
-        f = -cost[cell] + _estimate(n - start_n, e - start_e, d - start_d)
-        _push(cython.address(heap[0]), front.size, f << 32 | cell)
-        front.size += 1
+    heap = np.resize(keys, len(keys) + 1024)
     while True:
         front.heap, front.heap_room = cython.address(heap[0]), heap.shape[0]
         front.seen, front.seen_room = cython.address(seen[0]), seen.shape[0]
@@ -345,8 +362,7 @@ def _settle(
         if front.met + 27 > front.seen_room:
             seen = np.resize(seen, 2 * seen.shape[0])
     found = front.size == 0 or heap[0] >> 32 > front.limit
-    kept, costs = np.asarray(heap)[: front.size] & _CELL, np.asarray(cost)
-    return np.unique(kept[costs[kept] < 0]), np.asarray(seen)[: front.met].copy(), front.settled, found
+    return np.asarray(heap)[: front.size].copy(), np.asarray(seen)[: front.met].copy(), front.settled, found
 
 
 def _advance(front: Any, weight: Any, cost: Any, most: int) -> bool:

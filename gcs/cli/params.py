@@ -14,17 +14,17 @@ import click
 
 from gcs.cli.fleet_options import fleet_at, of_the_fleet
 from gcs.cli.options import Refused
+from gcs.cli.parameter_writing import LONGEST_NAME, label, why, write
+from gcs.cli.parameter_writing import as_json as number_json
 from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
     from gcs.link.fleet_client import FleetClient
-    from gcs.mavlink.parameters.client import ParameterClient, ParameterResult
+    from gcs.mavlink.parameters.client import ParameterClient
     from gcs.mavlink.parameters.file import Address, Numbers
     from gcs.mavlink.parameters.value import ParameterValue
 
 GLOB = frozenset("*?[")
-LONGEST_NAME = 16
-WELL = ("read", "kept", "would", "set")
 
 
 def _of_components(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -54,7 +54,7 @@ def params() -> None:
       0    done; diff: all vehicles agree
       1    a parameter is unknown to a vehicle, was refused, or did not come; diff: they differ
       2    bad input, or no vehicle was received
-      130  stopped by Ctrl-C
+      130  stopped by Ctrl-C; what was written stays, and is counted
     """
 
 
@@ -78,8 +78,8 @@ def get(patterns: tuple[str, ...], describe: bool, compids: tuple[int, ...], as_
 
     with fleet_at(**options) as fleet:
         clients = _read(fleet, _addresses(fleet, compids), patterns or ("*",))
-        meant = meanings.read(fleet, {(c.sysid, c.compid): _label(c) for c in clients}) if describe else {}
-    found = {_label(client): _matching(client, patterns or ("*",)) for client in clients}
+        meant = meanings.read(fleet, {(c.sysid, c.compid): label(c) for c in clients}) if describe else {}
+    found = {label(client): _matching(client, patterns or ("*",)) for client in clients}
     if as_json:
         rows = {of: {name: value.json for name, value in values.items()} for of, values in found.items()}
         click.echo(json.dumps({"vehicles": rows, **({"meanings": meanings.as_json(meant, rows)} if describe else {})}))
@@ -110,13 +110,13 @@ def set_(settings: tuple[str, ...], dry_run: bool, compids: tuple[int, ...], as_
         plain = {name: number for name, number in wanted.items() if name not in globs}
         numbers = {address: dict(plain) for address in _addresses(fleet, compids)}
         if globs:
-            for client in _read(fleet, numbers, globs):
+            for client in _read_to_write(fleet, numbers, globs):
                 for pattern in globs:
                     names = fnmatch.filter(client.known, pattern)
                     numbers[client.sysid, client.compid] |= dict.fromkeys(names, wanted[pattern])
         if not any(numbers.values()):
             raise Refused(f"no vehicle has a parameter named {', '.join(globs)}")
-        return _write(fleet, numbers, dry_run=dry_run, as_json=as_json)
+        return write(fleet, numbers, dry_run=dry_run, plain=as_json, loaded=False)
 
 
 @params.command(short_help="Compare vehicles with each other, or with a file.")
@@ -139,7 +139,7 @@ def diff(file: Path | None, compids: tuple[int, ...], as_json: bool, **options: 
             clients = _read(fleet, numbers, ("*",))
             rows = _from_file(clients, numbers)
     if as_json:
-        shown = {name: {of: _json(value) for of, value in row.items()} for name, row in rows.items()}
+        shown = {name: {of: number_json(value) for of, value in row.items()} for name, row in rows.items()}
         click.echo(json.dumps({"differences": shown}))
     else:
         for name, row in rows.items():
@@ -197,11 +197,11 @@ def load(file: Path, dry_run: bool, compids: tuple[int, ...], as_json: bool, **o
 
     Each component of a vehicle gets its own lines; a file of one vehicle counts for all, and lines without ids (NAME
     VALUE, as ArduPilot, MAVProxy and Mission Planner have them) for every autopilot. Those that have the value already
-    are not written.
+    are not written, and only counted; --json names them too.
     """
     saved = _load(file)
     with fleet_at(**options) as fleet:
-        return _write(fleet, _of_file(saved, fleet, compids), dry_run=dry_run, as_json=as_json)
+        return write(fleet, _of_file(saved, fleet, compids), dry_run=dry_run, plain=as_json, loaded=True)
 
 
 def _addresses(fleet: FleetClient, compids: Sequence[int]) -> list[Address]:
@@ -225,43 +225,13 @@ def _read(fleet: FleetClient, addresses: Iterable[Address], patterns: Sequence[s
     return clients
 
 
-def _write(fleet: FleetClient, numbers: dict[Address, Numbers], *, dry_run: bool, as_json: bool) -> int:
-    from gcs.mavlink.parameters.client import ParameterClient
-
-    clients = []
-    for address, wanted in numbers.items():
-        client = ParameterClient(*address, fleet.profiles[address[0]], dry_run=dry_run)
-        client.write(wanted)
-        clients.append(client)
-    fleet.converse(clients)
-    results = [(client, result) for client in clients for result in client.results]
-    if as_json:
-        rows = [
-            {
-                **{"sysid": client.sysid, "compid": client.compid, "name": result.name, "outcome": result.outcome},
-                **{"before": _json(result.before), "now": _json(result.now), "why": result.why},
-            }
-            for client, result in results
-        ]
-        click.echo(json.dumps({"dry_run": dry_run, "results": rows}))
-    else:
-        for client, result in results:
-            click.echo(f"{_label(client):>3}  {result.name:<{LONGEST_NAME}}  {_words(result)}")
-    return 0 if all(result.outcome in WELL for _, result in results) else NOT_DONE
-
-
-def _words(result: ParameterResult) -> str:
-    before = "-" if result.before is None else result.before.text
-    wanted = "-" if result.wanted is None else result.wanted.text
-    match result.outcome:
-        case "kept":
-            return f"{before} already"
-        case "would":
-            return f"{before} -> {wanted}, not written: a dry run"
-        case "set":
-            return f"{before} -> {wanted}, read back"
-        case _:
-            return f"{result.outcome}: {result.why}"
+def _read_to_write(fleet: FleetClient, addresses: Iterable[Address], patterns: Sequence[str]) -> list[ParameterClient]:
+    """The same, before anything is written."""
+    try:
+        return _read(fleet, addresses, patterns)
+    except KeyboardInterrupt:
+        click.echo("gcs: interrupted: nothing was written", err=True)
+        raise
 
 
 def _missing(clients: Sequence[ParameterClient]) -> int:
@@ -269,11 +239,11 @@ def _missing(clients: Sequence[ParameterClient]) -> int:
     status = 0
     for client in clients:
         for result in client.results:
-            if result.outcome not in WELL:
-                click.echo(f"gcs: vehicle {_label(client)}: {result.name}: {result.why}", err=True)
+            if result.outcome != "read":
+                click.echo(f"gcs: vehicle {label(client)}: {result.name}: {why(client, result)}", err=True)
                 status = NOT_DONE
         if client.incomplete:
-            click.echo(f"gcs: vehicle {_label(client)}: only {client.incomplete}", err=True)
+            click.echo(f"gcs: vehicle {label(client)}: only {client.incomplete}", err=True)
             status = NOT_DONE
     return status
 
@@ -281,7 +251,7 @@ def _missing(clients: Sequence[ParameterClient]) -> int:
 def _between(clients: Sequence[ParameterClient]) -> dict[str, dict[str, ParameterValue | None]]:
     """Values by name and component in which components differ."""
     names = sorted({name for client in clients for name in client.known})
-    rows = {name: {_label(client): client.known.get(name) for client in clients} for name in names}
+    rows = {name: {label(client): client.known.get(name) for client in clients} for name in names}
     return {name: row for name, row in rows.items() if not _agree(list(row.values()))}
 
 
@@ -299,7 +269,7 @@ def _from_file(
         for name, number in wanted.items():
             mine = client.known.get(name)
             if mine is None or not same_as(mine, number):
-                rows.setdefault(name, {}).update({_label(client): mine, "file": given(number, mine)})
+                rows.setdefault(name, {}).update({label(client): mine, "file": given(number, mine)})
     return dict(sorted(rows.items()))
 
 
@@ -323,27 +293,21 @@ def _agree(values: Sequence[ParameterValue | None]) -> bool:
     return all(same(values[0], value) for value in values)
 
 
-def _label(client: ParameterClient) -> str:
-    """A component's name: the vehicle's for its autopilot."""
-    from gcs.mavlink.ids import AUTOPILOT
-
-    return str(client.sysid) if client.compid == AUTOPILOT else f"{client.sysid}/{client.compid}"
-
-
-def _json(value: ParameterValue | None) -> int | float | str | None:
-    return None if value is None else value.json
-
-
 def _setting(text: str) -> tuple[str, int | float]:
+    """Name and number of NAME=VALUE. Raises click.UsageError."""
     from gcs.mavlink.parameters.value import parsed
 
     name, equals, number = text.partition("=")
-    if equals and 0 < len(name) <= LONGEST_NAME:
-        try:
-            return name, parsed(number.strip())
-        except ValueError:
-            pass
-    raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as FENCE_RADIUS=80.")
+    if not (name and equals):
+        raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as FENCE_RADIUS=80.")
+    if len(name) > LONGEST_NAME:
+        raise click.UsageError(f"{text!r}: a parameter's name has {LONGEST_NAME} letters at most, not {len(name)}.")
+    try:
+        return name, parsed(number.strip())
+    except ValueError:
+        raise click.UsageError(
+            f"{text!r}: {number!r} is no number; write NAME=VALUE, such as FENCE_RADIUS=80."
+        ) from None
 
 
 def _load(file: Path) -> dict[Address, Numbers]:

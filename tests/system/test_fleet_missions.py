@@ -19,6 +19,8 @@ from sessions import ROOT
 from strangers import SIMVEHICLE, strangers
 from survey_plans import LAND, LAT_DEG, LON_DEG, SPEED, TAKEOFF, WAYPOINT, item, plan
 
+from gcs.link.fleet_client import FleetClient
+
 HOLDER = [sys.executable, str(ROOT / "tests" / "peers" / "plan_holder.py")]
 ARDUPILOTS, PX4S, OURS = (11, 12, 13), (21, 22, 23), (1, 2, 3)
 ALL = (*OURS, *ARDUPILOTS, *PX4S)
@@ -199,6 +201,45 @@ def test_an_items_differences_are_named(missions: Missions, tmp_path: Path, site
     assert differs.returncode == 1
 
 
+def test_a_hold_that_is_cut_down_is_named_beside_all_that_is_there(tmp_path: Path) -> None:
+    other = plan()
+    other["mission"]["items"][2]["params"] = (2.5, *other["mission"]["items"][2]["params"][1:])
+    path = tmp_path / "held.plan"
+    path.write_text(json.dumps(other))
+    with holders(tmp_path, (11, "--autopilot ardupilot")) as missions:
+        done = missions("set", str(path), "--part", "mission")
+    assert done.returncode == 1
+    words = (
+        " 11  mission  differs: all 20 items are on the vehicle; not kept as given: item 3 NAV_WAYPOINT: Hold 2.5 is 2;"
+    )
+    assert done.stdout.startswith(words)
+
+
+def test_an_item_that_is_not_supported_leaves_the_old_mission(
+    missions: Missions, site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert missions("set", str(site), "--part", "mission", sysids=(11,)).returncode == 0
+    other = plan()
+    other["mission"]["items"][3]["command"] = 16999
+    path = tmp_path / "bad.plan"
+    path.write_text(json.dumps(other))
+    done = missions("set", str(path), "--part", "mission", sysids=(11,))
+    assert done.returncode == 1
+    assert done.stdout == (
+        " 11  mission  unsupported: it answered MAV_MISSION_UNSUPPORTED to item 4, command 16999; "
+        "it still has its old plan, 20 items\n"
+    )
+
+    def pressed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(FleetClient, "exchange", pressed)
+    stopped = missions("set", str(site), "--part", "mission", sysids=(11, 12))
+    assert stopped.returncode == 130
+    assert stopped.stderr.rstrip().endswith("gcs: interrupted: vehicle 11 mission, vehicle 12 mission: as it was")
+    assert "interrupted" not in missions("get", sysids=(11,)).stderr  # which changes nothing
+
+
 def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     """What a vehicle answers that has no room, is being written to, or takes no such item, in the air or not."""
     lines = (
@@ -226,7 +267,8 @@ def test_a_refusal_is_a_sentence(tmp_path: Path) -> None:
     assert "21 items uploaded, read back equal" in said[2]
     assert "21 items uploaded, read back equal" in said[3]
     assert said[3].endswith("item 4 NAV_WAYPOINT: Pass Radius 7 is 0")
-    assert said[4] == " 23  mission  refused: it answered MAV_MISSION_INVALID_PARAM4 to item 2, DO_CHANGE_SPEED"
+    words = "refused: it answered MAV_MISSION_INVALID_PARAM4 to item 2, DO_CHANGE_SPEED; it has none, as before"
+    assert said[4] == f" 23  mission  {words}"
     assert "gcs: vehicle 14 is armed: if it flies by its plan, that changes under way.\n" in done.stderr
     assert (jump.command, jump.param1) == (177, 1.0)  # item 2 of the file has number 1 where there is no home
     assert fence.returncode == 0

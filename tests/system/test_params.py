@@ -13,6 +13,7 @@ from commands import gcs
 from ports import free_port
 from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
+from gcs.link.fleet_client import FleetClient
 from gcs.scenario.file import load
 
 
@@ -70,6 +71,7 @@ def test_parameters_of_three_are_set_and_verified_saved_compared_and_loaded(para
     assert back.returncode == 0, back.stdout + back.stderr
     assert back.stdout.count("read back") == 5
     assert "  3  WPNAV_SPEED_DN    140 -> 150, read back" in back.stdout
+    assert back.stdout.splitlines()[-1] == "vehicle 3: 1 written, 1 already as in the file"
     assert took_s < 10.0  # parameters of three, found, set and verified
     got = json.loads(params("get", "WPNAV_SPEED_DN", "RTL_ALT", "--json", sysids=(3,)).stdout)
     assert got == {"vehicles": {"3": {"RTL_ALT": 1500.0, "WPNAV_SPEED_DN": 150.0}}}
@@ -79,6 +81,9 @@ def test_what_cannot_be_done_is_a_sentence(params: Params, tmp_path: Path) -> No
     unknown = params("get", "NO_SUCH_PARAM", sysids=(1,))
     assert unknown.returncode == 1
     assert "gcs: vehicle 1: NO_SUCH_PARAM: it does not know it" in unknown.stderr
+    lower = params("get", "rtl_alt", sysids=(3,))
+    assert lower.returncode == 1
+    assert lower.stderr.endswith("; did you mean RTL_ALT?\n")
     (tmp_path / "bad").write_text("RTL_ALT 15\nRTL_ALT high\n")
     bad = params("load", str(tmp_path / "bad"), sysids=(3,))
     assert bad.returncode == 2
@@ -86,6 +91,17 @@ def test_what_cannot_be_done_is_a_sentence(params: Params, tmp_path: Path) -> No
     nobody = gcs("params", "get", "A", "--connect", f"udpin:127.0.0.1:{free_port()}", "--wait", "0.2")
     assert nobody.returncode == 2
     assert "no HEARTBEAT of any vehicle came within 0.2 s" in nobody.stderr
+
+
+def test_ctrl_c_says_that_nothing_was_written_yet(params: Params, monkeypatch: pytest.MonkeyPatch) -> None:
+    def pressed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(FleetClient, "exchange", pressed)
+    for setting, words in (("WPNAV_*=150", "nothing was written"), ("RTL_ALT=1500", "0 written, 1 not yet")):
+        stopped = params("set", setting, sysids=(3,))
+        assert stopped.returncode == 130
+        assert stopped.stderr.rstrip().endswith(f"gcs: interrupted: {words}")
 
 
 def test_a_scenario_is_made_of_the_vehicles_that_are_heard(params: Params, tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from gcs.cli.options import Refused
 from skytender.exit import NOT_DONE
 
 if TYPE_CHECKING:
+    from gcs.cli.mission.writing import PlanWriting
     from gcs.link.fleet_client import FleetClient
     from gcs.mavlink.plans.client import ItemDifference, PlanClient
     from gcs.mavlink.plans.items import PlanItem
@@ -31,7 +32,7 @@ NAMED = 5
 """Differences of one plan that are named; the others are counted."""
 READ = frozenset({"read", "unsupported"})
 """Ends of a reading by which it is known what a vehicle has."""
-Found = Mapping[int, Mapping[str, "PlanClient"]]
+Found = Mapping[int, Mapping[str, "PlanWriting"]]
 """Dialogues that have ended, by system id and part."""
 
 
@@ -72,7 +73,7 @@ def mission() -> None:
       0    done; diff: all vehicles have what is in the file
       1    a vehicle refused something, keeps it otherwise, or did not answer; diff: they differ
       2    bad input, or no vehicle was received
-      130  stopped by Ctrl-C
+      130  stopped by Ctrl-C; what each vehicle was given is said
     """
 
 
@@ -229,14 +230,15 @@ def _converse(
 ) -> Found:
     """Have the dialogues about what each vehicle is to have; None is only read. `first`: number of a mission's first
     item."""
+    from gcs.cli.mission.writing import PlanWriting, read_after_refusals, say_interrupted
     from gcs.cli.progress_bar import progress_bar
     from gcs.mavlink.ids import AUTOPILOT
-    from gcs.mavlink.plans.client import PlanClient, PlanClients
+    from gcs.mavlink.plans.client import PlanClients
     from gcs.mavlink.plans.items import KINDS
 
     found = {
         sysid: {
-            part: PlanClient(
+            part: PlanWriting(
                 sysid,
                 AUTOPILOT,
                 KINDS[part],
@@ -250,8 +252,13 @@ def _converse(
         for sysid, parts in sorted(wanted.items())
     }
     vehicles = [PlanClients(list(clients.values())) for clients in found.values()]
-    with progress_bar("plans") as shown:
-        fleet.converse(vehicles, lambda: shown(sum(one.done for one in vehicles) / len(vehicles)), AT_ONCE)
+    try:
+        with progress_bar("plans") as shown:
+            fleet.converse(vehicles, lambda: shown(sum(one.done for one in vehicles) / len(vehicles)), AT_ONCE)
+        read_after_refusals(fleet, found, station, AT_ONCE)
+    except KeyboardInterrupt:
+        say_interrupted(found)
+        raise
     return found
 
 
@@ -301,8 +308,8 @@ def _report(found: Found, well: Collection[str], *, as_json: bool) -> int:
     if as_json:
         results = [
             {
-                **{"sysid": sysid, "part": part, "outcome": client.outcome, "items": client.count, "why": client.why},
-                "not_kept": [one.text for one in client.lost],
+                **{"sysid": sysid, "part": part, "outcome": client.outcome, "items": client.count, "why": _why(client)},
+                "not_kept": [one.text for one in client.not_kept],
             }
             for sysid, part, client in rows
         ]
@@ -313,16 +320,24 @@ def _report(found: Found, well: Collection[str], *, as_json: bool) -> int:
     return 0 if all(client.outcome in well for *_, client in rows) else NOT_DONE
 
 
-def _words(client: PlanClient) -> str:
+def _words(client: PlanWriting) -> str:
     items = f"{client.count} item{'' if client.count == 1 else 's'}"
+    not_kept = f"; not kept as given: {_some([one.text for one in client.not_kept])}" if client.not_kept else ""
     match client.outcome:
         case "kept":
             words = f"{items}, there already" if client.items else "there was none"
         case "uploaded":
             words = f"{items} uploaded, read back equal" if client.items else "cleared, read back"
         case _:
-            return f"{client.outcome}: {client.why}"
-    return words + (f"; not kept as given: {_some([one.text for one in client.lost])}" if client.lost else "")
+            return f"{client.outcome}: {_why(client)}" + not_kept * client.all_there
+    return words + not_kept
+
+
+def _why(client: PlanWriting) -> str:
+    """Why a plan is not as it was given, and what the vehicle has then."""
+    if client.all_there:
+        return "the item is on the vehicle" if client.count == 1 else f"all {client.count} items are on the vehicle"
+    return client.why + (f"; {client.after}" if client.after else "")
 
 
 def _complain(found: Found, well: Collection[str]) -> int:

@@ -262,6 +262,11 @@ def until(page: Page, expression: str) -> None:
     assert not state, f"{expression} does not hold after {PATIENCE_S:.0f} s: {state}"
 
 
+def selected(page: Page, *sysids: int) -> None:
+    """Wait until these vehicles, and no others, are selected: a busy page takes a click when it has drawn."""
+    until(page, f"[...skytender.selected].sort((a, b) => a - b).join() === '{','.join(map(str, sysids))}'")
+
+
 def drawn(page: Page, view: str) -> None:
     """Wait until a view shows what there is."""
     until(page, f"!skytender.{view}.dirty && !skytender.dirty")

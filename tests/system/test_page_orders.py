@@ -62,6 +62,13 @@ def mode(page: Page, wanted: str, *sysids: int) -> None:
     until(page, f"{rows}.every((v) => v.mode === '{wanted}')")
 
 
+def choose(page: Page, sysid: int) -> None:
+    """Click a vehicle in the table, wherever its row moves with its troubles, and wait until the page has taken that:
+    an order goes to what was chosen before."""
+    page.locator("table.fleet").get_by_role("button", name=str(sysid), exact=True).dispatch_event("click")
+    selected(page, sysid)
+
+
 def asked(page: Page, button: str) -> Locator:
     page.get_by_role("button", name=button, exact=True).click()
     return page.get_by_role("dialog")
@@ -97,7 +104,7 @@ def selection(page: Page) -> list[int]:
 
 def test_an_order_from_the_table_is_sent_acknowledged_and_obeyed(flying: Flying) -> None:
     page = flying.watched.page
-    page.locator("table.fleet").get_by_role("button", name="2", exact=True).click()
+    choose(page, 2)
     page.keyboard.press("Shift+H")
     expect(page.get_by_role("dialog")).to_contain_text("Let pursuer 2 hold its position?")
     answered(page, "hold pursuer 2: Pursuer 2 holds where it is until it rejoins.")
@@ -120,7 +127,7 @@ def test_who_looks_on_is_told_of_it_and_may_send_nothing(flying: Flying) -> None
 
 def test_an_order_that_makes_no_sense_is_refused_with_its_reason(flying: Flying) -> None:
     page = flying.watched.page
-    page.locator("table.fleet").get_by_role("button", name="1", exact=True).click()
+    choose(page, 1)
     asked(page, "rejoin")
     answered(page, "Pursuer 1 flies by the plan already.", "bad")
 
@@ -159,7 +166,7 @@ def test_all_come_home_but_the_dead_and_plan_b_keeps_them_apart(flying: Flying) 
     page = flying.watched.page
     page.keyboard.press("Escape")
     for sysid in (1, 2):
-        page.locator("table.fleet").get_by_role("button", name=str(sysid), exact=True).click()
+        choose(page, sysid)
         asked(page, "rejoin")
         answered(page, f"rejoin pursuer {sysid}: Pursuer {sysid} takes off and flies by the plan again.")
     mode(page, "offboard", 1, 2)

@@ -16,7 +16,7 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
-from kept_items import FIELDS, MISSION, Refused, arducopter, px4
+from kept_items import FENCE, FIELDS, MISSION, Refused, arducopter, px4
 from pymavlink.dialects.v20 import ardupilotmega as mav
 
 ACCEPTED = mav.MAV_MISSION_ACCEPTED
@@ -77,6 +77,8 @@ class PlanHolder:
                     yield self.ack(to, mav.MAV_MISSION_NO_SPACE, kind)
                     return
                 self.coming, self.peer, self.kind, self.count = [], to, kind, m.count
+                if self.replaces(kind):
+                    del self.plans[kind][m.count :]
                 yield self.request()
             case "MISSION_ITEM_INT":
                 yield from self.take(m, to, now_s)
@@ -95,11 +97,17 @@ class PlanHolder:
             self.coming = None
             yield self.ack(to, refused.result, self.kind)
             return
+        if self.replaces(self.kind):
+            self.plans[self.kind][m.seq : m.seq + 1] = self.coming[-1:]
         if len(self.coming) < self.count:
             yield self.request()
             return
         self.plans[self.kind], self.coming = self.coming, None
         yield self.ack(to, ACCEPTED, self.kind)
+
+    def replaces(self, kind: int) -> bool:
+        """Whether items replace what it has one by one, as they come: AP_Mission and AP_Rally do, AC_Fence does not."""
+        return self.ardupilot and kind != FENCE
 
     def request(self) -> mav.MAVLink_message:
         assert self.coming is not None

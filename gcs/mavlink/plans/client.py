@@ -199,7 +199,7 @@ class PlanClient:
         items = self.items or ()
         if name in ("MISSION_REQUEST", "MISSION_REQUEST_INT") and content.seq < len(items):
             self._sent = max(self._sent, content.seq + 1)
-            self._tries = 0
+            self._tries, self.why = 0, ""
             item = items[content.seq]
             sent = as_sent(self.kind, item, self._habits)
             self._put(now_s, "MISSION_ITEM_INT", seq=content.seq, **sent._asdict())

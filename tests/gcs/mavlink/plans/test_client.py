@@ -243,3 +243,15 @@ def test_a_refused_item_is_named() -> None:
         exchange(client, vehicle, now_s)
         now_s += 0.1
     assert (client.outcome, client.why) == ("refused", "it answered MAV_MISSION_INVALID_PARAM4 to item 4, NAV_WAYPOINT")
+
+
+def test_an_item_out_of_turn_is_no_reason_for_a_silence_that_comes_later() -> None:
+    client, vehicle = PlanClient(3, 1, MISSION, ROUTE), Vehicle(kind=MISSION)
+    now_s = 0.0
+    while not client.done:
+        if vehicle.asked.count("MISSION_ITEM_INT") == 3:
+            deliver(client, mav.MAVLink_mission_ack_message(255, 190, mav.MAV_MISSION_INVALID_SEQUENCE, MISSION))
+        vehicle.lose = float(vehicle.asked.count("MISSION_ITEM_INT") >= 5)
+        exchange(client, vehicle, now_s)
+        now_s += 0.1
+    assert (client.outcome, client.why) == ("silent", "no answer, though it was asked 6 times")

@@ -101,7 +101,7 @@ class _Wanted:
 
 
 def _wanted(requirements: Iterable[str]) -> list[_Wanted]:
-    """Each package once, those of the extra `dev` left out: it is for Skytender's own developers."""
+    """Each package once, without the extra `dev`, which is for Skytender's own developers."""
     found: dict[str, _Wanted] = {}
     for line in requirements:
         match = _REQUIREMENT.match(line)

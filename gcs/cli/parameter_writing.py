@@ -41,7 +41,7 @@ class _Writing:
     client: ParameterClient
     wanted: Numbers
     listed: list[ParameterResult] = field(default_factory=list)
-    """ends of those that it has already, by its list"""
+    """results of parameters that its list shows as set already"""
 
     @property
     def results(self) -> list[ParameterResult]:
@@ -57,8 +57,8 @@ class _Writing:
 
 
 def write(fleet: FleetClient, numbers: dict[Address, Numbers], *, dry_run: bool, plain: bool, loaded: bool) -> int:
-    """Give these components these numbers, and say how that ended, in words or (`plain`) as JSON; the exit status. Of
-    numbers that are `loaded` from a file those that a component has already are only counted."""
+    """Give these components these numbers, and say how that ended, in words or (`plain`) as JSON; the exit status. With
+    `loaded`, as from a file, parameters that are set already are counted and not listed."""
     from gcs.mavlink.parameters.client import ParameterClient
 
     writings = [

@@ -48,7 +48,7 @@ class PlanWriting(PlanClient):
 
     @property
     def not_kept(self) -> list[ItemDifference]:
-        """Differences from what it was given, first those that no habit of its autopilot's explains."""
+        """Differences between the given and the kept plan; unexpected ones before the autopilot's known habits."""
         if not self.all_there:
             return self.lost
         return sorted(self.compare(self.items or ()), key=lambda one: one.difference.lost)

@@ -1,7 +1,8 @@
 """Leaving: how near a vehicle comes to what may turn any way, if it leaves at once.
 
-Traffic that flies at up to w may be anywhere within w t of its place after t. A vehicle leaves it by flying with its
-brake b along a direction e, up to its greatest speed, and keeps D while
+Traffic that flies at up to w may be anywhere within w t of its place after t. A vehicle leaves it along a direction e:
+its velocity becomes V e, with V its greatest speed, at its brake b and on the straight line between the two, so that
+what leads aside into another aircraft is braked too. It keeps D while
 
     m(e) = min over 0 <= t <= H of  |Δ(t)| - w t  >=  D,   Δ the way of leaving less the place                (1)
 
@@ -42,11 +43,11 @@ def way_clearance(
     dt: float, horizon: float,
 ) -> Any:  # fmt: skip
     """m(e) of (1) from a relative place and a velocity on, as braking_clearance.py gives clearances; the first is 0."""
-    un, ue, ud = brake * e[0], brake * e[1], brake * e[2]
+    un, ue, ud = v_max * e[0] - vn, v_max * e[1] - ve, v_max * e[2] - vd
+    left = math.sqrt(un * un + ue * ue + ud * ud) / brake  # until it flies along e at its greatest speed
+    if left > TINY:
+        un, ue, ud = un / left, ue / left, ud / left
     least, when, nn, ne, nd, t = math.INFINITY, 0.0, 0.0, 0.0, 0.0, 0.0
-    along = vn * e[0] + ve * e[1] + vd * e[2]
-    left = along * along + v_max * v_max - vn * vn - ve * ve - vd * vd
-    left = (math.sqrt(left) - along) / brake if left > 0.0 else 0.0  # until the greatest speed is reached
     while t < horizon:
         span = dt
         if left <= TINY:

@@ -247,6 +247,7 @@ def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
     rules, around = s.rules, cython.address(s.around)
     braked, chosen = _moves(s, s.u_b), _moves(s, u)
     flown = Moves(p=s.p, v=full, u=still, brake=s.brake, v_max=s.v_max)
+    turn = cython.declare(cython.double[3])
     for i in range(s.n):  # the wanted velocity, no faster than allowed
         _copy(s.wanted + 3 * i, full + 3 * i)
         into_ball(full + 3 * i, 0.0, 0.0, 0.0, s.v_max[i])
@@ -284,7 +285,10 @@ def _set_aims(s: Any, u: Any, full: Any, still: Any, aim: Any) -> None:
         leader = cython.address(s.leaders[i])
         if leader.leaves > 0.0:
             for x in range(3):
-                aim[3 * i + x] += leader.leaves * (s.a_max[i] * leader.leave[x] - aim[3 * i + x])
+                turn[x] = (s.v_max[i] * leader.leave[x] - s.v[3 * i + x]) / rules.dt
+            into_ball(turn, 0.0, 0.0, 0.0, s.a_max[i])
+            for x in range(3):
+                aim[3 * i + x] += leader.leaves * (turn[x] - aim[3 * i + x])
 
 
 def _project_in_rounds(s: Any, aim: Any, active: Any, u: Any) -> None:

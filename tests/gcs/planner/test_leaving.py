@@ -21,8 +21,8 @@ def unit(x):
     return x / np.linalg.norm(x)
 
 
-def kernel(p, v, u, q, w, e):
-    return clearance_leaving(p - q, v, u, w, e, B, 99.0, DT, RULES.horizon_s)
+def kernel(p, v, u, q, w, e, fastest=99.0):
+    return clearance_leaving(p - q, v, u, w, e, B, fastest, DT, RULES.horizon_s)
 
 
 @fixed
@@ -44,11 +44,13 @@ def test_straight_away_the_clearance_is_the_closed_form(seed):
 def test_the_clearance_is_the_least_distance_of_the_way_and_no_greater(seed):
     rng = np.random.default_rng(seed)
     w, e = rng.uniform(0.5, 3), unit(rng.normal(size=3))
-    p, v, u = rng.normal(size=3) * 4, rng.normal(size=3), rng.normal(size=3)
-    t, end = np.linspace(0, 2.9, 2000)[:, None], p + DT * v + DT * DT / 2 * u
-    on = end + t * (v + DT * u) + t * t / 2 * B * e
+    p, v, u, fastest = rng.normal(size=3) * 4, rng.normal(size=3), rng.normal(size=3), rng.uniform(3, 6)
+    t, end, from_ = np.linspace(0, RULES.horizon_s, 2000)[:, None], p + DT * v + DT * DT / 2 * u, v + DT * u
+    turn = fastest * e - from_
+    turned = np.minimum(t, np.linalg.norm(turn) / B)  # so long its velocity changes
+    on = end + t * from_ + B * unit(turn) * turned * (t - turned / 2)
     least = float((np.linalg.norm(on, axis=1) - w * (t[:, 0] + DT)).min())
-    after = kernel(p, v, u, np.zeros(3), w, e)[1]
+    after = kernel(p, v, u, np.zeros(3), w, e, fastest)[1]
     assert after <= least + 1e-9
     assert after >= least - B * DT * DT / 8 - w * 0.1 - 0.02
 
@@ -65,6 +67,14 @@ def test_a_period_of_leaving_never_lowers_it_whatever_the_other_does(seed):
         assert now >= last - 1e-9
         p, v, last = p + DT * v + DT * DT / 2 * B * e, v + DT * B * e, now
         q = q + w * DT * unit(p - q if rng.random() < 0.5 else rng.normal(size=3))
+
+
+def test_what_leads_aside_into_another_aircraft_is_braked_too():
+    """Row 198 of the campaign `turning`, seed 20261211: 1.17 times as fast as one aircraft, on its way to another."""
+    v, east = np.array([1.27, -1.16, 0.0]), np.array([0.0, 1.0, 0.0])
+    one, other = np.array([1.4, 1.5, 0.0]), np.array([-4.0, -0.7, 1.9])
+    for p in (one, other):
+        assert kernel(p, v, np.zeros(3), np.zeros(3), 1.49, east, fastest=1.74)[1] > 0.0
 
 
 def chased(p, pursuers, w, fast, periods=150):

@@ -82,11 +82,12 @@ def facts(scenario: Scenario) -> list[str]:
     lines = []
     found, foreign = failsafes_of(scenario), foreign_returns_of(scenario)
     if found and _by_timetable(scenario):
-        heights_m = sorted(failsafe.altitude_m for failsafe in found.values())
+        high = _heights([failsafe.altitude_m for failsafe in found.values()])
         one = next(iter(found.values()))
         lines.append(
-            f"plan B: without the station {len(found)} vehicles return {heights_m[0]:.1f} to {heights_m[-1]:.1f} m "
-            f"above home, level after {one.level_after_s:.1f} s, down after {one.down_after_s:.1f} s"
+            f"plan B: without the station {len(found)} vehicles return {high} above home, fly home from "
+            f"{one.loss_s + one.level_after_s:.1f} s and descend there from {one.loss_s + one.down_after_s:.1f} s "
+            "after its last HEARTBEAT"
         )
     for sysids in shared_heights(scenario):
         lines.append(f"plan B: {_named(sysids)} return at one height, and keep apart there by their radio alone")
@@ -103,16 +104,20 @@ def facts(scenario: Scenario) -> list[str]:
 
 def _foreign_fact(foreign: dict[int, ForeignReturn]) -> str:
     """Heights and times of the returns of vehicles that are not ours."""
-    heights_m = sorted(one.height_m for one in foreign.values())
+    high = _heights([one.height_m for one in foreign.values()])
     begins_s = sorted(one.begins_after_s for one in foreign.values())
-    high = f"at {heights_m[0]:.1f}" if heights_m[0] == heights_m[-1] else f"{heights_m[0]:.1f} to {heights_m[-1]:.1f}"
     many = f"s {', '.join(map(str, sorted(foreign)))} return" if len(foreign) > 1 else f" {next(iter(foreign))} returns"
     begin = f"{begins_s[0]:.0f}" if begins_s[0] == begins_s[-1] else f"{begins_s[0]:.0f} to {begins_s[-1]:.0f}"
     down_s = max(one.lands_after_s for one in foreign.values())
     return (
-        f"plan B: without the station vehicle{many} {high} m above height 0, beginning after {begin} s, down after "
-        f"{down_s:.0f} s, by parameters that are set and read back before they are armed"
+        f"plan B: without the station vehicle{many} {high} above height 0, beginning {begin} s and down "
+        f"{down_s:.0f} s after its last HEARTBEAT, by parameters that are set and read back before they are armed"
     )
+
+
+def _heights(heights_m: list[float]) -> str:
+    low, high = f"{min(heights_m):.1f}", f"{max(heights_m):.1f}"
+    return f"at {low} m" if low == high else f"{low} to {high} m"
 
 
 def _named(sysids: Sequence[int]) -> str:

@@ -84,3 +84,12 @@ def test_a_vehicle_alone_returns_at_once() -> None:
     (one,) = failsafes_of(fleet(1)).values()
     assert (one.altitude_m, one.level_after_s, one.down_after_s) == (5.0, 0.0, 0.0)
     assert facts(fleet(1)) == []
+
+
+def test_times_are_said_as_of_the_last_heartbeat_and_equal_heights_once() -> None:
+    given = fleet(5, apart_m=4.0, radio={"loss": 0.1})
+    one = failsafes_of(given)[1]
+    (line,) = facts(given)
+    assert one.loss_s == 5.0
+    assert f"return at 7.5 m above home, fly home from {5.0 + one.level_after_s:.1f} s" in line
+    assert f"descend there from {5.0 + one.down_after_s:.1f} s after its last HEARTBEAT" in line

@@ -166,7 +166,7 @@ def run(
     server = click.get_current_context().with_resource(early(lines and can_fork()))
     from gcs.scenario.plugins import named
     from gcs.session.plain_text import logged, mute_stdout
-    from gcs.session.supervised import SupervisorFork, make_folder, write_scenario
+    from gcs.session.supervised import SupervisorFork, new_folder, write_scenario
     from gcs.session.supervised import run as fly
 
     try:
@@ -196,45 +196,45 @@ def run(
         resolved = resolved.model_copy(update={"vehicles_per_process": vehicles_per_process})
     if resolved.vehicles.external:
         _try_keys(resolved)
-    folder = make_folder(out, resolved.name)
-    by_chance = resolved.radio.random or resolved.random_weather or any(fault.random for fault in resolved.faults)
-    if seed is not None and not quiet and not (by_chance or any(named(resolved))):
-        why = "without loss and the like in radio: and faults:, turbulence and sensors nothing here is random"
-        click.echo(f"gcs: --seed changes nothing: {why}", err=True)
-    if not quiet:
-        try:
-            click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
-        except OSError:
-            mute_stdout()
-    shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
-    arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
-    fork = None
-    own = bool(resolved.vehicles.launched or resolved.traffic)
-    forks = can_fork() and not any(named(resolved))
-    if server is not None and not (own and forks):
-        server.discard()
-        server = None
-    if forks:
-        fork = SupervisorFork(folder, resolved, drop_datagrams, server)
-    else:
-        write_scenario(folder, resolved)
-    if not (strict or quiet):
-        show_warnings(scenario, resolved)  # while the supervisor starts
-
-    error: str | None = None
-    hurry = threading.Event()
-
-    def begun() -> None:
-        if fork is not None:
-            write_scenario(folder, resolved)
-
-    def finish(verdict: dict[str, Any]) -> None:
-        nonlocal error
-        error = verdict.get("error")
-        if as_json:
-            click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
-
     with contextlib.ExitStack() as stack:
+        folder = stack.enter_context(new_folder(out, resolved.name))
+        by_chance = resolved.radio.random or resolved.random_weather or any(fault.random for fault in resolved.faults)
+        if seed is not None and not quiet and not (by_chance or any(named(resolved))):
+            why = "without loss and the like in radio: and faults:, turbulence and sensors nothing here is random"
+            click.echo(f"gcs: --seed changes nothing: {why}", err=True)
+        if not quiet:
+            try:
+                click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
+            except OSError:
+                mute_stdout()
+        shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
+        arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
+        fork = None
+        own = bool(resolved.vehicles.launched or resolved.traffic)
+        forks = can_fork() and not any(named(resolved))
+        if server is not None and not (own and forks):
+            server.discard()
+            server = None
+        if forks:
+            fork = SupervisorFork(folder, resolved, drop_datagrams, server)
+        else:
+            write_scenario(folder, resolved)
+        if not (strict or quiet):
+            show_warnings(scenario, resolved)  # while the supervisor starts
+
+        error: str | None = None
+        hurry = threading.Event()
+
+        def begun() -> None:
+            if fork is not None:
+                write_scenario(folder, resolved)
+
+        def finish(verdict: dict[str, Any]) -> None:
+            nonlocal error
+            error = verdict.get("error")
+            if as_json:
+                click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
+
         view, echo = stack.enter_context(logged(shown, said, folder))
         shown_page = None
         if web:

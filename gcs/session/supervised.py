@@ -6,12 +6,13 @@ import contextlib
 import json
 import os
 import selectors
+import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
@@ -99,6 +100,21 @@ def make_folder(out: Path | None, name: str) -> Path:
     except OSError as error:
         raise RunError(f"cannot write in {folder}: {error.strerror}") from None
     return folder
+
+
+@contextlib.contextmanager
+def new_folder(out: Path | None, name: str) -> Iterator[Path]:
+    """A folder that `make_folder` makes; where Ctrl-C comes before anything is written to it, it is removed."""
+    folder = make_folder(out, name)
+    try:
+        yield folder
+    except KeyboardInterrupt:
+        if any(path.is_file() and path.stat().st_size for path in folder.rglob("*")):
+            print(f"gcs: interrupted; what was written by then stands in {folder}", file=sys.stderr)
+        else:
+            shutil.rmtree(folder, ignore_errors=True)
+            print(f"gcs: interrupted before the session began; its folder {folder} is removed", file=sys.stderr)
+        raise
 
 
 def write_scenario(folder: Path, scenario: Scenario) -> None:

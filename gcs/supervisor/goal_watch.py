@@ -18,9 +18,10 @@ from typing import Any
 
 import numpy as np
 
-from gcs.mavlink.autopilots import STEERABLE
+from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.ids import TRAFFIC
 from gcs.recording import truth
+from gcs.recording.silent_ends import TrueEnd, returns_after_s, true_end
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Loss, Measured
 from gcs.scenario.model import Scenario
@@ -32,7 +33,7 @@ from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
-from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
+from gcs.telemetry.state import STALE_S, FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender.patrol import patrol
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
@@ -70,6 +71,13 @@ class GoalWatch:
         self._flying, self._ours_now, self._up, self._flew = ([False] * count for _ in range(4))
         self._counts = [False] * count
         """whose place counts: they fly, and their places are fresh"""
+        self._by_failsafe = [False] * count
+        """those that their failsafes fly, by which they pass no way points"""
+        self._returns_after_s = returns_after_s(scenario)
+        self._came_down_s: dict[int, float] = {}
+        """when each that flies no more, as it said itself, flew last"""
+        self._true_ends: dict[int, TrueEnd] = {}
+        """of vehicles that were silent at the end, or stood and were to rejoin"""
         self._all_count = False
         self._some_up = False
         self._unknown_m = np.full(count, np.nan)
@@ -127,14 +135,14 @@ class GoalWatch:
                 self._external_p_ned.append(p_ned[~self._ours].astype(np.float32))
         traffic = {aircraft.callsign: _now(aircraft) for aircraft in snapshot.traffic}
         places = Places(p_ned, height_m, traffic)
-        self._waypoints.update(p_ned)
+        self._waypoints.update(p_ned, airspace.by_failsafe)
         breaches = self.believed.update(now_s, airspace, places)
         return self._notices_of(now_s, breaches, "reports") if breaches else ([], [])
 
     def _look_at(self, view: VehicleView, height_m: Floats, now_s: float) -> None:
         """See what of a vehicle counts, and that its height does only where it does."""
         row, arming = self._rows[view.sysid], self._arming[view.sysid]
-        was = self._flying[row], self._ours_now[row], self._up[row], self._counts[row]
+        was = self._flying[row], self._ours_now[row], self._up[row], self._counts[row], self._by_failsafe[row]
         flies, ours, counts, above_m, rising = view.flying, False, False, math.nan, False
         measured = flies or self._up[row]
         if measured:
@@ -145,8 +153,11 @@ class GoalWatch:
                 counts, above_m = flies, float(height_m[row])
             above_m, rising = self._see_height(row, view, arming, above_m)
         height_m[row] = above_m
+        if self._flying[row] and not flies:
+            self._came_down_s[view.sysid] = now_s
         self._flying[row], self._ours_now[row], self._counts[row] = flies, ours, counts
-        if was != (flies, ours, self._up[row], counts):
+        self._by_failsafe[row] = flies and self._failsafe_flies(row, view, arming, now_s)
+        if was != (flies, ours, self._up[row], counts, self._by_failsafe[row]):
             self._airspace = None
         self._see_loss(view, arming, now_s)
         unsettled = rising or (measured and not (flies and view.fresh))
@@ -159,11 +170,23 @@ class GoalWatch:
         """The last one while nothing has changed, as at nearly every tick."""
         if self._airspace is None or exempt != self._exempted:
             self._exempted = exempt
-            flying, ours, up = (np.array(each, dtype=np.bool_) for each in (self._flying, self._ours_now, self._up))
+            flags = (self._flying, self._ours_now, self._up, self._by_failsafe)
+            flying, ours, up, by_failsafe = (np.array(each, dtype=np.bool_) for each in flags)
             self._some_up = any(self._up)
-            self._airspace = Airspace(flying, ours, up, np.array(exempt, dtype=np.int64).reshape(-1, 2))
+            pairs = np.array(exempt, dtype=np.int64).reshape(-1, 2)
+            self._airspace = Airspace(flying, ours, up, pairs, by_failsafe)
             self._uncounted, self._all_count = ~np.array(self._counts, dtype=np.bool_), all(self._counts)
         return self._airspace
+
+    def _failsafe_flies(self, row: int, view: VehicleView, arming: ArmingSequence, now_s: float) -> bool:
+        """Whether the failsafe of a vehicle in flight flies it: it says so, or has been silent until that begins."""
+        if arming.released or arming.ordered not in (None, "hold"):
+            return False
+        if view.silent_s(now_s) >= self._returns_after_s.get(view.sysid, math.inf):
+            return True
+        to_land = arming.grounded or arming.stage is Stage.BASE
+        by_itself = self._vehicles[row].foreign is None or view.failsafe
+        return by_itself and view.mode in GOING_DOWN and not to_land
 
     def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: float) -> tuple[float, bool]:
         """Whether it is up, and must not touch the ground; one that says it has landed touches it. Its height, m, NaN
@@ -230,27 +253,59 @@ class GoalWatch:
         down."""
         lost = dict(self._lost)
         for row, view in enumerate(snapshot.vehicles):
-            if view.sysid not in lost and (why := self._why_lost_at_end(row, view, end_s)):
-                lost[view.sysid] = Loss(view.sysid, end_s, why)
+            if view.sysid not in lost and (found := self._lost_at_end(row, view, end_s)) is not None:
+                lost[view.sysid] = Loss(view.sysid, *found)
         return _in_order(lost.values())
 
-    def _why_lost_at_end(self, row: int, view: VehicleView, end_s: float) -> str:
-        """Why a vehicle that is not lost yet counts as lost if the session ends now; empty where it does not."""
+    def _lost_at_end(self, row: int, view: VehicleView, end_s: float) -> tuple[float, str] | None:
+        """When and why a vehicle that is not lost yet was lost if the session ends now; None where it was not."""
         vehicle, arming = self._vehicles[row], self._arming[view.sysid]
         held = arming.ordered == "hold"
         if not view.alive or (arming.ordered is not None and not held):
-            return ""
+            return None
         if not held:
             if not self._flew[row] and arming.stage is not Stage.BASE and end_s - vehicle.join_s >= NEVER_FLEW_S:
-                return "never in the air"
+                return end_s, "never in the air"
             if view.doubt:
-                return f"it is not believed: {view.doubt}"
+                return end_s, f"it is not believed: {view.doubt}"
             if arming.rejoining and not view.flying:
-                return "landed by itself"
+                return self._landed_s(view.sysid, end_s), "landed by itself"
+        if (in_silence := self._lost_in_silence(view, arming, end_s)) is not None:
+            return in_silence
         by_itself = vehicle.foreign is None or view.failsafe
         ours = held or arming.stage in (*_STEERED, Stage.MISSION, Stage.YIELDED)
         taken_down = ours and by_itself and view.flying and view.mode in GOING_DOWN
-        return f"its failsafe flies it ({view.mode_name})" if taken_down else ""
+        return (end_s, f"its failsafe flies it ({view.mode_name})") if taken_down else None
+
+    def _landed_s(self, sysid: int, end_s: float) -> float:
+        """When a vehicle landed that stands at the end: by its truth, or else when it said so."""
+        end = self._true_ends.get(sysid)
+        said_s = self._came_down_s.get(sysid, end_s)
+        return said_s if end is None or end.landed_s is None else end.landed_s
+
+    def _lost_in_silence(self, view: VehicleView, arming: ArmingSequence, end_s: float) -> tuple[float, str] | None:
+        """When and why a launched vehicle was lost that flew when it was last received; None where it was not.
+
+        Its last report does not say how it ended: its truth does, and where there is none, its failsafe's delay. The
+        same holds where its places come again, and its HEARTBEAT does not yet.
+        """
+        silent_s, to_land = view.silent_s(end_s), arming.grounded or arming.stage is Stage.BASE
+        received = silent_s <= STALE_S
+        flew = view.flying or (not view.mode_known and arming.stage in _STEERED)
+        if view.sysid not in self._returns_after_s or not flew or (received and view.mode_known):
+            return None
+        if arming.released or arming.stage is Stage.YIELDED or (to_land and view.mode is FlightMode.LAND):
+            return None
+        since_s = end_s - silent_s
+        returns_s, why = since_s + self._returns_after_s[view.sysid], f"no telemetry since {since_s:.1f} s"
+        by_itself = "landed by itself" if received else f"{why}, landed by itself"
+        end = self._true_ends.get(view.sysid)
+        if end is not None and end.landed_s is not None:
+            ordered = end.landed_s < returns_s and (to_land or arming.stage is Stage.MISSION)
+            return None if ordered else (end.landed_s, by_itself)
+        if received or end_s < returns_s:
+            return None
+        return end_s, f"{why}, its failsafe flies it" if end is not None and end.t_s >= returns_s else why
 
     def harmed(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, and those that touched the ground in flight; each once."""
@@ -270,8 +325,10 @@ class GoalWatch:
 
     # at the end
 
-    def judge_truth(self, folder: Path, now_s: float) -> Notices:
-        """Judge again by the vehicles' own truth, where they left it; what only that shows."""
+    def judge_truth(self, folder: Path, snapshot: FleetSnapshot) -> Notices:
+        """Judge again by the vehicles' own truth, where they left it; what only that shows. snapshot: the last one."""
+        now_s = snapshot.time_s
+        self._see_true_ends(folder, snapshot)
         if not self._log:
             return [], []
         tables = {
@@ -296,7 +353,7 @@ class GoalWatch:
             p_ned[:, ~self._ours] = self._external_p_ned
         for tick, (t_s, airspace) in enumerate(self._log):
             in_flight = np.where(airspace.flying[:, None], p_ned[tick], np.nan)
-            waypoints.update(in_flight)
+            waypoints.update(in_flight, airspace.by_failsafe)
             height_m = 0.0 - p_ned[tick, :, 2]
             places = Places(
                 p_ned[tick], height_m, self._true_traffic(t_s), v_ned[tick] if curved else approach.STRAIGHT
@@ -306,6 +363,17 @@ class GoalWatch:
                 judged.surround(*later.pop(0)[1:])
         self.judged, self._waypoints, self.from_truth = judged, waypoints, True
         return self._notices_of(now_s, breaches, "truth")
+
+    def _see_true_ends(self, folder: Path, snapshot: FleetSnapshot) -> None:
+        """Read how those ended whose last reports do not say it, or not when."""
+        for view, vehicle in zip(snapshot.vehicles, self._vehicles, strict=True):
+            unknown = view.silent_s(snapshot.time_s) > STALE_S or not view.mode_known
+            asked = unknown if view.flying else self._arming[view.sysid].rejoining or not view.mode_known
+            end = (
+                true_end(folder, view.sysid, airborne=vehicle.airborne) if asked and vehicle.external is None else None
+            )
+            if end is not None:
+                self._true_ends[view.sysid] = end
 
     def _true_traffic(self, t_s: float) -> dict[str, Vec3]:
         """Places of the scenario's traffic, as long as its process lived."""

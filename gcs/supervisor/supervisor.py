@@ -218,7 +218,7 @@ class Supervisor:
     def judge(self, folder: Path) -> None:
         """At the end: judge the goal by the truth that our own vehicles have left in the session's folder, and record
         what only that shows."""
-        records, events = self.goal_watch.judge_truth(folder, self.time_s)
+        records, events = self.goal_watch.judge_truth(folder, self.fleet.snapshot(self.time_s))
         self.events += events
         if records:
             self._record(TickRecord(self.time_ms, [], [], records))

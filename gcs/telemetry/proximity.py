@@ -36,6 +36,8 @@ class Airspace:
     """vehicles that must not touch the ground"""
     exempt: Ints
     """(k, 2) rows of pairs that may come near each other"""
+    by_failsafe: Flags
+    """flown by their failsafes: they pass no way points"""
 
 
 @dataclass(frozen=True)
@@ -201,9 +203,12 @@ class WayPoints:
         left = (self._end - self._next).tolist()
         return {sysid: left[row] for sysid, row in self._rows.items()}
 
-    def update(self, p_ned: Floats) -> None:
+    def update(self, p_ned: Floats, by_failsafe: Flags) -> None:
         """Count the way since the last tick, straight; p_ned: (n, 3) of each vehicle, NaN where it is unknown or does
-        not fly."""
+        not fly. What is flown `by_failsafe` (n,) does not count, nor the straight line to where that ends."""
         if self._left:
+            if by_failsafe.any():
+                p_ned = np.where(by_failsafe[:, None], np.nan, p_ned)
+                self._last[by_failsafe] = np.nan
             within2 = self._within_m * self._within_m
             self._left = approach.pass_points(p_ned, self._last, self._points, self._next, self._end, within2) > 0

@@ -15,6 +15,8 @@ import pytest
 import yaml
 from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, small
 
+from gcs.cli.main import run_argv
+
 PACED = {"clock": {"mode": "real", "speed": 5.0}, "goal": {"duration_s": 300.0, "refuelled_at_least": 0}}
 
 
@@ -56,6 +58,27 @@ def test_a_killed_vehicle_is_named_and_the_others_fly_on(running: Running) -> No
     outcome = running.finish()
     assert outcome.status == 130
     assert outcome.vehicle(1)["final_mode"] == "dead"
+
+
+@pytest.mark.parametrize("written", [False, True])
+def test_a_folder_that_nothing_was_written_to_is_removed_by_ctrl_c(
+    written: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scenario, folder = tmp_path / "small.yaml", tmp_path / "out"
+    scenario.write_text(yaml.safe_dump(small()), encoding="utf-8")
+
+    def interrupt(*_: object, **__: object) -> None:
+        assert (folder / "vehicles").is_dir()
+        if written:
+            (folder / "scenario.yaml").write_text("name: small", encoding="utf-8")
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("gcs.cli.run.show_warnings", interrupt)
+    assert run_argv(["run", str(scenario), "--plain", "--out", str(folder)]) == 130
+    assert folder.exists() is written
+    stands = f"interrupted; what was written by then stands in {folder}"
+    removed = f"interrupted before the session began; its folder {folder} is removed"
+    assert capsys.readouterr().err.rstrip() == f"gcs: {stands if written else removed}"
 
 
 def test_ctrl_c_saves_what_was_flown_and_leaves_nobody(running: Running) -> None:

@@ -125,3 +125,53 @@ def test_what_a_vehicle_was_lost_by_first_stays() -> None:
     watch.lose(2, 12.0, "its process died")
     watch.lose(2, 22.0, "silent")
     assert [(loss.t_s, loss.why) for loss in watch.losses(now, 22.0) if loss.sysid == 2] == [(12.0, "its process died")]
+
+
+def test_a_silent_vehicle_is_lost_after_its_failsafes_delay_unless_an_order_explains_its_landing() -> None:
+    """A vehicle flies, and nothing comes of it from 3 s on; there is no truth of it."""
+    content = scenario(ground=False)
+
+    def lost(
+        mode: FlightMode = FlightMode.OFFBOARD, *, end_s: float = 60.0, stage: Stage = Stage.FLY, **arming: Any
+    ) -> list[str]:
+        sequences = make_arming_sequences(content)
+        watch = GoalWatch(content, geometry.of_scenario(content.obstacles), FleetArming(sequences))
+        sequences[1].stage = stage
+        for name, value in arming.items():
+            setattr(sequences[1], name, value)
+        for t_s, age_s in [(3.0, 0.0), (end_s, end_s - 3.0)]:
+            others = (view(sysid, last_message_s=t_s, last_received_s=t_s) for sysid in SYSIDS[1:])
+            one = view(1, mode=mode, last_message_s=3.0, last_received_s=3.0, age_s=age_s)
+            now = snapshot(one, *others, time_s=t_s)
+            watch.update(now, ())
+        return [f"{loss.t_s:g} s: {loss.why}" for loss in watch.losses(now, end_s) if loss.sysid == 1]
+
+    silent = ["60 s: no telemetry since 3.0 s"]
+    assert lost() == lost(ordered="hold", stage=Stage.TAKEN) == lost(stage=Stage.MISSION) == silent
+    assert lost(grounded=True, stage=Stage.BASE) == silent
+    assert lost(FlightMode.LAND, grounded=True, stage=Stage.BASE) == []
+    assert lost(ordered="land", stage=Stage.TAKEN) == lost(ordered="return", stage=Stage.TAKEN) == []
+    assert lost(released=True, stage=Stage.TAKEN) == lost(stage=Stage.YIELDED) == []
+    assert lost(end_s=7.9) == []
+    assert lost(end_s=8.0) == ["8 s: no telemetry since 3.0 s"]
+
+
+def test_no_way_point_is_passed_by_a_failsafe_nor_on_the_line_to_where_it_ends() -> None:
+    content = scenario(ground=False)
+    past = [(4.0, 0.0), (3.0, 0.0), (-2.0, 0.0), (-2.0, 3.0), (4.0, 3.0)]
+    around = [(4.0, 0.0), (4.0, 5.0), (-2.0, 5.0), (-2.0, 4.0), (-2.0, 0.0)]
+    """N and E at each second, of which the failsafe flies those of the middle; the way points are (1, 0) and (1, 1)"""
+
+    def missed(way_m: list[tuple[float, float]], failsafe: dict[str, Any]) -> int:
+        sequences = make_arming_sequences(content)
+        watch = GoalWatch(content, geometry.of_scenario(content.obstacles), FleetArming(sequences))
+        sequences[1].stage = Stage.FLY
+        for t_s, (north, east) in enumerate(way_m):
+            received = {"last_message_s": float(t_s), "last_received_s": float(t_s), "p_ned": (north, east, -1.0)}
+            one = view(1, **received | (failsafe if 0 < t_s < 4 else {}))
+            watch.update(snapshot(one, *(view(sysid) for sysid in SYSIDS[1:]), time_s=float(t_s)), ())
+        return watch._waypoints.missed[1]
+
+    assert missed(past, {}) < 2
+    for failsafe in ({"mode": FlightMode.RETURN}, {"last_message_s": -9.0, "last_received_s": -9.0}):
+        assert missed(past, failsafe) == missed(around, failsafe) == 2

@@ -1,4 +1,7 @@
-"""Frame loss per vehicle from sequence-number gaps: total so far, and share over the last 10 s."""
+"""Frame loss per vehicle from sequence-number gaps: total so far, and share over the last 10 s.
+
+What the simulated radio never loses must not be counted: the share would be too low.
+"""
 
 from __future__ import annotations
 

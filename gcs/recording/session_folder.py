@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
+from gcs.mavlink import codec
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
 from gcs.recording import rotation, tlog_reader
@@ -24,6 +25,7 @@ from gcs.recording.summary import Summary
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.parts.world import Worlds
+from skytender.frames import CHECKSUM_BYTES, HEADER_BYTES, MAGIC
 
 SCENARIO = "scenario.yaml"
 WANTED = {
@@ -45,6 +47,15 @@ WANTED = {
 """The messages that a report is made from, and the fields that it needs of them; `place`: where in the file."""
 FOREIGN = {"GLOBAL_POSITION_INT": ("time_boot_ms", "lat", "lon", "alt", "relative_alt", "vx", "vy", "vz")}
 """The same of a recording that is no session's: others know their place by these alone."""
+PLACES = [codec.msgid(name) for name in ("LOCAL_POSITION_NED", "GLOBAL_POSITION_INT")]
+REPEATED = [codec.msgid(name) for name in ("ATTITUDE", "SYSTEM_TIME", "POSITION_TARGET_LOCAL_NED", "FOLLOW_TARGET")]
+"""Messages that say of their sender's health little but that they came."""
+MANY = 16
+"""Of more vehicles not every place is among the frames from which their health follows."""
+HEALTH_EVERY_US = 500_000
+"""Of each kind that is not kept whole one frame is kept in each time so long."""
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_HEADER_1_BYTES, _SIGNATURE_BYTES = 6, 13
 MOST_SECONDS = 7 * 86_400
 MOST_BINS = 1 << 14
 """Of each vehicle's traffic, ten times what a chart shows: four hours and a half by seconds, longer in longer bins."""
@@ -75,8 +86,12 @@ class Recorded:
     """by system id: (bins,) frames received in each bin of time, as far as there were any"""
     traffic_lost: dict[int, NDArray[np.int32]] = field(default_factory=dict)
     """the same of gaps in their sequence numbers"""
+    traffic_exempt: dict[int, NDArray[np.int32]] = field(default_factory=dict)
+    """the same of SYSTEM_TIME among the frames received, which a simulated radio does not lose"""
     traffic_bin_s: int = 1
     """length of those bins: doubled as often as it takes for MOST_BINS to hold all"""
+    health_frames: list[tlog_reader.Chunk] = field(default_factory=list)
+    """vehicles' frames by which their health and their changes are seen, in µs of the session"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
 
@@ -215,6 +230,10 @@ class Gathering:
         self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_reader.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
+            senders = heads[:, tlog_reader.SYSID]
+            self._recorded.health_frames.append(
+                health_frames(chunk, heads[(senders < STATION[0]) & (senders != self._station)], epoch_us)
+            )
 
     def finish(self) -> None:
         """Set the tables; they are whole once the last stretch has been taken in."""
@@ -237,7 +256,7 @@ class Gathering:
         second, heads = second[mine], heads[mine]
         while len(second) and int(second.max()) // recorded.traffic_bin_s >= MOST_BINS:
             recorded.traffic_bin_s *= 2
-            for table in (recorded.traffic_count, recorded.traffic_lost):
+            for table in (recorded.traffic_count, recorded.traffic_lost, recorded.traffic_exempt):
                 table.update(
                     {
                         sysid: np.add.reduceat(known, range(0, len(known), 2), dtype=np.int32)
@@ -250,14 +269,55 @@ class Gathering:
         begin, end = (int(bins.min()), int(bins.max()) + 1) if len(bins) else (0, 0)
         shape = STATION[0], end - begin
         cells = sysids * shape[1] + (bins - begin)
-        frames, counts, losses = (
+        exempt = new & (heads[:, tlog_reader.MSGID] == _SYSTEM_TIME)
+        frames, *tables = (
             np.bincount(cells, weights, minlength=shape[0] * shape[1]).astype(np.int32).reshape(shape)
-            for weights in (None, new, lost)
+            for weights in (None, new, lost, exempt)
         )
         for sysid in np.flatnonzero(frames.any(axis=1)).tolist():
             last = int(np.flatnonzero(frames[sysid])[-1]) + 1
-            for table, values in ((recorded.traffic_count, counts), (recorded.traffic_lost, losses)):
+            known = recorded.traffic_count, recorded.traffic_lost, recorded.traffic_exempt
+            for table, values in zip(known, tables, strict=True):
                 table[sysid] = _added(table.get(sysid), begin, values[sysid, :last])
+
+
+def health_frames(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_reader.Chunk:
+    """The frames with these heads (n, 6) by which vehicles' health and changes are seen, alone, in µs since the epoch.
+
+    Of frames that only repeat themselves one in each HEALTH_EVERY_US is kept, and both ends of each longer silence.
+    """
+    t_us, msgids = heads[:, tlog_reader.T_US], heads[:, tlog_reader.MSGID]
+    senders = heads[:, tlog_reader.SYSID] << 8 | heads[:, tlog_reader.COMPID]
+    thinned = np.isin(msgids, REPEATED + PLACES if len(np.unique(senders)) > MANY else REPEATED)
+    kept = ~thinned
+    some = np.flatnonzero(thinned)
+    kinds = senders[some] << 24 | msgids[some]
+    order = np.argsort(kinds, kind="stable")
+    spans = t_us[some[order]] // HEALTH_EVERY_US
+    ends = (np.diff(kinds[order]) != 0) | (np.diff(spans) != 0)
+    kept[some[order[np.append(ends, True)[: len(order)]]]] = True
+    # SYSTEM_TIME answers a grant also where the radio is out, and ends no silence.
+    said = np.flatnonzero(msgids != _SYSTEM_TIME)
+    said = said[np.argsort(senders[said], kind="stable")]
+    apart = np.flatnonzero((np.diff(senders[said]) != 0) | (np.diff(t_us[said]) > HEALTH_EVERY_US))
+    kept[said[apart]] = kept[said[apart + 1]] = True
+    kept[said[[0, -1]] if len(said) else said] = True
+    return _alone(chunk, heads[kept], epoch_us)
+
+
+def _alone(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_reader.Chunk:
+    """The frames with these heads, which are changed, without those between them."""
+    octets, at = chunk.octets, heads[:, tlog_reader.AT]
+    newer = octets[at] == MAGIC
+    sizes = octets[at + 1].astype(np.int64) + CHECKSUM_BYTES + np.where(newer, HEADER_BYTES, _HEADER_1_BYTES)
+    sizes += np.where(newer & (octets[at + 2] & 1 > 0), _SIGNATURE_BYTES, 0)
+    edges = np.zeros(len(octets) + 1, dtype=np.int8)
+    edges[at] += 1
+    edges[at + sizes] -= 1
+    kept = np.cumsum(edges[:-1], dtype=np.int8).view(np.bool_)
+    heads[:, tlog_reader.T_US] -= epoch_us
+    heads[:, tlog_reader.AT] = np.cumsum(sizes) - sizes
+    return tlog_reader.Chunk(octets[kept], heads, 1.0, 0)
 
 
 def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:

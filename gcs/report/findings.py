@@ -15,11 +15,14 @@ from gcs.recording import series
 from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
 from gcs.report import distances
+from gcs.report.watched import Watched
 from gcs.scenario import goal
 from gcs.scenario.goal import Judgement, Measured, Nearest
 from gcs.scenario.guard import PluginFault
 from gcs.scenario.model import Scenario
 from gcs.session.message_types import ServedRow
+from gcs.telemetry.changes import NO_TELEMETRY
+from gcs.telemetry.state import STALE_S
 from gcs.telemetry.voltage_watch import VoltageWatches
 
 Level = Literal["bad", "warn", "note"]
@@ -70,6 +73,11 @@ class Findings:
         if lost:
             where = f"The paths of {few(lost)} are not known: their frame's origin was never reported."
             recorded.problems.append(where)
+
+    @cached_property
+    def watched(self) -> Watched:
+        """Link events and health, as a replay shows them."""
+        return Watched(self.recorded)
 
     @cached_property
     def speeds(self) -> dict[int, Series]:
@@ -240,6 +248,7 @@ class Findings:
                 yield SessionProblem("bad", f"Not reached: {part.wanted} ({part.reached}).")
         yield from self._said()
         yield from self._voltages()
+        yield from self._silences()
         yield from self._too_near()
         yield from self._services_cut_short()
         failed: dict[str, list[dict[str, Any]]] = {}
@@ -276,6 +285,13 @@ class Findings:
             statuses, batteries = tables["SYS_STATUS"], tables["BATTERY_STATUS"]
             for sysid, t_s, note in VoltageWatches().take(statuses, statuses["t_s"], batteries, batteries["t_s"]):
                 yield SessionProblem("warn", f"Vehicle {sysid}: {note} ({t_s:.1f} s).")
+
+    def _silences(self) -> Iterator[SessionProblem]:
+        silent = [event for event in self.watched.events if event.text.startswith(NO_TELEMETRY)]
+        if silent:
+            whose = sorted({event.sysid for event in silent})
+            times = _times(len(silent), silent[0].t_s)
+            yield SessionProblem("warn", f"No telemetry of {few(whose)} for more than {STALE_S:g} s ({times}).")
 
     def _too_near(self) -> Iterator[SessionProblem]:
         for part in ("separation", "clearance", "traffic", "ground"):

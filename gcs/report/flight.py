@@ -32,6 +32,7 @@ from gcs.session.messages import (
     vehicle_of,
 )
 from gcs.telemetry.events import Event, level_of
+from gcs.telemetry.health import Health
 
 MANY = 16
 MOST_SAMPLES, MOST_SAMPLES_OF_MANY = 1500, 600
@@ -70,6 +71,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "vehicles": vehicles,
         "traffic": traffic,
         "words": _words(found),
+        "health": _health(found),
         "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
         "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
@@ -153,6 +155,20 @@ def _words(found: Findings) -> dict[str, list[list[Any]]]:
     return words
 
 
+def _health(found: Findings) -> dict[str, Any]:
+    """Health of the vehicles: each state of it once in `rows`, as fields of VehicleRow, and in `of` by system id from
+    when on each holds."""
+    rows: dict[Health, int] = {}
+    of = {
+        str(sysid): [[round(t_s, 2), rows.setdefault(wrong, len(rows))] for t_s, wrong in seen]
+        for sysid, seen in found.watched.health.items()
+    }
+    listed = [
+        {"trouble": list(wrong.texts), **{name: getattr(wrong, name) for name in Health._fields[1:]}} for wrong in rows
+    ]
+    return {"rows": listed, "of": of}
+
+
 def _changes(series: Series) -> list[float]:
     """The times at which a state changes."""
     if not len(series.t_s):
@@ -162,9 +178,9 @@ def _changes(series: Series) -> list[float]:
 
 
 def _events(found: Findings) -> list[Event]:
-    """Decisions, orders, deaths, and vehicles' own texts from warnings up, in order of time."""
+    """Decisions, orders, deaths, failsafes, changes of links, and vehicles' own texts from warnings up, by time."""
     told = [Event(t_s, sysid, level_of(severity), text, "text") for t_s, sysid, severity, text in found.texts]
-    return sorted([*_decided(found), *told], key=lambda event: event.t_s)
+    return sorted([*_decided(found), *told, *found.watched.events], key=lambda event: event.t_s)
 
 
 def _decided(found: Findings) -> Iterator[Event]:

@@ -48,7 +48,7 @@ from gcs.session.message_types import (
 )
 from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import State, health_issues, severity, state, worst
+from gcs.telemetry.health import State, health, health_issues, state
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender import elementary
 
@@ -74,8 +74,7 @@ def vehicle_row(
     `down`, `ordered`: as `health_issues` takes them.
     """
     lost_share = quality.lost_share(view.sysid)
-    found = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)
-    condition, figure, urgency = worst(found)
+    wrong = health(health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered))
     received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
     return VehicleRow(
         sysid=view.sysid,
@@ -110,11 +109,11 @@ def vehicle_row(
         v=None,
         tau=None,
         state=State.IDLE if view.alive else State.LOST,
-        trouble=[issue.text for issue in found],
-        severity=severity(found),
-        condition=condition,
-        figure=figure,
-        urgency=urgency,
+        trouble=list(wrong.texts),
+        severity=wrong.severity,
+        condition=wrong.condition,
+        figure=wrong.figure,
+        urgency=wrong.urgency,
         note="",
     )
 

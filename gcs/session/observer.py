@@ -41,6 +41,7 @@ from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.common_zero import CommonZero
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
+from gcs.telemetry.health import Health, health, health_issues
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
@@ -59,6 +60,7 @@ _ADSB = codec.msgid("ADSB_VEHICLE")
 _BATTERY = codec.msgid("BATTERY_STATUS")
 _HEARTBEAT = codec.msgid("HEARTBEAT")
 _TEXT = codec.msgid("STATUSTEXT")
+_SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _ACK = codec.msgid("COMMAND_ACK")
 _CURRENT = codec.msgid("MISSION_CURRENT")
 _TARGET = codec.msgid("POSITION_TARGET_LOCAL_NED")
@@ -132,7 +134,8 @@ class Observer:
             adapter = self._discover(frame, t_s)
         if counted and (adapter is not None or frame.sysid in self._known or frame.sysid in self._expected):
             self._gaps.feed(frame.sysid, frame.compid, frame.seq)
-            self.quality.count(frame.sysid, 1, t_s)
+            exempt = frame.msgid == _SYSTEM_TIME and frame.sysid in self._known  # as for the session (reception.py)
+            self.quality.count(frame.sysid, 0 if exempt else 1, t_s)
         if adapter is not None and frame.msgid == _BATTERY and frame.compid != adapter.compid:
             adapter.receive_battery(frame, t_s)
         if adapter is None or frame.compid != adapter.compid:
@@ -188,10 +191,19 @@ class Observer:
         self.quality = LinkQuality(gaps)
         self.quality.begin(t_s)
 
-    def forget_events(self, t_s: float) -> None:
-        """Drop what a snapshot at `t_s` would report of earlier events: no client was there to see it."""
+    def pop_events(self, t_s: float) -> list[Event]:
+        """The events that a snapshot at `t_s` would report, which later ones then do not."""
         self._gather(self.view(t_s))
-        self._events.clear()
+        events, self._events = self._events, []
+        return events
+
+    def health(self, t_s: float) -> dict[int, Health]:
+        """Health of each vehicle as a snapshot at `t_s` would report it."""
+        found = {}
+        for view in map(self._seen, self.view(t_s).vehicles):
+            share, ordered = self.quality.lost_share(view.sysid), view.sysid in self.ordered
+            found[view.sysid] = health(health_issues(view, t_s, lost_share=share, ordered=ordered))
+        return found
 
     def session(self) -> dict[str, Any]:
         """The message of type "session" as things stand."""
@@ -354,8 +366,7 @@ class Observer:
     def _rows(self, snapshot: FleetSnapshot) -> list[VehicleRow]:
         rows = []
         for reported in snapshot.vehicles:
-            adapter = None if reported.sysid in self._known else self._adapters.get(reported.sysid)
-            view, share = (reported, None) if adapter is None else adapter.seen(reported)
+            adapter, view = self._adapter(reported.sysid), self._seen(reported)
             row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
@@ -365,13 +376,22 @@ class Observer:
             if aim is not None and frame is not None:
                 row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)
             if adapter is not None and not math.isfinite(reported.remaining_j):
-                row.battery, row.remaining_j, row.power_w, row.endurance_s = share, None, adapter.power_w, None
+                row.battery, row.remaining_j, row.power_w, row.endurance_s = adapter.share, None, adapter.power_w, None
             rows.append(row)
         return rows
 
+    def _adapter(self, sysid: int) -> TelemetryAdapter | None:
+        """Reader of a vehicle that is not a session's own."""
+        return None if sysid in self._known else self._adapters.get(sysid)
+
+    def _seen(self, view: VehicleView) -> VehicleView:
+        """The fleet's view with what it could not know."""
+        adapter = self._adapter(view.sysid)
+        return view if adapter is None else adapter.seen(view)[0]
+
     def _frame(self, view: VehicleView) -> FramePlace | None:
         """Where a vehicle's own frame lies in the common one."""
-        adapter = None if view.sysid in self._known else self._adapters.get(view.sysid)
+        adapter = self._adapter(view.sysid)
         if adapter is not None:
             return None if self._zero.origin is None else adapter.claims.frame(self._zero.origin)
         return None if view.origin_offset_ned is None else FramePlace(view.origin_offset_ned, view.turn_rad)

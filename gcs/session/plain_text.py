@@ -13,6 +13,7 @@ from typing import Any
 
 from gcs.processes.startup import STARTING_LINE
 from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
+from gcs.telemetry.health import Condition
 
 Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""
@@ -84,12 +85,14 @@ def counts(vehicles: Sequence[Mapping[str, Any]]) -> str:
 
 
 def progress(snapshot: Snapshot) -> str:
-    """One line: time, speed, modes, lowest battery, goal."""
+    """One line: time, speed, modes, how many are silent so that modes and batteries are old, lowest battery, goal."""
     whole = "" if snapshot["duration_s"] is None else f" of {snapshot['duration_s']:.0f} s"
     parts = [f"{_stamp(snapshot['t_s'])}{whole}"]
     if snapshot["speed"] is not None:
         parts.append(f"x{snapshot['speed']:.2f}")
     parts += [clean(snapshot["phase"]), counts(snapshot["vehicles"]) or "no vehicle yet"]
+    if silent := sum(v.get("condition") == Condition.SILENT for v in snapshot["vehicles"]):
+        parts.append(f"{silent} silent")
     known = [v for v in snapshot["vehicles"] if v["alive"] and v["battery"] is not None]
     if known:
         lowest = min(known, key=lambda v: v["battery"])

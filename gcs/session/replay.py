@@ -122,7 +122,7 @@ class Replay:
         self._frames: Iterator[RecordedFrame] = self._recording.play(t_s)
         self._next: RecordedFrame | None = next(self._frames, None)
         self.advance(t_s, math.inf)
-        observer.forget_events(t_s)
+        observer.pop_events(t_s)  # no client was there to see them
         self._reported_until_s = min(t_s, reported_s) if t_s > self.from_s else -math.inf
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
@@ -201,15 +201,8 @@ class Replay:
 
     def _see_what_happened(self, t_s: float) -> None:
         """Let vehicles die, and energy be booked, that did so by a time of the recording."""
-        happened = self._timeline.happened if self._timeline is not None else []
-        while self._happened < len(happened) and happened[self._happened].t_s <= t_s:
-            sysid, joules = happened[self._happened].sysid, happened[self._happened].booked_j
-            if sysid in self.observer.sysids:
-                if joules is None:
-                    self.observer.fleet.lost(sysid)
-                elif not self.observer.view(t_s).vehicle(sysid).battery_reported:
-                    self.observer.fleet.book(sysid, joules)
-            self._happened += 1
+        if self._timeline is not None:
+            self._happened = self._timeline.let_happen(self.observer, self._happened, t_s)
 
     def _read_session(self, folder: Path, progress: Callable[[float], None]) -> int | None:
         """Scenario and decisions, as far as they are there; the session's epoch."""

@@ -10,7 +10,7 @@ import bisect
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
@@ -34,6 +34,9 @@ from gcs.session.messages import (
 from gcs.supervisor.operator import TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
+
+if TYPE_CHECKING:
+    from gcs.session.observer import Observer
 
 STANDS_S = 0.35
 """A competition that has not been recorded for so long is over."""
@@ -77,18 +80,61 @@ class ServiceMoment(NamedTuple):
     """None: it died"""
 
 
-class Timeline:
+class Moments:
+    """Deaths, bookings and operators' orders: a session's decisions on vehicles that their frames do not show."""
+
+    def __init__(self) -> None:
+        self.happened: list[ServiceMoment] = []
+        self.orders: list[tuple[float, int, End | None]] = []
+        """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
+
+    def take(self, t_s: float, record: Mapping[str, Any]) -> None:
+        """Take the next decision. Raises ValueError, KeyError, TypeError for one of another version."""
+        kind = record["kind"]
+        if kind == "death":
+            self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
+        elif kind == "served" and record.get("base"):
+            self.happened.append(ServiceMoment(t_s, int(record["receiver"]), round(float(record["energy_j"]))))
+        elif kind == "operator" and record.get("taken") and "sysid" in record:
+            if record["command"] == "rejoin":
+                self.orders.append((t_s, int(record["sysid"]), None))
+            elif record["command"] in TAKEN:
+                self.orders.append((t_s, int(record["sysid"]), TAKEN[record["command"]][0]))
+
+    def ordered(self, t_s: float) -> dict[int, End]:
+        """Modes of vehicles that an operator has taken over."""
+        held: dict[int, End] = {}
+        for since_s, sysid, mode in self.orders:
+            if since_s <= t_s:
+                held.pop(sysid, None)
+                if mode is not None:
+                    held[sysid] = mode
+        return held
+
+    def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
+        """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then
+        are done, of which `done` were before."""
+        while done < len(self.happened) and self.happened[done].t_s <= t_s:
+            _, sysid, joules = self.happened[done]
+            if sysid in observer.sysids:
+                if joules is None:
+                    observer.fleet.lost(sysid)
+                elif not observer.view(t_s).vehicle(sysid).battery_reported:
+                    observer.fleet.book(sysid, joules)
+            done += 1
+        return done
+
+
+class Timeline(Moments):
     """Decisions of a session. Raises OSError where the file cannot be read."""
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
+        super().__init__()
         self._scenario = scenario
         self._lives: list[_Life] = []
         self._competition_lines: list[DecisionLine] = []
         self._shown: list[tuple[float, dict[str, Any]]] = []
         self._pursuing: list[tuple[float, int, int]] = []
-        self.happened: list[ServiceMoment] = []
-        self.orders: list[tuple[float, int, End | None]] = []
-        """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.chases: list[dict[str, Any]] = []
         """the decisions and orders that assign targets to pursuers"""
         self.violations: list[dict[str, Any]] = []
@@ -112,16 +158,6 @@ class Timeline:
         """Decisions, orders and deaths in after_s < t ≤ until_s."""
         first, last = bisect.bisect_right(self._shown_s, after_s), bisect.bisect_right(self._shown_s, until_s)
         return (event_of(record) for _, record in self._shown[first:last])
-
-    def ordered(self, t_s: float) -> dict[int, End]:
-        """Modes of vehicles that an operator has taken over."""
-        held: dict[int, End] = {}
-        for since_s, sysid, mode in self.orders:
-            if since_s <= t_s:
-                held.pop(sysid, None)
-                if mode is not None:
-                    held[sysid] = mode
-        return held
 
     def fill(self, line: SnapshotMessage, snapshot: FleetSnapshot, pursue_held_s: float | None) -> None:
         """Write the decisions by the time of a snapshot into its line.
@@ -253,8 +289,7 @@ class Timeline:
             if kind == "served":
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
-                if record.get("base"):
-                    self.happened.append(ServiceMoment(t_s, life.service.receiver, round(life.energy_j)))
+                self.take(t_s, record)
             else:
                 life.phases.append((t_s, Phase.TRANSFER if kind == "transfer" else Phase.JOIN))
                 if kind == "transfer" and life.service.start_s is None:
@@ -265,14 +300,9 @@ class Timeline:
         elif kind == "violation":
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
-        elif kind == "death":
-            self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
-        elif kind == "operator" and record.get("taken") and "sysid" in record:
-            if record["command"] == "rejoin":
-                self.orders.append((t_s, int(record["sysid"]), None))
-            elif record["command"] in TAKEN:
-                self.orders.append((t_s, int(record["sysid"]), TAKEN[record["command"]][0]))
-            elif record["command"] == "retarget":
+        elif kind in ("death", "operator"):
+            self.take(t_s, record)
+            if record.get("taken") and "sysid" in record and record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
                 self.chases.append(dict(record))
 

@@ -96,17 +96,19 @@ class Reception:
     def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float, late_s: float) -> Sequence[Frame]:
         """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
         received = self._sent[sysid] = frames
+        exempt = 0
         if self._peer_radio is not None:
             self._peer_radio.send(sysid, frames)
         if not self._radio.clear:
             impaired = [frame for frame in frames if frame.msgid != _SYSTEM_TIME]
             grants = [frame for frame in frames if frame.msgid == _SYSTEM_TIME]
             received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
+            exempt = len(grants)  # they are never lost, and say nothing of the radio
         self.gaps.feed_all(received)
         self._fleet.ingest_all(received, now_s + late_s if sysid in self._external else now_s)
         if self._watched is not None:
             for frame in received:
                 if frame.msgid == _DEBUG_FLOAT_ARRAY:
                     self._watched.receive(frame.sysid, codec.fields(frame), now_s)
-        self.quality.count(sysid, len(received), now_s)
+        self.quality.count(sysid, len(received) - exempt, now_s)
         return received

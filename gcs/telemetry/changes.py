@@ -16,6 +16,8 @@ from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
 REGULAR_S = 5.0
 """Positions come again when none has been old for so long: of a slow stream each one would begin anew."""
+NO_TELEMETRY = "No telemetry for"
+"""How the event of a silence begins."""
 GOING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 
 
@@ -94,7 +96,7 @@ class ChangeDetector:
         silent = view.alive and STALE_S < silent_s < math.inf
         if silent and view.sysid not in self._silent:
             self._silent.add(view.sysid)
-            events.append(Event(now_s, view.sysid, "warning", f"No telemetry for {silent_s:.1f} s", "link"))
+            events.append(Event(now_s, view.sysid, "warning", f"{NO_TELEMETRY} {silent_s:.1f} s", "link"))
         elif not silent and view.sysid in self._silent:
             self._silent.discard(view.sysid)
             if view.alive:

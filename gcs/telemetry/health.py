@@ -68,6 +68,18 @@ class Worst(NamedTuple):
     urgency: float = 0.0
 
 
+class Health(NamedTuple):
+    """Everything that is wrong with a vehicle, as it is shown."""
+
+    texts: tuple[str, ...] = ()
+    """the worst first"""
+    severity: int = WELL
+    condition: Condition = Condition.WELL
+    figure: str = ""
+    urgency: float = 0.0
+    """these three as of `Worst`"""
+
+
 class State(StrEnum):
     """A vehicle's part in the refuelling."""
 
@@ -167,6 +179,11 @@ def worst(found: Iterable[HealthIssue]) -> Worst:
     if first is None:
         return Worst()
     return Worst(first.condition, first.figure or first.text, first.urgency)
+
+
+def health(found: Collection[HealthIssue]) -> Health:
+    """All issues of a vehicle together."""
+    return Health(tuple(issue.text for issue in found), severity(found), *worst(found))
 
 
 def state(

@@ -95,6 +95,14 @@ def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_
         page.close()
 
 
+def test_one_vehicle_is_counted_as_one(browser: Browser) -> None:
+    rows = [row(1, 0.0)]
+    with served(Script(session(rows), snapshot(1.0, rows))) as links:
+        page = Watched(browser).flying(links["command"])
+        expect(page.locator(".totals")).to_have_text(f"1 vehicle: 1 {rows[0]['mode_name']}")
+        page.close()
+
+
 def trouble_is_read(page: Page, width: int) -> None:
     """In the strip, wherever the page is scrolled to, and in the table's first rows."""
     page.evaluate("scrollTo(0, 0)")

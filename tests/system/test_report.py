@@ -19,7 +19,7 @@ from mcap.reader import make_reader
 from mcap_protobuf.decoder import DecoderFactory
 from PIL import Image
 from playwright.sync_api import Browser, Page, expect
-from sessions import Outcome, demo, fly_apart, merged
+from sessions import Outcome, demo, fly_apart, merged, small
 from web import Watched, until
 
 from gcs.cli.main import run_argv
@@ -179,6 +179,24 @@ def test_a_state_of_the_competition_is_shown_where_its_vehicle_competed_and_nowh
                 count += v is not None
     assert count > 50
     assert len(competed) >= 3
+
+
+def test_a_session_that_is_blind_until_its_end_is_shown_so(tmp_path: Path, browser: Browser) -> None:
+    """As on the live page: trouble in strip and table, and the event, which the line of time marks."""
+    scenario = small(radio={"ground_blackouts": [{"from_s": 9.0, "to_s": 30.0}]}, goal={"duration_s": 25.0})
+    page = fly_apart(scenario, tmp_path, "--plain", report=True).folder / "report.html"
+    watched = Watched(browser, height=900)
+    watched.report(page.resolve().as_uri())
+    shown = watched.page
+    expect(shown.locator(".strip li.silent")).to_contain_text("3Silent: ")
+    expect(shown.locator("table.fleet tbody tr.silent")).to_have_count(3)
+    expect(shown.locator("table.fleet tbody tr").first).to_contain_text("no telemetry for 16 s")
+    expect(shown.get_by_label("events", exact=True)).to_contain_text("No telemetry for 1.6 s")
+    expect(shown.locator(".problems")).to_contain_text("No telemetry of 1, 101, 201 for more than 1.5 s")
+    shown.evaluate("skytender.player.seek(8.0)")
+    expect(shown.locator(".strip li.silent")).to_be_hidden()
+    assert watched.wrong == []
+    shown.close()
 
 
 def test_a_vehicle_can_be_left_out_of_every_figure(shown: Watched) -> None:

@@ -35,6 +35,9 @@ export function number(value, digits, unit = "") {
   return `${Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−")}${unit}`;
 }
 
+/** `1 vehicle`, `2 vehicles`. @param {number} count */
+export const vehicles = (count) => `${count} ${count === 1 ? "vehicle" : "vehicles"}`;
+
 /** Seconds as minutes and seconds. @param {number} t_s */
 export function clock(t_s) {
   const sign = t_s < 0 ? "−" : "";

@@ -1,6 +1,6 @@
 // An operator's commands: the same as in the console, each confirmed, answered, and shown to all as an event.
 // @ts-check
-import { h, say } from "./elements.js";
+import { h, say, vehicles } from "./elements.js";
 
 /** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -37,7 +37,7 @@ export class Operator {
     if (this.dialog.open) return;
     const rows = (present()?.vehicles ?? []).filter((row) => sysids.includes(row.sysid));
     const able = rows.filter((row) => !refusal(row)).map((row) => row.sysid);
-    const title = `${order.name[0].toUpperCase()}${order.name.slice(1)} ${all ? "all " : ""}${rows.length} vehicles?`;
+    const title = `${order.name[0].toUpperCase()}${order.name.slice(1)} ${all ? "all " : ""}${vehicles(rows.length)}?`;
     const which = all ? "" : sysids.join(", ");
     const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
     yes.disabled = !able.length;
@@ -50,7 +50,7 @@ export class Operator {
       /** @type {string[]} */
       const refused = [];
       let waiting = able.length;
-      this.notice(`${order.name} ${able.length} vehicles: sent`);
+      this.notice(`${order.name} ${vehicles(able.length)}: sent`);
       for (const sysid of able) {
         this.send({ command: order.command, sysid }, (ok, text) => {
           if (!ok) refused.push(text || `${name(sysid)}: not taken`);

@@ -15,6 +15,7 @@ import { linkedTime } from "./timeline.js";
  * @typedef {{count: number, end_s: number, session: import("./messages").SessionLine,
  *   vehicles: {sysid: number, p: Packed[], heading?: Packed, roll?: Packed, pitch?: Packed}[],
  *   traffic: {callsign: string, p: Packed[]}[], words: Record<string, [number, string, boolean, boolean][]>,
+ *   health: {rows: Partial<import("./messages").VehicleRow>[], of: Record<string, [number, number][]>},
  *   events: import("./messages").EventRow[], history: import("./messages").ServedRow[], threshold: number,
  *   goal: import("./messages").GoalStateRow, solids?: import("./messages").ObstacleRow[],
  *   worlds?: [number, number[], Record<string, [number, number, number][]>][]}} Recording
@@ -137,7 +138,8 @@ export async function recorded(config, keyboard) {
     app.after.push(() => picked());
     const help = keyboard(app, [], () => {});
     const tools = h("div", { class: "tools only-screen" }, h("button", { type: "button", onclick: () => nextTheme() }, "dark / light"), h("button", { type: "button", onclick: () => help.showModal() }, "keys ?"), comparison(app, compared));
-    root?.before(tools);
+    app.strip.element.classList.add("only-screen");
+    root?.before(h("div", { class: "over-flight" }, tools, app.strip.element));
   }
 
   // figures
@@ -365,12 +367,7 @@ function fillFlight(flight, model, told, column) {
     const none = new Float32Array(told.count).fill(NaN);
     for (const name of CHANNELS) columns[name] ??= none;
     flight.columns.set(one.sysid, columns);
-    const words = new Words();
-    for (const [t_s, mode, armed, in_air] of told.words[String(one.sysid)] ?? []) {
-      words.t_s.push(t_s);
-      words.rows.push({ mode_name: mode, armed, landed: !in_air });
-    }
-    flight.words.set(one.sysid, words);
+    flight.words.set(one.sysid, wordsOf(told, String(one.sysid)));
   }
   for (const one of told.traffic) flight.traffic.set(one.callsign, one.p.map(column));
   flight.newest = /** @type {import("./messages").SnapshotMessage} */ ({
@@ -379,6 +376,22 @@ function fillFlight(flight, model, told, column) {
     refuelled: told.history.length, goal: told.goal, inspected: {}, events: [],
   });
   flight.version += 1;
+}
+
+/** A vehicle's words: modes and troubles, each from when it changed. @param {Recording} told @param {string} sysid */
+function wordsOf(told, sysid) {
+  const [modes, troubles] = [told.words[sysid] ?? [], told.health?.of[sysid] ?? []];
+  const words = new Words();
+  words.t_s = [...new Set([...modes, ...troubles].map(([t_s]) => t_s))].sort((a, b) => a - b);
+  let [m, k] = [0, 0];
+  words.rows = words.t_s.map((t_s) => {
+    while (m + 1 < modes.length && modes[m + 1][0] <= t_s) m += 1;
+    while (k + 1 < troubles.length && troubles[k + 1][0] <= t_s) k += 1;
+    const [, mode_name = "", armed = true, in_air = true] = modes[m] ?? [];
+    const trouble = troubles[k] ? told.health.rows[troubles[k][1]] : {};
+    return { mode_name, armed, landed: !in_air, alive: trouble.condition !== "dead", ...trouble };
+  });
+  return words;
 }
 
 /** A line's values at given times, each until the next point. @param {{x: Float64Array, y: Float64Array}} line @param {Float64Array} t_s */

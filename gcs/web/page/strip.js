@@ -1,6 +1,6 @@
 // The strip on top: how many vehicles are dead, silent, failing, low or warned, which, and how badly; the worst first.
 // @ts-check
-import { h, say } from "./elements.js";
+import { h, say, vehicles } from "./elements.js";
 import { SIGNS } from "./signs.js";
 
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -68,7 +68,7 @@ export class Strip {
       counts.push(`${rows.length} ${title.toLowerCase()}`);
     }
     const armed = snapshot.vehicles.filter((row) => row.armed).length;
-    const well = counts.length ? "" : `All well · ${snapshot.vehicles.length} ${snapshot.vehicles.length === 1 ? "vehicle" : "vehicles"}, ${armed} armed`;
+    const well = counts.length ? "" : `All well · ${vehicles(snapshot.vehicles.length)}, ${armed} armed`;
     if (this.well.hidden !== !well) this.well.hidden = !well;
     say(this.well, well);
     say(this.counts, counts.join(", "));

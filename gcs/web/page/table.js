@@ -1,6 +1,6 @@
 // The fleet as a table, trouble first: filter, totals by state, a histogram of the batteries, and go-to by id.
 // @ts-check
-import { h, number, say } from "./elements.js";
+import { h, number, say, vehicles } from "./elements.js";
 import { colourOf } from "./look.js";
 import { signOf } from "./signs.js";
 import { rank } from "./strip.js";
@@ -155,7 +155,7 @@ export class FleetTable {
       if (row.battery !== null && Number.isFinite(row.battery)) bins[Math.min(Math.max(Math.floor(BINS * row.battery), 0), BINS - 1)] += 1;
     }
     const told = [...counts].sort((a, b) => b[1] - a[1]).map(([state, count]) => `${count} ${state}`);
-    say(this.totals, `${snapshot.vehicles.length} vehicles: ${told.join(", ")}`);
+    say(this.totals, `${vehicles(snapshot.vehicles.length)}: ${told.join(", ")}`);
     const most = Math.max(...bins, 1);
     while (this.histogram.children.length < BINS) this.histogram.append(h("span"));
     bins.forEach((count, k) => {

@@ -97,6 +97,13 @@ def test_a_progress_line_says_time_modes_lowest_battery_and_goal() -> None:
     )
 
 
+def test_a_progress_line_counts_the_silent_whose_modes_and_batteries_are_old() -> None:
+    silent = [vehicle(sysid, condition="silent") for sysid in (1, 2)]
+    line = progress(snapshot(*silent, vehicle(3, condition="low"), goal={}))
+    assert "| 3 Offboard | 2 silent | lowest battery" in line
+    assert "silent" not in progress(demo())
+
+
 def test_a_progress_line_without_a_pace_or_a_vehicle_says_no_more_than_it_knows() -> None:
     line = progress(snapshot(speed=None, duration_s=None, goal={}))
     assert line == "   52.3 s | flying | no vehicle yet"

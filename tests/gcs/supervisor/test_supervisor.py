@@ -3,6 +3,7 @@
 import json
 from typing import Any
 
+import numpy as np
 import pytest
 
 from gcs.mavlink import codec
@@ -101,6 +102,17 @@ def test_grants_are_exempt_from_the_radio_and_nothing_else_is(scripted: Any) -> 
     assert session.supervisor.snapshot.vehicle(1).p_ned is None
     assert session.supervisor.received == 30  # one SYSTEM_TIME each
     assert session.supervisor.arming[1].stage is Stage.IDENTIFY
+
+
+@pytest.mark.parametrize("loss", [0.2, 0.5, 1.0])
+def test_the_loss_that_is_shown_is_that_of_the_radio(scripted: Any, loss: float) -> None:
+    """The SYSTEM_TIME of answers, which the radio never loses, does not count; nor does a replay count it."""
+    session = scripted(radio={"loss": loss}, goal={"duration_s": 200.0})
+    shares = []
+    for _ in range(6):
+        session.fly(110)
+        shares += [session.supervisor.quality.lost_share(sysid) for sysid in (1, 101, 201)]
+    assert np.mean(shares) == pytest.approx(loss, abs=0.03)
 
 
 def test_the_digest_is_the_same_again_and_another_for_one_set_point(scripted: Any) -> None:

@@ -1,0 +1,88 @@
+"""A recorded fleet as a replay would show it: changes of links, failsafes, and health of vehicles over time.
+
+An observer, as of `gcs replay`, receives the frames from which these follow, and is looked at again and again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from itertools import chain
+
+from gcs.mavlink.gaps import GapCounter
+from gcs.recording.session_folder import Recorded
+from gcs.session.observer import Observer
+from gcs.session.timeline import Moments
+from gcs.telemetry.events import Event
+from gcs.telemetry.health import Health
+
+EVERY_S = 0.1
+MOST_LOOKS = 100_000
+"""At vehicles, one by one: a longer flight of many is looked at more seldom."""
+KINDS = frozenset({"link", "failsafe"})
+"""Of events that no decision holds; modes are shown beside them, and vehicles' texts are read from the recording."""
+
+
+class Watched:
+    """Link events and health of a recorded fleet."""
+
+    def __init__(self, recorded: Recorded) -> None:
+        self.events: list[Event] = []
+        """in order of time"""
+        self.health: dict[int, list[tuple[float, Health]]] = {}
+        """by system id: from when on, and the health from then on"""
+        if not any(len(chunk.heads) for chunk in recorded.health_frames):
+            return
+        self._observer = Observer("replay", "", scenario=recorded.scenario)
+        self._gaps = GapCounter()
+        self._observer.resume(self._gaps, 0.0)
+        self._moments, self._done = _moments(recorded), 0
+        self._link = _link(recorded)
+        self._counted = next(self._link, None)
+        vehicles = max(len(recorded.traffic_count), 1)
+        every_s = max(EVERY_S, recorded.end_s * vehicles / MOST_LOOKS)
+        looks, latest_s = 1, 0.0
+        for t_us, frame in chain.from_iterable(chunk.frames() for chunk in recorded.health_frames):
+            latest_s = min(max(latest_s, t_us / 1e6), recorded.end_s)  # a stamp may be years away
+            while round(looks * every_s, 6) < latest_s:
+                self._look(round(looks * every_s, 6))
+                looks += 1
+            self._observer.receive(frame, latest_s, counted=False)
+        while round(looks * every_s, 6) < recorded.end_s:
+            self._look(round(looks * every_s, 6))
+            looks += 1
+        self._look(recorded.end_s)
+
+    def _look(self, t_s: float) -> None:
+        observer = self._observer
+        self._done = self._moments.let_happen(observer, self._done, t_s)
+        observer.ordered = self._moments.ordered(t_s)
+        while self._counted is not None and self._counted[0] <= t_s:
+            at_s, sysid, received, lost = self._counted
+            self._gaps.lost_of[sysid] = self._gaps.lost_of.get(sysid, 0) + lost
+            observer.quality.count(sysid, received, at_s)
+            self._counted = next(self._link, None)
+        self.events += [event for event in observer.pop_events(t_s) if event.kind in KINDS]
+        for sysid, found in observer.health(t_s).items():
+            known = self.health.setdefault(sysid, [(0.0, Health())])
+            if found != known[-1][1]:
+                known.append((t_s, found))
+
+
+def _moments(recorded: Recorded) -> Moments:
+    moments = Moments()
+    for record in recorded.decisions:
+        with contextlib.suppress(KeyError, TypeError, ValueError):  # of another version
+            moments.take(float(record["t_s"]), record)
+    return moments
+
+
+def _link(recorded: Recorded) -> Iterator[tuple[float, int, int, int]]:
+    """(end of a bin in s, system id, frames received in it that may be lost, and lost) in order of time."""
+    own = {one.sysid for one in recorded.scenario.vehicles.launched} if recorded.scenario is not None else set()
+    for k in range(max(map(len, recorded.traffic_count.values()), default=0)):
+        for sysid, received in recorded.traffic_count.items():
+            if k < len(received):
+                at_s = min((k + 1.0) * recorded.traffic_bin_s, recorded.end_s)
+                exempt = int(recorded.traffic_exempt[sysid][k]) if sysid in own else 0
+                yield at_s, sysid, int(received[k]) - exempt, int(recorded.traffic_lost[sysid][k])

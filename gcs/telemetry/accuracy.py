@@ -33,7 +33,7 @@ MOST_JUMP_M = 10.0
 
 
 class ReportedAccuracy:
-    """What one vehicle reports of its accuracy. The last values before it is armed are its usual ones."""
+    """Accuracies that one vehicle reports. The last ones before it is armed are its usual ones."""
 
     def __init__(self) -> None:
         self.armed = False

@@ -27,7 +27,7 @@ class Flight:
 
     def says(self, kind: str, **fields: Any) -> None:
         message = getattr(mav, f"MAVLink_{kind.lower()}_message")
-        empty = {name: 0 for name in message.fieldnames} | fields
+        empty = dict.fromkeys(message.fieldnames, 0) | fields
         if kind == "HEARTBEAT":
             empty["mavlink_version"] = 3
         (frame,) = codec.split(bytes(message(**empty).pack(mav.MAVLink(None, 3, 1)))).frames

@@ -26,8 +26,8 @@ from cells import cell
 # All that is taken from the project; the rest of this file knows no module of it.
 from gcs.cli.main import cli as gcs_command
 from gcs.scenario.json_schema import editor_schema
-from simvehicle.autopilot.parameters import TABLE as PARAMETERS
 from simvehicle.cli import cli as simvehicle_command
+from skytender.vehicle.parameters import TABLE as PARAMETERS
 
 ROOT = Path(__file__).resolve().parents[2]
 

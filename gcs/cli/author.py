@@ -64,10 +64,12 @@ STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which
 def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> list[str]:
     """Print a scenario's warnings to stderr, and return them. With `strict` they are errors: raises ScenarioRefused if
     there are any."""
+    from gcs.planner.returns import warnings as return_warnings
     from gcs.scenario.warnings import warnings
 
+    found = [*warnings(checked), *return_warnings.warnings(checked)]
     level = "error" if strict else "warning"
-    lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in warnings(checked)]
+    lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in found]
     if not lines:
         return []
     click.echo("\n".join(lines), err=True)
@@ -156,8 +158,8 @@ def validate(
     """Check SCENARIO and draw what it says: vehicles, targets' paths, obstacles and ranges, seen from above.
 
     Every mistake is a line with file, line and column. What can be flown and is likely to break the goal is a warning
-    on stderr: speed, latency and braking against ranges and separation, places of pursuers, obstacles on the ring, and
-    figures that look like slips; --strict makes them errors.
+    on stderr: speed, latency and braking against ranges and separation, places and ways up in obstacles, heights of
+    returns without the station, and figures that look like slips; --strict makes them errors.
 
     Code, programs, key files, devices and addresses beyond this machine that the scenario names are listed on stderr,
     and not used: gcs run asks for them. The source of code is looked for and read; with --trust it is imported, too.

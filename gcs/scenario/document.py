@@ -60,11 +60,13 @@ class ScenarioError(Exception):
 
 
 class Conflict(NamedTuple):
-    """Two values that do not go together: where the sentence belongs, and the other place that it concerns."""
+    """Two values that do not go together: where the sentence belongs, and the other place that it concerns; `at_key`:
+    the key there is wrong, not its value."""
 
     path: KeyPath
     message: str
     also: KeyPath | None = None
+    at_key: bool = False
 
 
 def conflict_error(conflicts: Iterable[Conflict]) -> PydanticCustomError:
@@ -121,7 +123,7 @@ class Document:
         """A conflict where the file has it; its paths count from `path`."""
         line = self.problem(path + conflict.also, "").line if conflict.also else None
         also = "" if line is None else f" (see line {line})"
-        return self.problem(path + conflict.path, conflict.message + also)
+        return self.problem(path + conflict.path, conflict.message + also, at_key=conflict.at_key)
 
     def inherit(self, source: KeyPath, heir: KeyPath) -> None:
         """Give the mapping at `heir` what the mapping at `source` has and it lacks, mapping by mapping."""

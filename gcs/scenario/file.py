@@ -110,7 +110,8 @@ def resolve(document: Document, settings: Mapping[str, Any]) -> Scenario:
         return Scenario.model_validate(document.data, context={"axes": document.data.get("axes")})
     except ValidationError as error:
         problems = document.explain(error, editor_schema())
-        if not any(details["type"] == "conflict" for details in error.errors()):  # they were not looked for
+        whole = [details["type"] for details in error.errors() if not details["loc"]]
+        if "conflict" not in whole:  # they were not looked for
             problems += [document.disagreement(repeated) for repeated in _repeated_ids(document.data)]
         raise ScenarioError(sorted(problems, key=lambda problem: (problem.line or 0, problem.column or 0))) from None
 

@@ -12,8 +12,8 @@ from enum import IntEnum
 from itertools import islice
 from typing import Any, NamedTuple
 
-from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.vectors import Vec3
+from skytender.vehicle.parameters import float32
 
 STALE_S = 1.5
 """A peer that has been silent for so long takes no part any more."""

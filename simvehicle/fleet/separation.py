@@ -23,7 +23,6 @@ from numpy.typing import NDArray
 
 from simvehicle.autopilot.maneuvers import AT_REST, ManeuverTarget
 from simvehicle.autopilot.modes import STEERED, Mode
-from simvehicle.autopilot.parameters import float32
 from simvehicle.autopilot.vectors import Vec3, along, vec
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.fleet.peer_table import PeerTable
@@ -36,6 +35,7 @@ from skytender.safety.intruders import Intruder, table_of
 from skytender.safety.safety_filter import BRAKE_SHARE, FilterSettings, Leaders, filter_step
 from skytender.safety.silence import STEP_M
 from skytender.safety.traffic import KnownTraffic, TrafficReach
+from skytender.vehicle.parameters import float32
 
 LAG_S = 0.37
 """A vehicle flies so long behind its leader (docs/model/control.md#guidance)."""

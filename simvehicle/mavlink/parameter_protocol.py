@@ -7,10 +7,11 @@ import struct
 from typing import Any
 
 from simvehicle.autopilot import parameters
-from simvehicle.autopilot.parameters import WRONG_TYPE, ParameterError, ParameterRow
+from simvehicle.autopilot.parameters import WRONG_TYPE, ParameterError
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
 from skytender import mavlink as mav
+from skytender.vehicle.parameters import ParameterRow
 
 NO_INDEX = -1
 CAPACITY = "SIM_BAT_CAP_J"
@@ -56,7 +57,7 @@ def change(context: ServiceContext, call: Call) -> None:
     return call.connection.put(_param_value(context, row, vehicle.parameters[row.name], index))
 
 
-def _param_value(context: ServiceContext, row: parameters.ParameterRow, value: float, index: int) -> Any:
+def _param_value(context: ServiceContext, row: ParameterRow, value: float, index: int) -> Any:
     vehicle = context.vehicle
     return value_message(row, value, index, len(vehicle.parameters), bytewise=vehicle.identity.integers_bytewise)
 

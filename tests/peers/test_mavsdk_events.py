@@ -9,7 +9,7 @@ from pathlib import Path
 from patience import PATIENCE_S
 from quick_vehicles import Fly
 
-from simvehicle.autopilot.parameters import ALONE, TABLE
+from skytender.vehicle.parameters import ALONE, TABLE
 
 SCRIPT = Path(__file__).with_name("events_by_mavsdk.py")
 

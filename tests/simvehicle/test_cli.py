@@ -75,6 +75,10 @@ def test_bad_command_line_is_told_in_one_sentence(
         (b"MPC_LAND_SPEED: 1\nMPC_LAND_SPEED: 2", ", line 2: MPC_LAND_SPEED is given twice"),
         (b"SIM_BAT_CAP_J: " + b"9" * 400, ": SIM_BAT_CAP_J = inf is outside"),
         (b"SIM_BAT_CAP_J: 10\nSIM_BAT_INIT_J: 11", ": SIM_BAT_INIT_J is above SIM_BAT_CAP_J"),
+        (
+            b"SIM_GAIN_RATE: 600",
+            ": the flight law refuses these values: gains.rate is 600.0, but it must be less than 500",
+        ),
         (b"a: {", ": while parsing"),
     ],
 )

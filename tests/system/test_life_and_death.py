@@ -263,13 +263,13 @@ def test_a_vehicle_that_may_not_arm_says_so_once(tmp_path: Path) -> None:
 
 def test_a_vehicle_that_cannot_start_is_named_with_its_last_lines_and_there_is_no_report(tmp_path: Path) -> None:
     content = small()
-    content["vehicles"]["pursuers"][0]["params"] = {"MPC_TKO_SPEED": 99.0}
+    content["vehicles"]["pursuers"][0]["params"] = {"SIM_GAIN_RATE": 600.0}  # only the vehicle knows its law
     outcome = fly_apart(content, tmp_path, "--plain", report=True)
     assert outcome.status != 0
     assert "report" not in outcome.stdout + outcome.stderr
     assert not (outcome.folder / "report.html").exists()
     assert "pursuer 1" in outcome.stderr
-    assert "MPC_TKO_SPEED" in outcome.stderr
+    assert "gains.rate is 600.0" in outcome.stderr
     assert "Traceback" not in outcome.stderr
 
 

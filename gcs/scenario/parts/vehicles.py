@@ -1,11 +1,13 @@
 """Vehicles by role, with their batteries."""
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import ConfigDict, model_validator
 
+from gcs.scenario.document import conflict_error
 from gcs.scenario.external import External, filled
 from gcs.scenario.parts.mission import Mission
+from gcs.scenario.parts.parameters import parameter_conflicts
 from gcs.scenario.types import (
     Angles,
     Exact,
@@ -79,6 +81,15 @@ class VehicleBase(Part):
     """further MAVLink parameters"""
     external: External | None = None
     """expected there rather than launched; start_m then means nothing, it is where it is"""
+
+    @model_validator(mode="after")
+    def _takes_its_parameters(self) -> Self:
+        if self.params and self.real is None and self.external is None:
+            full_j = self.battery.capacity_j
+            initial_j = full_j * self.battery.initial_percent / 100.0
+            if found := [*parameter_conflicts(self.params, capacity_j=full_j, initial_j=initial_j)]:
+                raise conflict_error(found)
+        return self
 
     @property
     def real(self) -> RealAutopilot | None:

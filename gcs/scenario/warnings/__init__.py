@@ -6,7 +6,7 @@ Rules of thumb, said before anything flies; nothing here keeps a scenario from b
 from __future__ import annotations
 
 from gcs.scenario.model import Scenario
-from gcs.scenario.warnings import distances, room, slips
+from gcs.scenario.warnings import distances, gaps, near_obstacles, room, slips, supplies
 from gcs.scenario.warnings.warning import ScenarioWarning
 
 __all__ = ["ScenarioWarning", "warnings"]
@@ -14,4 +14,7 @@ __all__ = ["ScenarioWarning", "warnings"]
 
 def warnings(scenario: Scenario) -> list[ScenarioWarning]:
     """All warnings of a scenario; those about single figures first."""
-    return [*slips.warnings(scenario), *distances.warnings(scenario), *room.warnings(scenario)]
+    found: list[ScenarioWarning] = []
+    for of in (slips, supplies, distances, near_obstacles, room, gaps):
+        found += of.warnings(scenario)
+    return found

@@ -1,4 +1,4 @@
-"""Warnings of places that lie too near for vehicles that do not know exactly where they are."""
+"""Warnings of places that lie too near to each other for vehicles that do not know exactly where they are."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ from itertools import combinations
 
 from gcs.scenario.accuracy import spreads_m
 from gcs.scenario.model import Scenario
-from gcs.scenario.warnings.slips import sent_to
 from gcs.scenario.warnings.warning import ScenarioWarning
 from skytender import elementary
 
 
 def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """Starts, last way points, rings and places beside obstacles without room for errors of places."""
+    """Starts, last way points and rings without room for errors of places."""
     rules, spreads = scenario.planner, spreads_m(scenario)
     if not any(spreads.values()):
         return
@@ -28,14 +27,14 @@ def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     if rules.vehicles_repel:
         yield from _of_pairs(scenario, spreads)
         yield from _of_rings(scenario, spreads)
-    yield from _beside_obstacles(scenario, spreads)
 
 
 def _worst_m(scenario: Scenario) -> float:
     return max(vehicle.sensors.position_m for vehicle in scenario.vehicles.all if vehicle.sensors is not None)
 
 
-def _why(scenario: Scenario, kept_m: float) -> str:
+def why_kept(scenario: Scenario, kept_m: float) -> str:
+    """Reason for a distance that is kept between places that are not known exactly."""
     return (
         f"with places known to {_worst_m(scenario):g} m at least {kept_m:.2f} m are kept "
         f"(planner.confidence {scenario.planner.confidence:g})"
@@ -58,7 +57,7 @@ def _of_pairs(scenario: Scenario, spreads: dict[int, float]) -> Iterator[Scenari
             _, apart_m, kept_m, one, other = min(near)
             more = f", the nearest of {len(near)} such pairs" if len(near) > 1 else ""
             yield ScenarioWarning(
-                "accuracy", f"{one} and {other} {what} {apart_m:.2f} m apart{more}: {_why(scenario, kept_m)}"
+                "accuracy", f"{one} and {other} {what} {apart_m:.2f} m apart{more}: {why_kept(scenario, kept_m)}"
             )
 
 
@@ -85,23 +84,6 @@ def _of_rings(scenario: Scenario, spreads: dict[int, float]) -> Iterator[Scenari
                 yield ScenarioWarning(
                     "accuracy",
                     f"on the ring around {labels[target]} vehicles are {gap_m:.2f} m from {what}: "
-                    f"{_why(scenario, kept_m)}; widen formation.ring_m",
+                    f"{why_kept(scenario, kept_m)}; widen formation.ring_m",
                 )
                 break
-
-
-def _beside_obstacles(scenario: Scenario, spreads: dict[int, float]) -> Iterator[ScenarioWarning]:
-    """Starts and places that vehicles are sent to."""
-    if not scenario.obstacles:
-        return
-    kept_m = scenario.planner.clearance_m + max(spreads.values())
-    near = []
-    starts = [(f"the start of {v.label}", v.start_m) for v in scenario.vehicles.launched]
-    for name, place in (*starts, *sent_to(scenario)):
-        clear_m = min(obstacle.clearance_m(place) for obstacle in scenario.obstacles)
-        if clear_m < kept_m:
-            near.append((clear_m, name))
-    if near:
-        clear_m, name = min(near)
-        more = f", the nearest of {len(near)} such places" if len(near) > 1 else ""
-        yield ScenarioWarning("accuracy", f"{name} is {clear_m:.2f} m from an obstacle{more}: {_why(scenario, kept_m)}")

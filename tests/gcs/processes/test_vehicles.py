@@ -32,7 +32,7 @@ def scenario(**changed: Any) -> Scenario:
         "vehicles": {"pursuers": [
             {"sysid": 3, "start_m": (-1.5, 2.0, -3.25), "velocity_m_s": (-1.0, 0.5, 0.0), "airborne": True,
              "attitude_deg": (-5.0, 10.0, 90.0), "battery": battery,
-             "params": {"SIM_XFER_DIST": 2.5, "MPC_TILT": 30.0}},
+             "params": {"SIM_XFER_DIST": 2.5, "MPC_TILTMAX_AIR": 30.0}},
             {"sysid": 4, "start_m": (9.0, 9.0, 0.0), "battery": battery},
         ]},
         "traffic": [{"callsign": "NORTH1", "path_m": [(1.0, -2.0, -3.0), (4.0, 5.0, -6.0)], "speed_m_s": 0.5,
@@ -86,7 +86,7 @@ def test_parameters_are_the_scenarios_and_the_vehicles_own_win(folder: Path) -> 
     written = yaml.safe_load((folder / "vehicles" / "3.params.yaml").read_text())
     assert written == parameters_of(first, world) == {
         "SIM_BAT_CAP_J": 24_000.0, "SIM_BAT_INIT_J": 14_400.0, "SIM_BAT_HOVER_W": 180.0, "SIM_BAT_AVION_W": 12.0,
-        "SIM_XFER_DIST": 2.5, "SIM_XFER_SPEED": 0.25, "MPC_TILT": 30.0,
+        "SIM_XFER_DIST": 2.5, "SIM_XFER_SPEED": 0.25, "MPC_TILTMAX_AIR": 30.0,
         "RTL_RETURN_ALT": 5.0, "COM_OF_LOSS_T": 0.5,
     }  # fmt: skip
     assert parameters_of(second, world)["SIM_XFER_DIST"] == 1.75

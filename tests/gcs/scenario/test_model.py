@@ -17,6 +17,7 @@ from gcs.scenario import file
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Obstacle, Scenario, ScenarioError
 from gcs.scenario.types import Part
+from skytender.vehicle.parameters import TABLE
 
 DEMO = file.find("demo").read_text(encoding="utf-8")
 
@@ -294,7 +295,9 @@ obstacles = st.one_of(
     st.builds(Obstacle, box_m=st.tuples(vectors, vectors.map(lambda v: (v[0] + 3e4, v[1] + 3e4, v[2] + 3e4)))),
     st.builds(Obstacle, cylinder_m=st.tuples(coordinates, coordinates), radius_m=thin, bottom_m=below, top_m=above),
 )
-names = st.from_regex(r"[A-Z][A-Z0-9_]{0,15}", fullmatch=True)
+parameters = st.sampled_from([row for row in TABLE if not row.name.startswith("SIM_BAT_")]).flatmap(
+    lambda row: st.tuples(st.just(row.name), st.floats(row.least, row.most))
+)
 changes = st.fixed_dictionaries(
     {
         "obstacles": st.lists(obstacles, max_size=3),
@@ -303,7 +306,7 @@ changes = st.fixed_dictionaries(
             datetime(1971, 1, 1), datetime(2199, 1, 1), timezones=st.just(UTC))}),
         "vehicles": st.fixed_dictionaries({"pursuers": st.tuples(st.fixed_dictionaries({
             "sysid": st.integers(1, 254), "start_m": st.just([5e4, 0, 0]), "battery": st.just({"capacity_j": 1}),
-            "params": st.dictionaries(names, st.floats(-1e30, 1e30), max_size=3)}))}),
+            "params": st.lists(parameters, max_size=3).map(dict)}))}),
     }
 )  # fmt: skip
 

@@ -8,7 +8,9 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
-from simvehicle.autopilot.parameters import TABLE
+from simvehicle.autopilot.parameters import Parameters
+from simvehicle.law.params import NAMED
+from skytender.vehicle.parameters import TABLE
 
 REAL32, INT32 = mav.MAV_PARAM_TYPE_REAL32, mav.MAV_PARAM_TYPE_INT32
 OUT_OF_RANGE, READ_ONLY = mav.MAV_PARAM_ERROR_VALUE_OUT_OF_RANGE, mav.MAV_PARAM_ERROR_READ_ONLY
@@ -51,6 +53,17 @@ def test_list_gives_each_parameter_once_with_its_index(vehicle_bench: Any) -> No
     assert [m.param_index for m in values] == list(range(len(TABLE)))
     assert {m.param_count for m in values} == {len(TABLE)}
     assert all(len(row.name) <= 16 for row in TABLE)
+
+
+def test_the_tables_defaults_are_the_flight_laws() -> None:
+    flown, law = Parameters().flight(), NAMED["default"]
+    assert (flown.gains, flown.battery, flown.airframe, flown.guidance) == (
+        law.gains,
+        law.battery,
+        law.airframe,
+        law.guidance,
+    )
+    assert vars(flown.limits) == pytest.approx(vars(law.limits), rel=1e-15)
 
 
 def test_parameter_is_read_alike_by_name_and_by_index(vehicle_bench: Any) -> None:

@@ -14,7 +14,7 @@ import pytest
 from metadata_vehicle import crc32
 from pymavlink.dialects.v20 import common as mav
 
-from simvehicle.autopilot.parameters import TABLE
+from skytender.vehicle.parameters import TABLE
 from tests.simvehicle.mavlink.test_file_protocol import ACK, BURST, OPEN, ask, read
 
 SCHEMAS = json.loads((Path(__file__).parents[2] / "support" / "metadata_schemas.json").read_text(encoding="utf-8"))

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from statistics import median
 from typing import Any
 
 import numpy as np
@@ -29,8 +30,9 @@ from gcs.planner.planner import LEAST_MARGIN_M, STILL
 from gcs.planner.request import PlanRequest, TickPlanner
 from gcs.planner.surroundings import LOOKAHEAD_S
 from gcs.planner.tracking import Tracking
-from gcs.scenario.accuracy import spreads_m
+from gcs.scenario.accuracy import factor, spreads_m
 from gcs.scenario.model import Scenario
+from gcs.telemetry.accuracy import Spreads
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.state import Vec3, VehicleView
 from skytender import elementary
@@ -92,8 +94,8 @@ class SafePlanner(TickPlanner):
         self._speed_m_s = np.array([speeds[v.sysid] for v in every])
         self._takeoff_m = [v.takeoff_m for v in every]
         self._a_max = np.array([acceleration_m_s2(scenario, v) for v in every])
-        spreads = spreads_m(scenario)
-        self._spread_m = np.array([spreads[v.sysid] for v in every])
+        self._spreads = Spreads([*spreads_m(scenario).values()], factor(scenario), self._a_max)
+        self._spread_m = np.zeros(n)
         self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
         launched = (v for v in every if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
@@ -146,6 +148,7 @@ class SafePlanner(TickPlanner):
         columns = snapshot.columns
         self._late = period_s > (LATE_PERIODS - 0.5) * self._scenario.clock.period_s
         self._link_age.receive(columns.age_s, period_s)
+        self._spread_m = self._spreads.of(snapshot, period_s)
         self._follow(request, columns)
         if request.approaches and self._scenario.planner.vehicles_repel:
             request = request._replace(stand_off_m=self._stand_off_m(request))
@@ -197,10 +200,7 @@ class SafePlanner(TickPlanner):
                 self._p_ned[row], self._v_ned[row] = columns.p_now_ned[row] + self.lag_s * v_ned, v_ned
             tracking.restart(row)
             self._planner.anchor((columns.sysids[row],), self._p_ned[row : row + 1])
-        lags_s = sorted(tracking.lag_s[rows].tolist())
-        half = len(lags_s) // 2
-        median_s = lags_s[half] if len(lags_s) % 2 else (lags_s[half - 1] + lags_s[half]) / 2
-        self.lag_s = max(median_s, LOOKAHEAD_S)
+        self.lag_s = max(median(tracking.lag_s[rows].tolist()), LOOKAHEAD_S)
 
     @property
     def _doubtful(self) -> NDArray[np.bool_]:

@@ -19,8 +19,7 @@ from skytender import elementary
 def spreads_m(scenario: Scenario) -> dict[int, float]:
     """Each vehicle's spread beside what stands, m, by system id; 0 for one that knows its place or says nothing."""
     sensors = {vehicle.sysid: vehicle.sensors for vehicle in scenario.vehicles.all}
-    errors = [one for one in sensors.values() if one is not None]
-    k = _factor(scenario, errors) if errors else 0.0
+    k = factor(scenario)
     return {sysid: 0.0 if one is None else k * one.position_m for sysid, one in sensors.items()}
 
 
@@ -30,9 +29,10 @@ def widest_m(scenario: Scenario) -> tuple[float, float]:
     return elementary.hypot(other_m, widest_m), widest_m
 
 
-def _factor(scenario: Scenario, errors: list[Sensors]) -> float:
+def factor(scenario: Scenario) -> float:
     """k, to two decimals: the C library's logarithm, which differs in its last bit between processors, is not flown."""
-    count = len(scenario.vehicles.all)
-    times = 1.0 + scenario.goal.duration_s / min(one.position_s for one in errors)
+    count, every = len(scenario.vehicles.all), scenario.vehicles.all
+    lasts_s = [vehicle.sensors.position_s for vehicle in every if vehicle.sensors is not None]
+    times = 1.0 + scenario.goal.duration_s / min(lasts_s, default=Sensors().position_s)
     beyond = (1.0 - scenario.planner.confidence) / (times * count * (count + 1) / 2)
     return round(-NormalDist().inv_cdf(beyond), 2)

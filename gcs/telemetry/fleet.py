@@ -363,9 +363,6 @@ class Fleet:
     def _ack(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         self.acks.append((track.member.sysid, content))
 
-    def _traffic_of(self, track: VehicleTrack, content: Any, time_s: float) -> None:
-        self._receive_traffic(content, time_s)
-
     def _receive_traffic(self, content: Any, time_s: float) -> None:
         if plausibility.globe(content.lat, content.lon):
             return
@@ -389,9 +386,11 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_BATTERY_STATUS: Fleet._battery,
     mav.MAVLINK_MSG_ID_STATUSTEXT: Fleet._statustext,
     mav.MAVLINK_MSG_ID_COMMAND_ACK: Fleet._ack,
-    mav.MAVLINK_MSG_ID_ADSB_VEHICLE: Fleet._traffic_of,
+    mav.MAVLINK_MSG_ID_ADSB_VEHICLE: lambda fleet, _, content, time_s: fleet._receive_traffic(content, time_s),
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES: Fleet._available_mode,
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR: Fleet._modes_changed,
+    mav.MAVLINK_MSG_ID_GPS_RAW_INT: lambda _, track, content, time_s: track.accuracy.satellites(content, time_s),
+    mav.MAVLINK_MSG_ID_ESTIMATOR_STATUS: lambda _, track, content, _s: track.accuracy.estimator(content),
     mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_BASIC_ID: Fleet._remote_id,
     mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_LOCATION: Fleet._remote_id,
 }

@@ -127,6 +127,10 @@ def health_issues(
         found.append(HealthIssue("position out of date", LOOK))
     if view.p_ned is not None and view.uncertain:
         found.append(HealthIssue("position uncertain", LOOK))
+    if view.armed and view.fix_lost_s < math.inf:
+        found.append(HealthIssue("no GPS fix", ACT))
+    elif view.worse_m:
+        found.append(HealthIssue(f"place known to {view.worse_m:.1f} m less", LOOK))
     found += _energy(view)
     if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
         found.append(HealthIssue(view.mode_name, LOOK if ordered else ACT))

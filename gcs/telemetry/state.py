@@ -85,6 +85,10 @@ class VehicleView(NamedTuple):
     """whether its mode can be believed, by the age of its HEARTBEAT"""
     listed_modes: standard_modes.Listed = EMPTY
     """its modes as it lists them itself"""
+    fix_lost_s: float = math.inf
+    """session time at which its GPS lost its fix; infinity while it has one, or never had"""
+    worse_m: float = 0.0
+    """standard deviation of its place that has come on top of the usual one"""
 
     @property
     def mode_name(self) -> str:

@@ -20,6 +20,7 @@ from gcs.mavlink.services.standard_modes import Listed
 from gcs.mavlink.statustext import Texts
 from gcs.telemetry import fleet_columns as of
 from gcs.telemetry import plausibility
+from gcs.telemetry.accuracy import ReportedAccuracy
 from gcs.telemetry.batteries import Batteries
 from gcs.telemetry.battery_account import BatteryAccount
 from gcs.telemetry.columns import IS_LANDED, P_NED, FleetColumns
@@ -86,6 +87,8 @@ class VehicleStatus(NamedTuple):
     """the last one, however long ago"""
     uncertain: str
     listed_modes: Listed
+    fix_lost_s: float
+    worse_m: float
 
 
 class VehicleTrack:
@@ -121,6 +124,7 @@ class VehicleTrack:
         self.origin_refused = False
         """whether the last origin that it reported is not believed: its positions may be of that frame"""
         self.uncertain = ""
+        self.accuracy = ReportedAccuracy()
         self.listed_modes: Listed = EMPTY
         self.modes_seq = 0
         """AVAILABLE_MODES_MONITOR's number of that list"""
@@ -142,7 +146,7 @@ class VehicleTrack:
         self.custom_mode, base_mode, self.system_status = modes
         self.profile = self.member.profile or profile_of(autopilot, self.member.vehicle_type)
         self.mode = standard_modes.mode(self.profile, self.custom_mode, self.listed_modes)
-        self.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
+        self.armed = self.accuracy.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
 
     def session_s(self, boot_ms: int, time_s: float) -> float:
         """When it said something, by its own clock if that is known; it was not later than now."""
@@ -168,6 +172,7 @@ class VehicleTrack:
             ground_down_m, self.custom_mode, self.turn_rad,
             self.armed and self.system_status in _FAILSAFE,
             self.doubt, self.uncertain, self.listed_modes,
+            self.accuracy.fix_lost_s, self.accuracy.worse_m,
         )  # fmt: skip
 
 
@@ -245,4 +250,5 @@ class Instant(NamedTuple):
             message_s, status.uncertain,
             not now_s - received_s > MODE_STALE_S or received_s < 0.0,
             status.listed_modes,
+            status.fix_lost_s, status.worse_m,
         )  # fmt: skip

@@ -9,6 +9,8 @@ cdef class Plant:
     cdef readonly object state
     cdef State* row  # of `state`: what the law knows
     cdef RotorState* rotors  # the same row, or NULL on the paper's plant
+    cdef readonly double place_deviation_m
+    cdef readonly double velocity_deviation_m_s
     cdef object _packed
     cdef const Parameters* _parameters
 

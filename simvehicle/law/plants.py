@@ -52,6 +52,9 @@ class Plant:
     """(1, n)"""
     row: Any
     rotors: Any
+    place_deviation_m: float
+    """standard deviation of each axis of the place that it knows; 0 where it knows its place exactly"""
+    velocity_deviation_m_s: float
     _packed: NDArray[np.float64]
     _parameters: Any
 
@@ -167,6 +170,8 @@ class RotorPlant(Plant):
         frame, gusts = self._frame, self._gusts
         self._airframe, self._gust, self._gust_count = airframe_at(frame[0]), gusts_at(gusts), gusts.shape[0]
         self._gusty, self._errs = air.turbulence_m_s > 0.0, own.errors is not None
+        if own.errors is not None:
+            self.place_deviation_m, self.velocity_deviation_m_s = own.errors.position_m, own.errors.velocity_m_s
 
     def _place(self, state: NDArray[np.float64]) -> None:
         """As every plant."""

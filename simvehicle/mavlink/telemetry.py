@@ -266,7 +266,9 @@ def _gps_raw_int(v: Any, m: Any) -> None:
     m.vel = _bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16)
     m.cog = _cdeg(elementary.atan2(v_east, v_north))
     m.satellites_visible = 0 if lost else 14
-    m.h_acc, m.v_acc, m.vel_acc = 300, 500, 100
+    if not lost:  # 0 is unknown
+        m.h_acc = m.v_acc = max(_rounded(1e3 * v.plant.place_deviation_m), 1)
+        m.vel_acc = max(_rounded(1e3 * v.plant.velocity_deviation_m_s), 1)
 
 
 def _home_position(v: Any, m: Any) -> None:

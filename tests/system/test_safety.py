@@ -131,6 +131,27 @@ def test_close_neighbours_on_a_slow_link_stay_where_they_are_until_they_are_stee
         assert np.linalg.norm(p_ned - one["start_m"], axis=1).max() < 0.5
 
 
+def beside_one_whose_gps_fails(apart_m: float, fault: dict[str, Any]) -> dict[str, Any]:
+    """Two that hover beside each other."""
+    content = circle(2, 1.5, goal={"duration_s": 30.0}, faults=[{"sysid": 2, "at_s": 8.0, "for_s": 12.0} | fault])
+    for one, east in zip(content["vehicles"]["pursuers"], (0.0, apart_m), strict=True):
+        one["start_m"], one["waypoints_m"] = [0.0, east, -5.0], [[0.0, east, -5.0]]
+    return content
+
+
+def test_a_vehicle_whose_gps_jumps_is_given_as_much_more_room(tmp_path: Path) -> None:
+    """It flies back to where it believes that it hovers: 0.4 m beside the other one, if that stays."""
+    outcome = fly(beside_one_whose_gps_fails(4.0, {"fault": "gps_jump", "jump_m": [0.0, 3.6]}), tmp_path)
+    assert nearest_m(at_grants(outcome, (1, 2))) > WANTED_M
+    assert outcome.truth(2).p_ned[:, 1].min() < 1.5
+
+
+def test_a_vehicle_without_a_fix_is_given_more_room(tmp_path: Path) -> None:
+    outcome = fly(beside_one_whose_gps_fails(2.0, {"fault": "gps_off"}), tmp_path)
+    assert nearest_m(at_grants(outcome, (1, 2))) > WANTED_M
+    assert outcome.truth(1).p_ned[:, 1].min() < -0.3
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("planner", ["OnePoint", "Raises"])
 def test_a_planner_of_a_users_own_cannot_make_them_meet(tmp_path: Path, planner: str) -> None:

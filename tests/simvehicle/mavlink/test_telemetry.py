@@ -57,6 +57,7 @@ def test_global_position_agrees_with_the_ellipsoid(vehicle_bench: Any, p_ned: tu
     assert gps.vel == 250
     assert gps.cog == round(100 * (math.degrees(math.atan2(-2.0, 1.5)) % 360.0))
     assert gps.fix_type == mav.GPS_FIX_TYPE_3D_FIX
+    assert (gps.h_acc, gps.v_acc, gps.vel_acc) == (1, 1, 1)  # it knows its place exactly, and 0 would be unknown
 
 
 def test_origin_home_and_follow_target_stand_in_one_frame(vehicle_bench: Any) -> None:

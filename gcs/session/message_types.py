@@ -57,10 +57,10 @@ class PlanBRow(Struct):
     return_m: float
     """height above its home at which it flies home; of an external vehicle above the scenario's height 0"""
     level_after_s: float
-    """of a timetable for the fleet: it flies level no earlier than then, and 0: no timetable; one whose autopilot is
-    not ours holds until then, and climbs"""
+    """of a timetable for the fleet: it flies level no earlier than so long after its last HEARTBEAT, and 0: no
+    timetable; one whose autopilot is not ours holds until then, and climbs"""
     down_after_s: float
-    """and comes down no earlier than then"""
+    """and comes down no earlier than so long after it"""
 
 
 class MemberRow(Struct):

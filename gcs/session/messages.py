@@ -289,7 +289,8 @@ def _members(scenario: Scenario) -> list[MemberRow]:
     failsafes, foreign = failsafes_of(scenario), foreign_returns_of(scenario)
     for member in members:
         if (own := failsafes.get(member.sysid)) is not None:
-            member.plan_b = PlanBRow(own.altitude_m, own.level_after_s, own.down_after_s)
+            after_s = own.loss_s if own.down_after_s else 0.0  # by the timetable
+            member.plan_b = PlanBRow(own.altitude_m, own.level_after_s + after_s, own.down_after_s + after_s)
         elif (other := foreign.get(member.sysid)) is not None:
             member.plan_b = PlanBRow(other.height_m, other.begins_after_s, other.lands_after_s)
     return members

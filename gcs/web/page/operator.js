@@ -135,7 +135,7 @@ function listed(rows, reason, head, level, name) {
 /** Plan B in words. @param {PlanB | undefined} plan */
 export function planText(plan) {
   if (!plan) return "by its own parameters";
-  const times = plan.down_after_s ? `, level after ${plan.level_after_s.toFixed(0)} s, down after ${plan.down_after_s.toFixed(0)} s` : "";
+  const times = plan.down_after_s ? `, level from ${plan.level_after_s.toFixed(0)} s, down from ${plan.down_after_s.toFixed(0)} s after the last HEARTBEAT` : "";
   return `straight home at ${plan.return_m.toFixed(1)} m above it${times}`;
 }
 

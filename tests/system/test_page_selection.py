@@ -208,7 +208,7 @@ def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
     )
     expect(dialog.get_by_role("region", name="plan B").locator("tbody tr")).to_have_text(
         [
-            "1, 2, 3, 4, 5straight home at 12.5 m above it, level from 14 s, down from 35 s after the last HEARTBEAT",
+            "1, 2, 3, 4, 5straight home at 12.5 m above it, level from 9 s, down from 30 s after the last HEARTBEAT",
             "6, 7by its own parameters",
         ]
     )

@@ -61,13 +61,16 @@ SET = click.option(
 STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which anything is warned.")
 
 
-def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False) -> list[str]:
+def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False, starts: bool = False) -> list[str]:
     """Print a scenario's warnings to stderr, and return them. With `strict` they are errors: raises ScenarioRefused if
-    there are any."""
-    from gcs.planner.returns import warnings as return_warnings
+    there are any. Without those of plan B where the session `starts`: it has the planner, and says them itself."""
     from gcs.scenario.warnings import warnings
 
-    found = [*warnings(checked), *return_warnings.warnings(checked)]
+    found = warnings(checked)
+    if not starts:
+        from gcs.planner.returns.warnings import warnings as return_warnings
+
+        found += return_warnings(checked)
     level = "error" if strict else "warning"
     lines = [f"{scenario}: {level}: {warning.about}: {warning.text}" for warning in found]
     if not lines:

@@ -220,7 +220,7 @@ def run(
         else:
             write_scenario(folder, resolved)
         if not (strict or quiet):
-            show_warnings(scenario, resolved)  # while the supervisor starts
+            show_warnings(scenario, resolved, starts=True)  # while the supervisor starts
 
         error: str | None = None
         hurry = threading.Event()

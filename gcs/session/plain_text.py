@@ -13,7 +13,6 @@ from typing import Any
 
 from gcs.processes.startup import STARTING_LINE
 from gcs.scenario.goal import Nearest, metres, outcome_text, progress_text
-from gcs.telemetry.health import Condition
 
 Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""
@@ -91,7 +90,7 @@ def progress(snapshot: Snapshot) -> str:
     if snapshot["speed"] is not None:
         parts.append(f"x{snapshot['speed']:.2f}")
     parts += [clean(snapshot["phase"]), counts(snapshot["vehicles"]) or "no vehicle yet"]
-    if silent := sum(v.get("condition") == Condition.SILENT for v in snapshot["vehicles"]):
+    if silent := sum(v.get("condition") == "silent" for v in snapshot["vehicles"]):
         parts.append(f"{silent} silent")
     known = [v for v in snapshot["vehicles"] if v["alive"] and v["battery"] is not None]
     if known:

@@ -17,6 +17,7 @@ from gcs.link.link import Link
 from gcs.link.lockstep import REPEAT_S
 from gcs.link.socket import BUFFER_BYTES
 from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.planner.returns.warnings import given_heights
 from gcs.processes.fork_server import Ended
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
@@ -207,6 +208,8 @@ class SessionProcess:
         if self._link.buffer_bytes < BUFFER_BYTES:
             granted = f"{self._link.buffer_bytes >> 10} KiB"
             self._event(0, "warning", f"The kernel grants a receive buffer of {granted}, not 4 MiB: raise rmem_max")
+        for text in given_heights(self._scenario):
+            self._event(0, "warning", text)
         vehicles = self._scenario.vehicles.launched
         self._lockstep_link.expect(self._vehicles.keys)
         self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)

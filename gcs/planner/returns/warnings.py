@@ -17,7 +17,7 @@ from gcs.scenario.model import Pursuer, Scenario, Tanker, VehicleBase
 from gcs.scenario.warnings.warning import ScenarioWarning
 from skytender import geometry
 
-KEY = "RTL_RETURN_ALT"
+RETURN_ALTITUDE = "RTL_RETURN_ALT"
 NAMED = 3
 """Of many vehicles so many are named."""
 ROUNDING_M = 1e-6
@@ -47,12 +47,18 @@ def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     for vehicle in scenario.vehicles.launched:
         if (failsafe := failsafes.get(vehicle.sysid)) is not None:
             height_m = failsafe.altitude_m - vehicle.start_m[2]
-            returns.append(_Return(vehicle, KEY in vehicle.params, failsafe.altitude_m, height_m))
+            returns.append(_Return(vehicle, RETURN_ALTITUDE in vehicle.params, failsafe.altitude_m, height_m))
     yield from _of_shared(returns, scenario)
     # A height that is not given is too low only where it is cut.
     fixed = [one for one in returns if one.given or one.above_home_m >= MOST_ALTITUDE_M]
     yield from _of_places(fixed, scenario)
     yield from _of_obstacles(fixed, scenario)
+
+
+def given_heights(scenario: Scenario) -> list[str]:
+    """Sentences of `warnings` for a session that begins; none, and at once, where the scenario gives no height."""
+    given = any(RETURN_ALTITUDE in vehicle.params for vehicle in scenario.vehicles.launched)
+    return [f"Plan B: {warning.text}" for warning in warnings(scenario)] if given else []
 
 
 def _of_shared(returns: Sequence[_Return], scenario: Scenario) -> Iterator[ScenarioWarning]:
@@ -64,11 +70,11 @@ def _of_shared(returns: Sequence[_Return], scenario: Scenario) -> Iterator[Scena
         group = [by_sysid[sysid] for sysid in sysids]
         (given if any(one.given for one in group) else ended).append(group)
     for groups, why in (
-        (given, f"leave {KEY} out of their params, and each gets a height of its own"),
+        (given, f"leave {RETURN_ALTITUDE} out of their params, and each gets a height of its own"),
         (
             ended,
-            f"heights end at {MOST_ALTITUDE_M:g} m, the greatest {KEY}: fly fewer vehicles, or move their places apart "
-            "so that their ways home do not cross",
+            f"heights end at {MOST_ALTITUDE_M:g} m, the greatest {RETURN_ALTITUDE}: fly fewer vehicles, or move their "
+            "places apart so that their ways home do not cross",
         ),
     ):
         if groups:
@@ -113,8 +119,8 @@ def _of_low(low: Sequence[_TooLow], below: str, move: str) -> Iterator[ScenarioW
     can = [one for one in low if one.one.above_home_m < MOST_ALTITUDE_M]
     cannot = [one for one in low if one not in can]
     for group, advice in (
-        (can, f"leave {KEY} out of params, or raise it"),
-        (cannot, f"{KEY} is {MOST_ALTITUDE_M:g} m at most, so {move}"),
+        (can, f"leave {RETURN_ALTITUDE} out of params, or raise it"),
+        (cannot, f"{RETURN_ALTITUDE} is {MOST_ALTITUDE_M:g} m at most, so {move}"),
     ):
         if not group:
             continue

@@ -10,15 +10,13 @@ from collections.abc import Iterator
 from itertools import combinations, pairwise
 from typing import NamedTuple
 
-import numpy as np
-
 from gcs.scenario.accuracy import spreads_m
 from gcs.scenario.model import Obstacle, Scenario, Target, VehicleBase
 from gcs.scenario.types import Vec3
 from gcs.scenario.warnings.near_obstacles import obstacle_name
 from gcs.scenario.warnings.room import why_kept
 from gcs.scenario.warnings.warning import ScenarioWarning
-from skytender import elementary, geometry
+from skytender import elementary
 
 STEP_M, MOST_LOOKS = 0.05, 20_000
 """Between places of ways at which they are looked for obstacles; how many of these there are at most, in all."""
@@ -51,6 +49,10 @@ def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     spreads = spreads_m(scenario)
     if not any(spreads.values()) or not scenario.planner.safety or len(scenario.obstacles) < 2:
         return
+    import numpy as np  # noqa: PLC0415 - gcs run, which reads every scenario, starts without it
+
+    from skytender import geometry  # noqa: PLC0415
+
     legs = [leg for vehicle in scenario.vehicles.all for leg in _legs(vehicle, scenario, spreads[vehicle.sysid])]
     length_m = sum(elementary.distance(leg.a, leg.b) for leg in legs)
     shapes = geometry.of_scenario(scenario.obstacles)

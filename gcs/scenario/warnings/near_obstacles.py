@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
 from gcs.scenario import goal
 from gcs.scenario.accuracy import spreads_m
-from gcs.scenario.model import Obstacle, Scenario, VehicleBase
+from gcs.scenario.model import Obstacle, Scenario
 from gcs.scenario.types import Vec3
 from gcs.scenario.warnings.room import why_kept
 from gcs.scenario.warnings.slips import sent_to
 from gcs.scenario.warnings.warning import ScenarioWarning
-from skytender import geometry
 
-STEP_M, MOST_STEPS = 0.1, 1000
-"""Between places of a way up at which it is looked for obstacles; how many there are at most."""
+STEP_M = 0.1
+"""Between places of a way up at which obstacles are looked for."""
 ROUNDING_M = 1e-6
 WAY_UP = "the way up"
 
@@ -38,7 +34,7 @@ def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     kept_m, key = _kept(scenario)
     spread_m = max(spreads_m(scenario).values(), default=0.0) if scenario.planner.safety else 0.0
     wide_m = max(kept_m, scenario.planner.clearance_m + spread_m) if spread_m else kept_m
-    near = [place for place in _places(scenario) if place.clear_m < wide_m - ROUNDING_M]
+    near = [place for place in _places(scenario, wide_m) if place.clear_m < wide_m - ROUNDING_M]
     within = [place for place in near if place.clear_m < kept_m - ROUNDING_M]
     if within:
         nearest = min(within)
@@ -80,23 +76,30 @@ def _nearest(scenario: Scenario, place: Vec3) -> Obstacle:
     return min(scenario.obstacles, key=lambda obstacle: obstacle.clearance_m(place))
 
 
-def _places(scenario: Scenario) -> list[_Place]:
-    """Starts, ways up and places that vehicles are sent to; a way up by its place that is nearest to an obstacle."""
-    shapes, found = geometry.of_scenario(scenario.obstacles), []
+def _places(scenario: Scenario, wide_m: float) -> list[_Place]:
+    """Starts, ways up and places that vehicles are sent to; a way up that leads nearer than `wide_m` to an obstacle by
+    its place that is nearest."""
+    found = []
     for vehicle in scenario.vehicles.launched:
-        places = _way_up(vehicle)
-        clear_m = geometry.clearance(shapes, places)
-        k = int(np.argmin(clear_m))
-        name = f"{WAY_UP} of {vehicle.label}" if k else f"the start of {vehicle.label}"
-        found.append(_Place(float(clear_m[k]), name, places[k]))
-    if sent := sent_to(scenario):
-        clear_m = geometry.clearance(shapes, [place for _, place in sent])
-        found += [_Place(metres, name, at) for metres, (name, at) in zip(clear_m.tolist(), sent, strict=True)]
+        rise_m = 0.0 if vehicle.airborne else vehicle.takeoff_m
+        clear_m, up_m = min(
+            _nearest_of_way_up(vehicle.start_m, rise_m, obstacle, wide_m) for obstacle in scenario.obstacles
+        )
+        n, e, d = vehicle.start_m
+        found.append(_Place(clear_m, f"{WAY_UP if up_m else 'the start'} of {vehicle.label}", (n, e, d - up_m)))
+    for name, place in sent_to(scenario):
+        found.append(_Place(min(obstacle.clearance_m(place) for obstacle in scenario.obstacles), name, place))
     return found
 
 
-def _way_up(vehicle: VehicleBase) -> list[Vec3]:
-    """Places from a launched vehicle's start to where it has taken off; its start alone where it begins in the air."""
-    n, e, d = vehicle.start_m
-    count = 0 if vehicle.airborne else min(math.ceil(vehicle.takeoff_m / STEP_M), MOST_STEPS)
-    return [(n, e, d), *((n, e, d - vehicle.takeoff_m * k / count) for k in range(1, count + 1))]
+def _nearest_of_way_up(start_m: Vec3, rise_m: float, obstacle: Obstacle, wide_m: float) -> tuple[float, float]:
+    """Distance from an obstacle, and height above the start, of the nearest place of a way straight up, as far as that
+    is nearer than `wide_m`."""
+    n, e, d = start_m
+    clear_m = obstacle.clearance_m(start_m)
+    nearest, up_m = (clear_m, 0.0), 0.0
+    while up_m < rise_m:
+        up_m = min(up_m + max(clear_m - wide_m, STEP_M), rise_m)  # before that it is farther
+        clear_m = obstacle.clearance_m((n, e, d - up_m))
+        nearest = min(nearest, (clear_m, up_m))
+    return nearest

@@ -54,6 +54,9 @@ MANY = 16
 """Of more vehicles not every place is among the frames from which their health follows."""
 HEALTH_EVERY_US = 500_000
 """Of each kind that is not kept whole one frame is kept in each time so long."""
+_KIND = np.zeros(256, np.uint8)
+_KIND[[*PLACES, *REPEATED]] = range(1, 1 + len(PLACES) + len(REPEATED))
+"""By message id: a number of each kind of which not every frame is kept, places first; 0 of others."""
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _HEADER_1_BYTES, _SIGNATURE_BYTES = 6, 13
 MOST_SECONDS = 7 * 86_400
@@ -287,15 +290,18 @@ def health_frames(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: 
     Of frames that only repeat themselves one in each HEALTH_EVERY_US is kept, and both ends of each longer silence.
     """
     t_us, msgids = heads[:, tlog_reader.T_US], heads[:, tlog_reader.MSGID]
-    senders = heads[:, tlog_reader.SYSID] << 8 | heads[:, tlog_reader.COMPID]
-    thinned = np.isin(msgids, REPEATED + PLACES if len(np.unique(senders)) > MANY else REPEATED)
+    # By 16 bits and by 8 the order is found in a fifth of the time.
+    senders = (heads[:, tlog_reader.SYSID] << 8 | heads[:, tlog_reader.COMPID]).astype(np.uint16)
+    kinds = np.where(msgids < len(_KIND), _KIND[np.minimum(msgids, len(_KIND) - 1)], 0)
+    few = np.count_nonzero(np.bincount(senders)) <= MANY
+    thinned = kinds > (len(PLACES) if few else 0)
     kept = ~thinned
     some = np.flatnonzero(thinned)
-    kinds = senders[some] << 24 | msgids[some]
-    order = np.argsort(kinds, kind="stable")
-    spans = t_us[some[order]] // HEALTH_EVERY_US
-    ends = (np.diff(kinds[order]) != 0) | (np.diff(spans) != 0)
-    kept[some[order[np.append(ends, True)[: len(order)]]]] = True
+    some = some[np.argsort(kinds[some], kind="stable")]
+    some = some[np.argsort(senders[some], kind="stable")]
+    ends = (np.diff(senders[some]) != 0) | (np.diff(kinds[some]) != 0)
+    ends |= np.diff(t_us[some] // HEALTH_EVERY_US) != 0
+    kept[some[np.append(ends, True)[: len(some)]]] = True
     # SYSTEM_TIME answers a grant also where the radio is out, and ends no silence.
     said = np.flatnonzero(msgids != _SYSTEM_TIME)
     said = said[np.argsort(senders[said], kind="stable")]
@@ -311,12 +317,10 @@ def _alone(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) ->
     newer = octets[at] == MAGIC
     sizes = octets[at + 1].astype(np.int64) + CHECKSUM_BYTES + np.where(newer, HEADER_BYTES, _HEADER_1_BYTES)
     sizes += np.where(newer & (octets[at + 2] & 1 > 0), _SIGNATURE_BYTES, 0)
-    edges = np.zeros(len(octets) + 1, dtype=np.int8)
-    edges[at] += 1
-    edges[at + sizes] -= 1
-    kept = np.cumsum(edges[:-1], dtype=np.int8).view(np.bool_)
+    begins = np.cumsum(sizes) - sizes
+    kept = np.arange(int(sizes.sum())) + np.repeat(at - begins, sizes)
     heads[:, tlog_reader.T_US] -= epoch_us
-    heads[:, tlog_reader.AT] = np.cumsum(sizes) - sizes
+    heads[:, tlog_reader.AT] = begins
     return tlog_reader.Chunk(octets[kept], heads, 1.0, 0)
 
 

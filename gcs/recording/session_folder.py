@@ -317,10 +317,11 @@ def _alone(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) ->
     newer = octets[at] == MAGIC
     sizes = octets[at + 1].astype(np.int64) + CHECKSUM_BYTES + np.where(newer, HEADER_BYTES, _HEADER_1_BYTES)
     sizes += np.where(newer & (octets[at + 2] & 1 > 0), _SIGNATURE_BYTES, 0)
-    begins = np.cumsum(sizes) - sizes
-    kept = np.arange(int(sizes.sum())) + np.repeat(at - begins, sizes)
+    edges = np.stack([at, at + sizes], axis=1).ravel()
+    runs = np.diff(edges, prepend=0, append=len(octets))
+    kept = np.repeat(np.arange(len(runs)) % 2 == 1, runs)
     heads[:, tlog_reader.T_US] -= epoch_us
-    heads[:, tlog_reader.AT] = begins
+    heads[:, tlog_reader.AT] = np.cumsum(sizes) - sizes
     return tlog_reader.Chunk(octets[kept], heads, 1.0, 0)
 
 

@@ -94,14 +94,14 @@ class SafePlanner(TickPlanner):
         self._speed_m_s = np.array([speeds[v.sysid] for v in every])
         self._takeoff_m = [v.takeoff_m for v in every]
         self._a_max = np.array([acceleration_m_s2(scenario, v) for v in every])
-        self._spreads = Spreads([*spreads_m(scenario).values()], factor(scenario), self._a_max)
+        self._external = np.array([v.external is not None for v in every], np.bool_)
+        self._spreads = Spreads([*spreads_m(scenario).values()], factor(scenario), self._a_max, self._external)
         self._spread_m = np.zeros(n)
         self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
         launched = (v for v in every if v.foreign is None)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
-        self._external = np.array([v.external is not None for v in every], np.bool_)
         holds_s = {sysid: one.holds_after_s for sysid, one in foreign_returns_of(scenario).items()}
         self._flies_on_s = np.array(
             [holds_s.get(v.sysid, LEAST_HOLD_S) + scenario.clock.period_s if v.external else 0.0 for v in every]
@@ -148,7 +148,7 @@ class SafePlanner(TickPlanner):
         columns = snapshot.columns
         self._late = period_s > (LATE_PERIODS - 0.5) * self._scenario.clock.period_s
         self._link_age.receive(columns.age_s, period_s)
-        self._spread_m = self._spreads.of(snapshot, period_s)
+        self._spread_m = self._spreads.of(snapshot, period_s, late=self._late)
         self._follow(request, columns)
         if request.approaches and self._scenario.planner.vehicles_repel:
             request = request._replace(stand_off_m=self._stand_off_m(request))

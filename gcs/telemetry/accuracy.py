@@ -26,6 +26,8 @@ LOST_M, DRIFT_M_S, MOST_DRIFT_M = 1.0, 0.3, 4.0
 """[choice] Without a fix a place is off by so much at once, and by so much more each second, up to the last."""
 JUMP_M = 0.5
 """[choice] A place that is so far from where its velocity leads has jumped."""
+CLOCK_S = 0.5
+"""[choice] A vehicle on a clock of its own may have been at its place by so much earlier or later than it seems."""
 LONG_S = 1e6
 """Of reports that have never come."""
 MOST_JUMP_M = 10.0
@@ -74,25 +76,30 @@ class ReportedAccuracy:
 class Spreads:
     """How far vehicles may be from where they say they are, in every tick."""
 
-    def __init__(self, usual_m: Sequence[float], factor: float, a_max_m_s2: Floats) -> None:
+    def __init__(
+        self, usual_m: Sequence[float], factor: float, a_max_m_s2: Floats, external: NDArray[np.bool_]
+    ) -> None:
         """Of n vehicles in order of system id: `usual_m` (n,), spreads by their `sensors:`; `factor` turns a standard
-        deviation into a spread; `a_max_m_s2` (n,), how fast velocities change."""
+        deviation into a spread; `a_max_m_s2` (n,), how fast velocities change; `external` (n,), on clocks of their own.
+        """
         n = len(usual_m)
         self._usual_m, self._factor, self._a_max_m_s2 = np.array(usual_m, np.float64), factor, a_max_m_s2
+        self._clock_s = np.where(external, CLOCK_S, 0.0)
         self._reported_m, self._fix_lost_s = self._usual_m.copy(), np.full(n, math.inf)
         self._number = -1
         self._p_ned, self._v_ned, self._age_s = np.full((n, 3), np.nan), np.zeros((n, 3)), np.zeros(n)
         self._jump_ned = np.zeros((n, 3))
 
-    def of(self, snapshot: FleetSnapshot, period_s: float) -> Floats:
-        """(n,), m, now, `period_s` after the last call."""
+    def of(self, snapshot: FleetSnapshot, period_s: float, *, late: bool = False) -> Floats:
+        """(n,), m, now, `period_s` after the last call. In a tick that comes `late` no place jumps: what has come
+        meanwhile is not dated well enough."""
         columns, age_s = snapshot.columns, np.minimum(snapshot.columns.age_s, LONG_S)
         for sysid in columns.changed_since(self._number):
             row, view = columns.row[sysid], snapshot.vehicle(sysid)
             self._reported_m[row] = elementary.hypot(float(self._usual_m[row]), self._factor * view.worse_m)
             self._fix_lost_s[row] = view.fix_lost_s if view.flying else math.inf
         self._number = columns.number
-        self._follow_jumps(columns.p_ned, columns.v_ned, age_s, columns.flying, period_s)
+        self._follow_jumps(columns.p_ned, columns.v_ned, age_s, columns.flying, period_s, late)
         off = self._jump_ned
         jumped_m = np.minimum(np.sqrt((off * off).sum(axis=1)), MOST_JUMP_M)
         lost_s = snapshot.time_s - self._fix_lost_s
@@ -101,14 +108,17 @@ class Spreads:
         return spreads_m
 
     def _follow_jumps(
-        self, p_ned: Floats, v_ned: Floats, age_s: Floats, flying: NDArray[np.bool_], period_s: float
+        self, p_ned: Floats, v_ned: Floats, age_s: Floats, flying: NDArray[np.bool_], period_s: float, late: bool
     ) -> None:
         """Add up the jumps of each flight: one that jumps back is where it was. Which of two places is true is not
         known."""
         after_s = self._age_s + period_s - age_s  # from one report to the next
-        moved_ned = p_ned - self._p_ned - 0.5 * (v_ned + self._v_ned) * after_s[:, np.newaxis]
+        mean_ned = 0.5 * (v_ned + self._v_ned)
+        moved_ned = p_ned - self._p_ned - mean_ned * after_s[:, np.newaxis]
         allowed_m = JUMP_M + 0.25 * self._a_max_m_s2 * after_s * after_s
-        jumped = (moved_ned * moved_ned).sum(axis=1) > allowed_m * allowed_m  # never by NaN
-        self._jump_ned[jumped] += moved_ned[jumped]
+        allowed_m += self._clock_s * np.sqrt((mean_ned * mean_ned).sum(axis=1))
+        if not late:
+            jumped = (moved_ned * moved_ned).sum(axis=1) > allowed_m * allowed_m  # never by NaN
+            self._jump_ned[jumped] += moved_ned[jumped]
         self._jump_ned[~flying] = 0.0
         self._p_ned, self._v_ned, self._age_s = p_ned, v_ned, age_s

@@ -19,9 +19,9 @@ FIXED = {"fix_type": mav.GPS_FIX_TYPE_3D_FIX, "h_acc": 300, "v_acc": 400}
 class Flight:
     """One external vehicle, and the distances that are added for it; it reports each 0.1 s."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, own_clock: bool = False) -> None:
         self.fleet = Fleet([Member(3, "pursuer", "pursuer 3", 1e5, 1e5, external=True)], GlobalOrigin(47.0, 8.0, 400.0))
-        self.spreads = Spreads([0.0], FACTOR, np.array([4.0]))
+        self.spreads = Spreads([0.0], FACTOR, np.array([4.0]), np.array([own_clock]))
         self.now_s = 0.0
         self.says("GPS_GLOBAL_ORIGIN", latitude=470_000_000, longitude=80_000_000, altitude=400_000)
 
@@ -33,13 +33,13 @@ class Flight:
         (frame,) = codec.split(bytes(message(**empty).pack(mav.MAVLink(None, 3, 1)))).frames
         self.fleet.ingest(frame, self.now_s)
 
-    def tick(self, north_m: float = 0.0, v_north_m_s: float = 0.0, *, armed: bool = True) -> float:
+    def tick(self, north_m: float = 0.0, v_north_m_s: float = 0.0, *, armed: bool = True, late: bool = False) -> float:
         self.now_s = round(self.now_s + 0.1, 1)
         self.says("HEARTBEAT", type=2, autopilot=12, base_mode=0x81 if armed else 1, custom_mode=6 << 16)
         self.says("EXTENDED_SYS_STATE", landed_state=2 if armed else 1)
         t_ms = round(1e3 * self.now_s)
         self.says("LOCAL_POSITION_NED", time_boot_ms=t_ms, x=north_m, vx=v_north_m_s, z=-5.0)
-        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s), 0.1)
+        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s), 0.1, late=late)
         return float(spread_m)
 
     def tick_in_silence(self) -> float:
@@ -109,3 +109,11 @@ def test_a_stretch_without_reports_is_no_jump() -> None:
     flight.tick(0.0, 2.0)
     assert [flight.tick_in_silence() for _ in range(20)] == [0.0] * 20
     assert flight.tick(2.0 * 2.1 + 1.5, 2.0) == 0.0
+
+
+def test_a_place_dated_by_a_clock_of_its_own_or_in_a_late_tick_has_not_jumped() -> None:
+    flight = Flight(own_clock=True)
+    flight.tick(0.0, 2.0)
+    assert flight.tick(0.2 + 1.4, 2.0) == 0.0  # 0.5 s at 2 m/s, and JUMP_M
+    assert flight.tick(0.4 + 1.4 + 1.6, 2.0) == pytest.approx(1.6, abs=1e-6)
+    assert flight.tick(40.0, 2.0, late=True) == pytest.approx(1.6, abs=1e-6)

@@ -73,7 +73,7 @@ def test_a_folder_that_nothing_was_written_to_is_removed_by_ctrl_c(
             (folder / "scenario.yaml").write_text("name: small", encoding="utf-8")
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("gcs.cli.run.show_warnings", interrupt)
+    monkeypatch.setattr("gcs.cli.run._view", interrupt)  # before the supervisor, which writes to the folder
     assert run_argv(["run", str(scenario), "--plain", "--out", str(folder)]) == 130
     assert folder.exists() is written
     stands = f"interrupted; what was written by then stands in {folder}"

@@ -63,7 +63,7 @@ STRICT = click.option("--strict", is_flag=True, help="Refuse a scenario of which
 
 def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False, starts: bool = False) -> list[str]:
     """Print a scenario's warnings to stderr, and return them. With `strict` they are errors: raises ScenarioRefused if
-    there are any. Without those of plan B where the session `starts`: it has the planner, and says them itself."""
+    there are any. Where the session `starts`, it says plan B's warnings itself, and they are left out here."""
     from gcs.scenario.warnings import warnings
 
     found = warnings(checked)

@@ -72,7 +72,7 @@ class GoalWatch:
         self._counts = [False] * count
         """whose place counts: they fly, and their places are fresh"""
         self._by_failsafe = [False] * count
-        """those that their failsafes fly, by which they pass no way points"""
+        """whether each flies by its failsafe, and passes no way points"""
         self._returns_after_s = returns_after_s(scenario)
         self._came_down_s: dict[int, float] = {}
         """when each that flies no more, as it said itself, flew last"""

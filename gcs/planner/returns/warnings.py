@@ -41,7 +41,7 @@ class _TooLow(NamedTuple):
 
 
 def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
-    """Heights that several share first, then those that are too low."""
+    """Shared heights first, then heights that are too low."""
     failsafes = failsafes_of(scenario)
     returns = []
     for vehicle in scenario.vehicles.launched:
@@ -115,7 +115,7 @@ def _of_obstacles(fixed: Sequence[_Return], scenario: Scenario) -> Iterator[Scen
 
 
 def _of_low(low: Sequence[_TooLow], below: str, move: str) -> Iterator[ScenarioWarning]:
-    """A sentence on heights that can be raised, and one on those that cannot."""
+    """One sentence on heights that can be raised, and one on heights at their limit."""
     can = [one for one in low if one.one.above_home_m < MOST_ALTITUDE_M]
     cannot = [one for one in low if one not in can]
     for group, advice in (

@@ -1,4 +1,4 @@
-"""Warnings of plan B's heights, by hand: those that the scenario gives, and where heights end."""
+"""Warnings of plan B's heights, by hand: heights that the scenario gives, and the greatest height."""
 
 from __future__ import annotations
 

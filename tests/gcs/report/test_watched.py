@@ -1,4 +1,4 @@
-"""Link events and health in a report against those of a replay of the same recording."""
+"""A report's link events and health equal a replay's of the same recording."""
 
 from __future__ import annotations
 

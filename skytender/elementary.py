@@ -137,10 +137,12 @@ def sin_cos_of_each(x: Any, sines: Any, cosines: Any) -> None:
     small = cython.declare(cython.bint, True)
     for i in range(TOGETHER):
         small &= math.fabs(x[i]) <= 0.25 * _PI
-    for i in range(TOGETHER):
-        if small:
-            sines[i], cosines[i] = _sine_near_0(x[i], 0.0), _cosine_near_0(x[i], 0.0)
-        else:
+    if small:
+        for i in range(TOGETHER):
+            sines[i] = _sine_near_0(x[i], 0.0)
+            cosines[i] = _cosine_near_0(x[i], 0.0)
+    else:
+        for i in range(TOGETHER):
             sines[i], cosines[i] = sin_cos(x[i])
 
 

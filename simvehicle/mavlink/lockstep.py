@@ -108,7 +108,8 @@ def _is_supervisors(frame: Any, msgid: int) -> bool:
 def bundles(datagram: bytes) -> list[tuple[int, list[ReceivedFrame]]]:
     """The bundles of a datagram for a shared socket: whose each is, and its frames."""
     found: list[tuple[int, list[ReceivedFrame]]] = []
-    sysid, frames = 0, list[ReceivedFrame]()
+    sysid = 0
+    frames: list[ReceivedFrame] = []
     for frame in codec.split(datagram):
         if not _is_supervisors(frame, PING_ID):
             frames.append(frame)

@@ -6,24 +6,36 @@ import math
 import sys
 import time
 from collections.abc import Callable, Sequence
+from typing import Any
 
+import cython
 import cython.cimports.simvehicle.mavlink.codec as codec
 import cython.cimports.simvehicle.mavlink.connection as connections
 import cython.cimports.simvehicle.mavlink.lockstep as lockstep
+from cython.cimports.cpython.bytearray import PyByteArray_AS_STRING
 from cython.cimports.cpython.bytes import PyBytes_AS_STRING
+from cython.cimports.posix.time import CLOCK_MONOTONIC, clock_gettime, timespec
 from cython.cimports.simvehicle.mavlink.lockstep import SHARED_BYTES
-from cython.cimports.skytender.system_calls import MSG_DONTWAIT, send
+from cython.cimports.skytender.system_calls import MSG_DONTWAIT, recv, sched_yield, send
 
 from simvehicle.mavlink.codec import ReceivedFrame
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import Bundle, Grants
-from simvehicle.sitl.link import PlainLink, SupervisedLink
+from simvehicle.sitl.link import SUPERVISED_BYTES, PlainLink, SupervisedLink
 from simvehicle.sitl.loop import ConnectedUnit
 from simvehicle.sitl.unit import Unit
 from skytender.exit import ABANDONED
 
 HELLO_EVERY_S = 0.1
 SILENCE_S = 10.0
+LOOK_NS = 500_000
+"""For so long the next grant is looked for, where the last came as soon, and the processor left to others meanwhile: to
+be woken from sleep costs a vehicle and its supervisor a third of a short tick."""
+CROWDED_NS = 1_300_000
+"""Others that keep the processor for so long need it themselves: sleep is better then, since to be woken gives it back
+at once."""
+LEAST_SLEEPS, MOST_SLEEPS = 50, 4096
+"""So many waits are slept through then: twice as many each time, one less for each wait that was looked through."""
 
 
 class Granted:
@@ -86,6 +98,50 @@ class Granted:
         unit.advance(bundle.time_ms)
 
 
+class GrantReader:
+    """Receives from the supervisor's socket, which waits in `recv` for a time of its own."""
+
+    sleeps_left: int
+    """how many of the next waits are slept through, because other programs keep the processor"""
+    last_ns: int
+    """how long the last wait was"""
+    _fd: int
+    _room: bytearray
+    _most: int
+    _sleeps: int
+
+    def __init__(self, link: SupervisedLink) -> None:
+        self._fd, self._room, self._most = link.fileno(), bytearray(SUPERVISED_BYTES), SUPERVISED_BYTES
+        self.sleeps_left, self.last_ns, self._sleeps = 0, LOOK_NS, LEAST_SLEEPS
+
+    def receive(self) -> bytes:
+        """The next datagram; none where none came in the socket's time, or the system was interrupted."""
+        into = PyByteArray_AS_STRING(self._room)
+        with cython.nogil:
+            have = self._wait(into)
+        return into[:have] if have > 0 else b""
+
+    def _wait(self, into: Any) -> int:
+        begun_ns = now_ns = _now_ns()
+        have = -1
+        if self.sleeps_left > 0:
+            self.sleeps_left -= 1
+        elif self.last_ns < LOOK_NS:
+            self._sleeps = max(self._sleeps - 1, LEAST_SLEEPS)
+            while have < 0 and now_ns - begun_ns < LOOK_NS:
+                have = recv(self._fd, into, self._most, MSG_DONTWAIT)
+                if have < 0:
+                    sched_yield()
+                    left_ns, now_ns = now_ns, _now_ns()
+                    if now_ns - left_ns >= CROWDED_NS:
+                        self.sleeps_left, self._sleeps = self._sleeps, min(2 * self._sleeps, MOST_SLEEPS)
+        if have < 0:
+            have = recv(self._fd, into, self._most, 0)
+            now_ns = _now_ns()
+        self.last_ns = now_ns - begun_ns
+        return have
+
+
 def run_supervised(
     seats: Sequence[ConnectedUnit],
     link: SupervisedLink,
@@ -107,13 +163,14 @@ def run_supervised(
         if connection is not None
     }
     link.wait_in_receive(HELLO_EVERY_S)
-    fd, look_s = link.fileno(), 0.0
+    reader, fd, look_s = GrantReader(link), link.fileno(), 0.0
     now_s = clock()
     while granted:
         if now_s >= look_s:
             look_s = now_s + HELLO_EVERY_S
             granted = {sysid: one for sysid, one in granted.items() if one.look(now_s, link)}
-        datagram, answers = link.receive(), list[bytes]()
+        datagram = reader.receive()
+        answers: list[bytes] = []
         now_s = clock()
         if not datagram:
             continue
@@ -129,7 +186,7 @@ def run_supervised(
             one.receive(frames, now_s, answers)
             if connections.size_of(answers, 0, len(answers)) >= SHARED_BYTES:
                 _send(fd, [connections.together(answers, 0, len(answers))])
-                answers = list[bytes]()
+                answers = []
         if answers:
             _send(fd, [connections.together(answers, 0, len(answers))])
     print(f"The supervisor has been silent for {SILENCE_S:.0f} s: leaving", file=sys.stderr, flush=True)
@@ -140,3 +197,9 @@ def _send(fd: int, datagrams: list[bytes]) -> None:
     """Send; a supervisor that is not there is no error."""
     for datagram in datagrams:
         send(fd, PyBytes_AS_STRING(datagram), len(datagram), MSG_DONTWAIT)
+
+
+def _now_ns() -> int:
+    now = timespec(0, 0)
+    clock_gettime(CLOCK_MONOTONIC, cython.address(now))
+    return now.tv_sec * 1_000_000_000 + now.tv_nsec

@@ -17,6 +17,7 @@ from simvehicle.sitl import link
 from simvehicle.sitl.link import (
     MOST_PEERS,
     PEER_SILENT_S,
+    SUPERVISED_BYTES,
     Address,
     AddressError,
     PlainLink,
@@ -24,6 +25,7 @@ from simvehicle.sitl.link import (
     open_socket,
     parse_address,
 )
+from simvehicle.sitl.supervised import GrantReader
 
 THREAT_MODEL = Path(__file__).resolve().parents[3] / "docs" / "threat-model.md"
 HEARTBEAT = bytes(mav.MAVLink_heartbeat_message(6, 8, 0, 0, 4, 3).pack(mav.MAVLink(None, 255, 190)))
@@ -212,6 +214,21 @@ def test_supervised_link_hears_its_supervisor_only() -> None:
             select.select([link.socket], [], [], 5.0)
             assert link.receive() == b"supervisor"
             assert not link.waiting
+
+
+def test_grants_are_received_whole_whether_looked_for_or_slept_for() -> None:
+    """The first wait is slept through, the next ones, after short waits, are looked through; none comes in time."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
+            link.wait_in_receive(0.05)
+            reader = GrantReader(link)
+            for size in (1, 1400, SUPERVISED_BYTES):
+                supervisor.sendto(b"\x2a" * size, link.socket.getsockname())
+                assert reader.receive() == b"\x2a" * size
+                assert reader.last_ns < 50_000_000
+            assert reader.receive() == b""
+            assert reader.last_ns >= 50_000_000
 
 
 def test_frames_are_packed_in_order_and_within_the_limit() -> None:

@@ -47,8 +47,8 @@ cdef Seen _look(
     unsigned char[::1] own, int64_t[:, ::1] pairs, double[::1] reach) noexcept nogil
 @cython.locals(known=cython.bint, left=cython.Py_ssize_t)
 cpdef Py_ssize_t pass_points(
-    const double[:, ::1] p, double[:, ::1] last, const double[:, ::1] points, int64_t[::1] ahead,
-    const int64_t[::1] end, double within2) noexcept nogil
+    const double[:, ::1] p, double[:, ::1] last, const unsigned char[::1] left_out, const double[:, ::1] points,
+    int64_t[::1] ahead, const int64_t[::1] end, double within2) noexcept nogil
 
 cdef class FleetWatch:
     cdef double[:, :, ::1] _last

@@ -336,14 +336,21 @@ def _look(
     return seen
 
 
-def pass_points(p: Floats, last: Floats, points: Floats, ahead: Ints, end: Ints, within2: float) -> int:
+def pass_points(
+    p: Floats, last: Floats, left_out: NDArray[np.uint8], points: Floats, ahead: Ints, end: Ints, within2: float
+) -> int:
     """Let n vehicles pass way points on their straight ways of one interval; how many of them have some left.
 
-    p: (n, 3) now, NaN where unknown. last: (n, 3) the same of the last interval, which is brought up to date. points:
-    (m, 3), those of row i from ahead[i], which is moved on, to end[i]. within2: square distance at which one is passed.
+    p: (n, 3) now, NaN where unknown. last: (n, 3) the same of the last interval, which is brought up to date. left_out:
+    (n,) 1 where a vehicle passes none, and the straight line to where that ends does not count. points: (m, 3), those
+    of row i from ahead[i], which is moved on, to end[i]. within2: square distance at which one is passed.
     """
     left = 0
     for i in range(p.shape[0]):
+        if left_out[i]:
+            left += ahead[i] < end[i]
+            last[i, 0] = last[i, 1] = last[i, 2] = math.NAN
+            continue
         if ahead[i] < end[i] and not math.isnan(p[i, 0]):
             known = not math.isnan(last[i, 0])
             n = last[i, 0] if known else p[i, 0]

@@ -28,7 +28,7 @@ from gcs.telemetry import energy, plausibility
 from gcs.telemetry.batteries import VehicleBattery
 from gcs.telemetry.battery_account import BATTERY_PARAMETERS, GIVEN, RECEIVED, Fact
 from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, FleetColumns
-from gcs.telemetry.fleet_columns import FACTS, OFFSET_N, TURN, fill
+from gcs.telemetry.fleet_columns import FACTS, OFFSET_N, TURN, ColumnFiller
 from gcs.telemetry.readings import (
     CLOCK_S,
     DOWN,
@@ -36,6 +36,10 @@ from gcs.telemetry.readings import (
     ELSEWHERE,
     END,
     FIRST_BATTERY,
+    FIX_ARMED,
+    FIX_H,
+    FIX_TYPE,
+    FIX_V,
     FOUND,
     GIVEN_REPORTED_S,
     MESSAGE_S,
@@ -107,7 +111,8 @@ class Fleet:
         self._rows = {sysid: row for row, sysid in enumerate(self._tracks)}
         self._readings, self._facts = np.zeros((count, READINGS)), np.zeros((count, FACTS))
         self._accounts = np.zeros(count, energy.ACCOUNT)
-        self._seen, self._changed = np.full(count, -1), np.full(count, self._number + 1)
+        seen, self._changed = np.full(count, -1), np.full(count, self._number + 1)
+        self._filler = ColumnFiller(self._readings, self._facts, self._accounts, seen, self._changed)
         row_by_sysid = np.full(NUMBERS, -1)
         row_by_sysid[list(self._rows)] = list(self._rows.values())
         self._reader = TelemetryReader(row_by_sysid, self._readings, self._accounts, _ELSEWHERE, self._found)
@@ -239,6 +244,8 @@ class Fleet:
 
     def pop_statustexts(self, now_s: float) -> list[tuple[int, int, str]]:
         """(system id, severity, text) of each STATUSTEXT since the last call."""
+        if not (self.statustexts or self._talking):
+            return []
         taken, self.statustexts = self.statustexts, []
         for sysid in sorted(self._talking):
             texts = self._tracks[sysid].texts
@@ -249,6 +256,8 @@ class Fleet:
 
     def pop_acks(self) -> list[tuple[int, Any]]:
         """(system id, COMMAND_ACK) of each acknowledgement since the last call."""
+        if not self.acks:
+            return []
         taken, self.acks = self.acks, []
         return sorted(taken, key=itemgetter(0))
 
@@ -275,10 +284,7 @@ class Fleet:
         count = len(self._statuses)
         flags, places = np.empty((FLAGS, count), np.bool_), np.empty((PLACES, count, 3))
         figures = np.empty((FIGURES, count))
-        self._number += fill(
-            time_s, self._readings, self._facts, self._accounts, self._seen, self._number + 1, self._changed,
-            flags.view(np.uint8), places, figures,
-        )  # fmt: skip
+        self._number += self._filler.fill(time_s, self._number + 1, flags.view(np.uint8), places, figures)
         facts, changed = self._facts.copy(), self._changed.copy()
         frames = facts[:, OFFSET_N : TURN + 1]
         columns = FleetColumns(self._sysids, self._rows, self._number, changed, flags, places, figures, frames)
@@ -316,6 +322,11 @@ class Fleet:
         home = (1e-7 * content.latitude, 1e-7 * content.longitude, track.home_amsl_m)
         track.offset, track.turn_rad = frame_place(*origin_under(*home, local), *astuple(self.origin))
         track.origin_alt_m = track.home_amsl_m + content.z
+
+    def _fix(self, track: VehicleTrack, content: Any, time_s: float) -> None:
+        track.accuracy.satellites(content, time_s)
+        fix = content.fix_type, content.h_acc, content.v_acc, track.armed
+        track.readings[[FIX_TYPE, FIX_H, FIX_V, FIX_ARMED]] = fix
 
     def _named_int(self, track: VehicleTrack, content: Any, time_s: float) -> None:
         known = content.name in (RECEIVED, GIVEN)
@@ -389,7 +400,7 @@ _HANDLERS: Mapping[int, Callable[[Fleet, VehicleTrack, Any, float], None]] = {
     mav.MAVLINK_MSG_ID_ADSB_VEHICLE: lambda fleet, _, content, time_s: fleet._receive_traffic(content, time_s),
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES: Fleet._available_mode,
     mav.MAVLINK_MSG_ID_AVAILABLE_MODES_MONITOR: Fleet._modes_changed,
-    mav.MAVLINK_MSG_ID_GPS_RAW_INT: lambda _, track, content, time_s: track.accuracy.satellites(content, time_s),
+    mav.MAVLINK_MSG_ID_GPS_RAW_INT: Fleet._fix,
     mav.MAVLINK_MSG_ID_ESTIMATOR_STATUS: lambda _, track, content, _s: track.accuracy.estimator(content),
     mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_BASIC_ID: Fleet._remote_id,
     mav.MAVLINK_MSG_ID_OPEN_DRONE_ID_LOCATION: Fleet._remote_id,

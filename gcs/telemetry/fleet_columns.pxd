@@ -1,6 +1,8 @@
 cimport cython
 from libc.stdint cimport int64_t
 
+from gcs.telemetry.energy cimport Account
+
 cdef struct Facts:
     double alive  # 1 or 0
     double armed
@@ -28,10 +30,20 @@ cdef double _LANDED_M, _STALE_S, _MODE_STALE_S, _DOUBTED_S, _LEAST_SHARE, _MOST_
 cdef inline const Facts* facts_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
     return <const Facts*>&rows[i, 0]
 
-@cython.locals(
-    some=cython.bint, known=cython.bint, landed=cython.bint, doubted=cython.bint, overfull=cython.bint,
-    reported=cython.bint, moded=cython.bint, alive=cython.bint, armed=cython.bint, flying=cython.bint,
-    fresh=cython.bint, now_seen=int64_t)
-cpdef fill(
-    double now_s, double[:, ::1] reports, double[:, ::1] facts, accounts, int64_t[::1] seen, int64_t number,
-    int64_t[::1] changed, unsigned char[:, ::1] flags, double[:, :, ::1] places, double[:, ::1] figures)
+cdef class ColumnFiller:
+    cdef double[:, ::1] _reports
+    cdef double[:, ::1] _facts
+    cdef Account[::1] _accounts
+    cdef int64_t[::1] _seen
+    cdef int64_t[::1] _changed
+
+    cpdef bint fill(
+        self, double now_s, int64_t number, unsigned char[:, ::1] flags, double[:, :, ::1] places,
+        double[:, ::1] figures)
+    @cython.locals(
+        some=cython.bint, known=cython.bint, landed=cython.bint, doubted=cython.bint, overfull=cython.bint,
+        reported=cython.bint, moded=cython.bint, alive=cython.bint, armed=cython.bint, flying=cython.bint,
+        fresh=cython.bint, now_seen=int64_t)
+    cdef bint _fill(
+        self, double now_s, int64_t number, unsigned char[:, ::1] flags, double[:, :, ::1] places,
+        double[:, ::1] figures) noexcept nogil

@@ -6,7 +6,6 @@ from typing import Any
 
 import cython
 import numpy as np
-from cython.cimports.gcs.telemetry.energy import accounts_of
 from cython.cimports.gcs.telemetry.fleet_columns import (
     _AGE_S,
     _CAPACITY_J,
@@ -47,76 +46,87 @@ FACTS = 11
 """Of a vehicle, beside its readings: as they change, which is seldom. In the order of the struct Facts."""
 
 
-def fill(
-    now_s: float,
-    reports: NDArray[np.float64],
-    facts: NDArray[np.float64],
-    accounts: NDArray[Any],
-    seen: NDArray[np.int64],
-    number: int,
-    changed: NDArray[np.int64],
-    flags: NDArray[np.uint8],
-    places: NDArray[np.float64],
-    figures: NDArray[np.float64],
-) -> bool:
-    """Fill flags (FLAGS, n), places (PLACES, n, 3) and figures (FIGURES, n) of n vehicles at a session time.
+class ColumnFiller:
+    """Fills the columns of n vehicles from the tables of what they have reported.
 
-    Where more than figures of one is another than in the last call, which `seen` (n,) remembers, `changed` (n,) gets
-    this number. Whether any has it now.
-
-    reports (n, READINGS), facts (n, FACTS) and accounts (n,) are read.
+    reports (n, READINGS), facts (n, FACTS) and accounts (n,) are read. `seen` (n,) remembers the last call; where more
+    than figures of a vehicle has changed since, `changed` (n,) gets the number of this one.
     """
-    books = accounts_of(accounts)
-    some = False
-    for k in range(reports.shape[0]):
-        row, fact, one = readings_at(reports, k), facts_at(facts, k), cython.address(books[k])
-        north, east, down = row.north, row.east, row.down
-        v_north, v_east, v_down = row.v_north, row.v_east, row.v_down
-        if fact.turn != 0.0:
-            cosine, sine = fact.cosine, fact.sine
-            north, east = cosine * north - sine * east, sine * north + cosine * east
-            v_north, v_east = cosine * v_north - sine * v_east, sine * v_north + cosine * v_east
-        north, east, down = north + fact.offset_n, east + fact.offset_e, down + fact.offset_d
-        known = not isnan(north)
-        age_s = max(now_s - row.position_s, 0.0)
-        ahead_s = min(age_s, _STALE_S)
-        places[_P_NED, k, 0], places[_P_NED, k, 1], places[_P_NED, k, 2] = north, east, down
-        places[_V_NED, k, 0], places[_V_NED, k, 1], places[_V_NED, k, 2] = v_north, v_east, v_down
-        places[_P_NOW_NED, k, 0] = north + v_north * ahead_s
-        places[_P_NOW_NED, k, 1] = east + v_east * ahead_s
-        places[_P_NOW_NED, k, 2] = down + v_down * ahead_s
-        ground = fact.ground_down
-        landed = row.landed == 1.0
-        if row.landed_reported == 0.0 and known and not isnan(ground):
-            landed = ground - down < _LANDED_M
-        left_j = one.initial_j + one.received_j - one.drawn_j - one.given_j
-        share = left_j / one.capacity_j
-        doubted = now_s - fact.doubted < _DOUBTED_S
-        overfull = one.capacity_j > 0.0 and (share < _LEAST_SHARE or share > _MOST_SHARE)
-        alive, armed = fact.alive == 1.0, fact.armed == 1.0
-        flying = alive and armed and not landed and known
-        reported = row.received_s >= 0.0
-        moded = not reported or now_s - row.received_s <= _MODE_STALE_S
-        fresh = alive and age_s <= _STALE_S and moded and not doubted and not overfull
-        flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0 and moded
-        flags[_IS_LANDED, k], flags[_IS_FLYING, k], flags[_IS_FRESH, k] = landed, flying, fresh
-        figures[_AGE_S, k], figures[_GROUND_DOWN_M, k] = age_s, ground
-        figures[_REMAINING_J, k], figures[_DRAWN_J, k] = left_j, one.drawn_j
-        figures[_INITIAL_J, k], figures[_CAPACITY_J, k] = one.initial_j, one.capacity_j
-        now_seen = (
-            known
-            | landed << 1
-            | flying << 2
-            | fresh << 3
-            | doubted << 4
-            | overfull << 5
-            | reported << 6
-            | (not isnan(row.north)) << 7
-            | (left_j <= 0.0) << 8
-            | moded << 9
-        )
-        if now_seen != seen[k]:
-            seen[k] = now_seen
-            changed[k] = number
-        some = some or changed[k] == number
-    return some
+
+    def __init__(
+        self,
+        reports: NDArray[np.float64],
+        facts: NDArray[np.float64],
+        accounts: NDArray[Any],
+        seen: NDArray[np.int64],
+        changed: NDArray[np.int64],
+    ) -> None:
+        self._reports, self._facts, self._accounts = reports, facts, accounts
+        self._seen, self._changed = seen, changed
+
+    def fill(
+        self,
+        now_s: float,
+        number: int,
+        flags: NDArray[np.uint8],
+        places: NDArray[np.float64],
+        figures: NDArray[np.float64],
+    ) -> bool:
+        """Fill flags (FLAGS, n), places (PLACES, n, 3) and figures (FIGURES, n) at a session time; whether any vehicle
+        has changed as of this number."""
+        return self._fill(now_s, number, flags, places, figures)
+
+    def _fill(self, now_s: float, number: int, flags: Any, places: Any, figures: Any) -> Any:
+        some = False
+        for k in range(self._reports.shape[0]):
+            row, fact, one = readings_at(self._reports, k), facts_at(self._facts, k), cython.address(self._accounts[k])
+            north, east, down = row.north, row.east, row.down
+            v_north, v_east, v_down = row.v_north, row.v_east, row.v_down
+            if fact.turn != 0.0:
+                cosine, sine = fact.cosine, fact.sine
+                north, east = cosine * north - sine * east, sine * north + cosine * east
+                v_north, v_east = cosine * v_north - sine * v_east, sine * v_north + cosine * v_east
+            north, east, down = north + fact.offset_n, east + fact.offset_e, down + fact.offset_d
+            known = not isnan(north)
+            age_s = max(now_s - row.position_s, 0.0)
+            ahead_s = min(age_s, _STALE_S)
+            places[_P_NED, k, 0], places[_P_NED, k, 1], places[_P_NED, k, 2] = north, east, down
+            places[_V_NED, k, 0], places[_V_NED, k, 1], places[_V_NED, k, 2] = v_north, v_east, v_down
+            places[_P_NOW_NED, k, 0] = north + v_north * ahead_s
+            places[_P_NOW_NED, k, 1] = east + v_east * ahead_s
+            places[_P_NOW_NED, k, 2] = down + v_down * ahead_s
+            ground = fact.ground_down
+            landed = row.landed == 1.0
+            if row.landed_reported == 0.0 and known and not isnan(ground):
+                landed = ground - down < _LANDED_M
+            left_j = one.initial_j + one.received_j - one.drawn_j - one.given_j
+            share = left_j / one.capacity_j
+            doubted = now_s - fact.doubted < _DOUBTED_S
+            overfull = one.capacity_j > 0.0 and (share < _LEAST_SHARE or share > _MOST_SHARE)
+            alive, armed = fact.alive == 1.0, fact.armed == 1.0
+            flying = alive and armed and not landed and known
+            reported = row.received_s >= 0.0
+            moded = not reported or now_s - row.received_s <= _MODE_STALE_S
+            fresh = alive and age_s <= _STALE_S and moded and not doubted and not overfull
+            flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0 and moded
+            flags[_IS_LANDED, k], flags[_IS_FLYING, k], flags[_IS_FRESH, k] = landed, flying, fresh
+            figures[_AGE_S, k], figures[_GROUND_DOWN_M, k] = age_s, ground
+            figures[_REMAINING_J, k], figures[_DRAWN_J, k] = left_j, one.drawn_j
+            figures[_INITIAL_J, k], figures[_CAPACITY_J, k] = one.initial_j, one.capacity_j
+            now_seen = (
+                known
+                | landed << 1
+                | flying << 2
+                | fresh << 3
+                | doubted << 4
+                | overfull << 5
+                | reported << 6
+                | (not isnan(row.north)) << 7
+                | (left_j <= 0.0) << 8
+                | moded << 9
+            )
+            if now_seen != self._seen[k]:
+                self._seen[k] = now_seen
+                self._changed[k] = number
+            some = some or self._changed[k] == number
+        return some

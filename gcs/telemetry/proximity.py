@@ -207,8 +207,6 @@ class WayPoints:
         """Count the way since the last tick, straight; p_ned: (n, 3) of each vehicle, NaN where it is unknown or does
         not fly. What is flown `by_failsafe` (n,) does not count, nor the straight line to where that ends."""
         if self._left:
-            if by_failsafe.any():
-                p_ned = np.where(by_failsafe[:, None], np.nan, p_ned)
-                self._last[by_failsafe] = np.nan
-            within2 = self._within_m * self._within_m
-            self._left = approach.pass_points(p_ned, self._last, self._points, self._next, self._end, within2) > 0
+            left_out, within2 = by_failsafe.view(np.uint8), self._within_m * self._within_m
+            rows = self._points, self._next, self._end
+            self._left = approach.pass_points(p_ned, self._last, left_out, *rows, within2) > 0

@@ -24,6 +24,7 @@ cdef enum:
     _HEARTBEAT = 0
     _SYS_STATUS = 1
     _SYSTEM_TIME = 2
+    _GPS_RAW_INT = 24
     _ATTITUDE = 30
     _LOCAL_POSITION_NED = 32
     _GPS_GLOBAL_ORIGIN = 49
@@ -70,6 +71,10 @@ cdef struct Readings:
     double origin_alt
     double several_batteries  # 1 once it has reported another than number 0, or none that it flies on
     double message_s  # when anything but SYSTEM_TIME came from its autopilot
+    double fix_type  # of its last GPS_RAW_INT, with accuracies, mm, and whether it was armed then; -1 before the first
+    double fix_h
+    double fix_v
+    double fix_armed
     double first_s  # of battery 0, as long as it is the only one; -inf before its first report
     double first_consumed_j
     double first_power_w
@@ -98,6 +103,7 @@ cdef void _read_effort(
 cdef int64_t _cells_mv(const unsigned char* data, Py_ssize_t at, Py_ssize_t stop) noexcept nogil
 cdef double _power_w(int64_t total_mv, int64_t current_ca) noexcept nogil
 cdef double _share(int64_t percent) noexcept nogil
+cdef bint _is_armed(const Readings* row) noexcept nogil
 @cython.locals(armed=cython.bint, other=cython.bint)
 cdef bint _count_report(
     Account* one, double* found, Readings* row, double now_s, double consumed_j, double power_w, double remaining,

@@ -30,6 +30,7 @@ from cython.cimports.gcs.telemetry.readings import (
     _EXTENDED_SYS_STATE,
     _FIRST_CELLS,
     _GPS_GLOBAL_ORIGIN,
+    _GPS_RAW_INT,
     _HEADER_BYTES,
     _HEARTBEAT,
     _HOME_POSITION,
@@ -60,17 +61,62 @@ from gcs.mavlink.battery import HECTOJOULE
 from skytender import mavlink as mav
 
 __all__ = [
-    "AUTOPILOT", "BASE_MODE", "BATTERY", "CLOCK_S", "CUSTOM_MODE", "DOWN", "EAST", "EFFORT", "EFFORT_S",
-    "ELSEWHERE", "END", "EXTERNAL", "FIRST_BATTERY", "FOUND", "FROM_ANYBODY", "FROM_AUTOPILOT", "GIVEN_REPORTED_S",
-    "HEADING", "LANDED", "LANDED_REPORTED", "MESSAGES", "MESSAGE_S", "MODE", "MOST_EFFORT", "NORTH", "ORIGIN_ALT",
-    "ORIGIN_LAT", "ORIGIN_LON", "PITCH", "PLACE", "POSITION_S", "POWER_W", "READINGS", "RECEIVED_REPORTED_S",
-    "RECEIVED_S", "ROLL", "SEVERAL_BATTERIES", "SMALL_IDS", "SYSTEM_STATUS", "UNKNOWN", "V_DOWN", "V_EAST",
-    "V_NORTH", "Row", "TelemetryReader", "kept_elsewhere", "new_readings",
+    "AUTOPILOT",
+    "BASE_MODE",
+    "BATTERY",
+    "CLOCK_S",
+    "CUSTOM_MODE",
+    "DOWN",
+    "EAST",
+    "EFFORT",
+    "EFFORT_S",
+    "ELSEWHERE",
+    "END",
+    "EXTERNAL",
+    "FIRST_BATTERY",
+    "FIX_ARMED",
+    "FIX_H",
+    "FIX_TYPE",
+    "FIX_V",
+    "FOUND",
+    "FROM_ANYBODY",
+    "FROM_AUTOPILOT",
+    "GIVEN_REPORTED_S",
+    "HEADING",
+    "LANDED",
+    "LANDED_REPORTED",
+    "MESSAGES",
+    "MESSAGE_S",
+    "MODE",
+    "MOST_EFFORT",
+    "NORTH",
+    "ORIGIN_ALT",
+    "ORIGIN_LAT",
+    "ORIGIN_LON",
+    "PITCH",
+    "PLACE",
+    "POSITION_S",
+    "POWER_W",
+    "READINGS",
+    "RECEIVED_REPORTED_S",
+    "RECEIVED_S",
+    "ROLL",
+    "SEVERAL_BATTERIES",
+    "SMALL_IDS",
+    "SYSTEM_STATUS",
+    "UNKNOWN",
+    "V_DOWN",
+    "V_EAST",
+    "V_NORTH",
+    "Row",
+    "TelemetryReader",
+    "kept_elsewhere",
+    "new_readings",
 ]  # fmt: skip
 
 Row = NDArray[np.float64]
 
-READINGS = 35
+READINGS = 39
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -87,6 +133,7 @@ READINGS = 35
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
     MESSAGE_S,  # when anything but SYSTEM_TIME came from its autopilot
+    FIX_TYPE, FIX_H, FIX_V, FIX_ARMED,  # of its last GPS_RAW_INT, with accuracies, mm; -1 before the first
     *FIRST_BATTERY,  # of number 0, as long as it is the only one: s (-inf before its first), J, W, share, V, function
 ) = range(READINGS)  # fmt: skip
 """Columns of a vehicle's row, in the order of the struct Readings in readings.pxd."""
@@ -110,7 +157,7 @@ def new_readings() -> Row:
     row = np.zeros(READINGS)
     row[[NORTH, EAST, DOWN, EFFORT_S, CLOCK_S, ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT]] = NAN
     row[[POSITION_S, RECEIVED_S, MESSAGE_S, RECEIVED_REPORTED_S, GIVEN_REPORTED_S, FIRST_BATTERY[0]]] = -INFINITY
-    row[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS]] = -1.0
+    row[[AUTOPILOT, CUSTOM_MODE, BASE_MODE, SYSTEM_STATUS, FIX_TYPE]] = -1.0
     return row
 
 
@@ -176,13 +223,17 @@ def _is_named(data: Any, at: int, stop: int, name: Any) -> bool:
 
 
 def _is_repeated(data: Any, at: int, stop: int, msgid: Any, row: Any, one: Any, now_s: float) -> Any:
-    """Whether a message that is kept elsewhere tells nothing new: where a frame lies, as before; home, whose place of
-    one of ours is known; and another value than a counter of energy, or such a one as before."""
+    """Whether a message that is kept elsewhere says nothing new: where a frame lies, as before; home, whose place of
+    one of ours is known; a fix with the accuracy that it had; and another value than a counter of energy, or such a one
+    as before."""
     if msgid == _HOME_POSITION:
         return row.external == 0.0
     if msgid == _GPS_GLOBAL_ORIGIN:
         same = i32(data, at, stop) == row.origin_lat and i32(data, at + 4, stop) == row.origin_lon
         return same and i32(data, at + 8, stop) == row.origin_alt
+    if msgid == _GPS_RAW_INT:
+        same = octet(data, at + 28, stop) == row.fix_type and _is_armed(row) == row.fix_armed
+        return same and u32(data, at + 34, stop) == row.fix_h and u32(data, at + 38, stop) == row.fix_v
     if msgid == _NAMED_VALUE_INT:
         if _is_named(data, at, stop, b"XferIn"):
             counter = 0
@@ -228,11 +279,15 @@ def _share(percent: int) -> Any:
     return 0.01 * percent if 0 <= percent <= 100 else NAN
 
 
+def _is_armed(row: Any) -> bool:
+    return row.base_mode >= 0.0 and cython.cast(cython.int, row.base_mode) & _ARMED != 0
+
+
 def _count_report(
     one: Any, found: Any, row: Any, now_s: float, consumed_j: float, power_w: float, remaining: float, second: bool
 ) -> bool:
     """Count a battery's report: whether nothing else follows from it."""
-    armed = row.base_mode >= 0.0 and cython.cast(cython.int, row.base_mode) & _ARMED != 0
+    armed = _is_armed(row)
     report = count(one, now_s, consumed_j, power_w, remaining, second, armed)
     other = report.became == DRAWN and mean_power(one, now_s)
     row.power_w = one.power_w

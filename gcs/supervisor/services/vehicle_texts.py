@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from gcs.supervisor.arming import ArmingSequence
@@ -40,9 +40,11 @@ class VehicleTexts:
         taken, self._records = self._records, []
         return taken
 
-    def _shown(self, texts: Iterable[Text], now_s: float) -> list[Text]:
+    def _shown(self, texts: Sequence[Text], now_s: float) -> list[Text]:
+        shown: list[Text] = []
+        if not texts:
+            return shown
         count: Counter[int] = Counter()
-        shown = []
         for sysid, severity, text in texts:
             count[sysid] += 1
             arming = self._arming.get(sysid)

@@ -180,7 +180,7 @@ def test_way_points_are_passed_in_their_order_on_the_straight_way_from_tick_to_t
     for _ in range(400):
         p = rng.uniform(-1.5, 1.5, (4, 3))
         p[rng.random(4) < 0.1] = np.nan
-        some_left = approach.pass_points(p, last, points, ahead, end, within_m**2)
+        some_left = approach.pass_points(p, last, np.zeros(4, np.uint8), points, ahead, end, within_m**2)
         for row, place in enumerate(p):
             known = not np.isnan(place[0])
             begin = place if before[row] is None else before[row]

@@ -48,16 +48,15 @@ WANTED = {
 FOREIGN = {"GLOBAL_POSITION_INT": ("time_boot_ms", "lat", "lon", "alt", "relative_alt", "vx", "vy", "vz")}
 """The same of a recording that is no session's: others know their place by these alone."""
 PLACES = [codec.msgid(name) for name in ("LOCAL_POSITION_NED", "GLOBAL_POSITION_INT")]
-REPEATED = [codec.msgid(name) for name in ("ATTITUDE", "SYSTEM_TIME", "POSITION_TARGET_LOCAL_NED", "FOLLOW_TARGET")]
-"""Messages that say of their sender's health little but that they came."""
-MANY = 16
-"""Of more vehicles not every place is among the frames from which their health follows."""
+REPEATED = [codec.msgid(name) for name in ("ATTITUDE", "POSITION_TARGET_LOCAL_NED", "FOLLOW_TARGET")]
+"""Messages that say of their sender's health only that they came; one stands for all."""
 HEALTH_EVERY_US = 500_000
 """Of each kind that is not kept whole one frame is kept in each time so long."""
-_KIND = np.zeros(256, np.uint8)
-_KIND[[*PLACES, *REPEATED]] = range(1, 1 + len(PLACES) + len(REPEATED))
-"""By message id: a number of each kind of which not every frame is kept, places first; 0 of others."""
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
+_KIND = np.zeros(256, np.uint8)
+_KIND[[*PLACES, _SYSTEM_TIME]] = range(1, 2 + len(PLACES))
+_KIND[REPEATED] = 2 + len(PLACES)
+"""By message id: a number of each kind of which not every frame is kept; 0 of others."""
 _HEADER_1_BYTES, _SIGNATURE_BYTES = 6, 13
 MOST_SECONDS = 7 * 86_400
 MOST_BINS = 1 << 14
@@ -293,8 +292,7 @@ def health_frames(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: 
     # By 16 bits and by 8 the order is found in a fifth of the time.
     senders = (heads[:, tlog_reader.SYSID] << 8 | heads[:, tlog_reader.COMPID]).astype(np.uint16)
     kinds = np.where(msgids < len(_KIND), _KIND[np.minimum(msgids, len(_KIND) - 1)], 0)
-    few = np.count_nonzero(np.bincount(senders)) <= MANY
-    thinned = kinds > (len(PLACES) if few else 0)
+    thinned = kinds > 0
     kept = ~thinned
     some = np.flatnonzero(thinned)
     some = some[np.argsort(kinds[some], kind="stable")]

@@ -16,7 +16,7 @@ from gcs.session.timeline import Moments
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import Health
 
-EVERY_S = 0.1
+EVERY_S = 0.5
 MOST_LOOKS = 100_000
 """At vehicles, one by one: a longer flight of many is looked at more seldom."""
 KINDS = frozenset({"link", "failsafe"})

@@ -23,15 +23,14 @@ PLACE = {"x": 1.0, "y": 0.0, "z": -3.0, "vx": 0.0, "vy": 0.0, "vz": 0.0}
 
 
 def replayed(source: Path) -> tuple[list[tuple[float, int, str]], dict[int, list[dict[str, Any]]]]:
-    """Events of the report's kinds, and each vehicle's rows tick by tick, from a replay that is looked at ten times a
-    second."""
+    """Events of the report's kinds, and each vehicle's rows, from a replay that is looked at twice a second."""
     replay, events, rows = Replay(source), [], dict[int, list[dict[str, Any]]]()
-    for tenth in range(1, round(10.0 * replay.to_s) + 1):
-        replay.advance(tenth / 10, math.inf)
+    for half in range(1, round(2.0 * replay.to_s) + 1):
+        replay.advance(half / 2, math.inf)
         snapshot = replay.snapshot(speed=None)
         events += [(e["t_s"], e["sysid"], e["text"]) for e in snapshot["events"] if e["kind"] in KINDS]
         for row in snapshot["vehicles"]:
-            rows.setdefault(row["sysid"], []).append({"t_s": tenth / 10, **row})
+            rows.setdefault(row["sysid"], []).append({"t_s": half / 2, **row})
     return events, rows
 
 

@@ -4,7 +4,7 @@ cdef enum:
     TOGETHER = 4  # numbers of `sin_cos_of_each` and `pow_of_each`
 
 cdef long long _FRACTION, _ONE, _FIRST_BITS
-cdef double _LEAST_NORMAL, _ROUND, _FAR, _STEPS, _TWO_OVER_PI, _STEPS_OVER_LN_2, _LN_2, _INVERSE_LN_2, _TWO_PI, _PI, _PI_REST
+cdef double _LEAST_NORMAL, _ROUND, _FAR, _TINY, _STEPS, _TWO_OVER_PI, _STEPS_OVER_LN_2, _LN_2, _INVERSE_LN_2, _TWO_PI, _PI, _PI_REST
 cdef double _PI_HALVES_1, _PI_HALVES_2, _PI_HALVES_3, _LN_2_1, _LN_2_2, _STEP_1, _STEP_2
 
 cdef double[128] _POWER

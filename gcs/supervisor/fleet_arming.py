@@ -8,12 +8,37 @@ and change nothing. In flight that is nearly every vehicle in nearly every tick.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import NamedTuple, Self
 
 from gcs.mavlink.autopilots import End
 from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import VehicleView
+
+
+class Groups(NamedTuple):
+    """Vehicles by the states of their arming sequences."""
+
+    steered: frozenset[int]
+    """to which set points should be sent"""
+    takes_off: frozenset[int]
+    """on their way into the air, from before they are armed"""
+    yielded: frozenset[int]
+    """under other control: another ground station's or a pilot's"""
+    ordered: dict[int, End]
+    """mode of each that an operator has taken over"""
+
+    @classmethod
+    def of(cls, sequences: Mapping[int, ArmingSequence]) -> Self:
+        """The groups of all sequences as they are."""
+        each = sequences.items()
+        return cls(
+            frozenset([sysid for sysid, one in each if one.sends_set_points]),
+            frozenset([sysid for sysid, one in each if one.stage in (Stage.ARM, Stage.TAKEOFF)]),
+            frozenset([sysid for sysid, one in each if one.stage is Stage.YIELDED]),
+            {sysid: one.ordered for sysid, one in each if one.ordered is not None},
+        )
 
 
 class FleetArming:
@@ -27,11 +52,15 @@ class FleetArming:
         """vehicles of which something was requested since they were asked"""
         self._number = -1
         """of the last snapshot"""
+        self._groups: Groups | None = None
+        """None where a sequence has decided or was requested something since they were found"""
         for sequence in sequences.values():
             sequence.touched = self._touched
 
     def due(self, columns: FleetColumns) -> list[int]:
         """System ids, in order, of those that have to be asked now; `columns` are of the views they will be shown."""
+        if self._touched:
+            self._groups = None
         self._restless.update(self._touched, columns.changed_since(self._number))
         self._touched.clear()
         self._number = columns.number
@@ -40,6 +69,7 @@ class FleetArming:
 
     def asked(self, sysid: int, view: VehicleView) -> None:
         """A sequence has just decided on this view."""
+        self._groups = None
         if self.sequences[sysid].rests(view):
             self._restless.discard(sysid)
 
@@ -56,24 +86,11 @@ class FleetArming:
         return self._touched.union(self._due)
 
     @property
-    def steered(self) -> frozenset[int]:
-        """Vehicles that set points should be sent to."""
-        return frozenset([sysid for sysid, one in self.sequences.items() if one.sends_set_points])
-
-    @property
-    def takes_off(self) -> frozenset[int]:
-        """Vehicles on their way into the air, from before they are armed."""
-        return frozenset([sysid for sysid, one in self.sequences.items() if one.stage in (Stage.ARM, Stage.TAKEOFF)])
-
-    @property
-    def yielded(self) -> frozenset[int]:
-        """Vehicles under other control: another ground station's or a pilot's."""
-        return frozenset([sysid for sysid, one in self.sequences.items() if one.stage is Stage.YIELDED])
-
-    @property
-    def ordered(self) -> dict[int, End]:
-        """Mode of each vehicle that an operator has taken over."""
-        return {sysid: one.ordered for sysid, one in self.sequences.items() if one.ordered is not None}
+    def groups(self) -> Groups:
+        """Vehicles by what their sequences make of them now."""
+        if self._groups is None or self._touched:
+            self._groups = Groups.of(self.sequences)
+        return self._groups
 
 
 def stage_event(view: VehicleView, arming: ArmingSequence, before: Stage, now_s: float) -> Event | None:

@@ -180,7 +180,7 @@ class Supervisor:
         if self.faults.any:
             self._inject_faults(now_s)
         self.snapshot = snapshot = self.fleet.snapshot(now_s)
-        ordered: Mapping[int, End] = self._fleet_arming.ordered
+        ordered: Mapping[int, End] = self._fleet_arming.groups.ordered
         if self.grounded:
             ordered = {**dict.fromkeys(self.grounded, "land"), **ordered}
         self.events += self._watch.look(snapshot, ordered)
@@ -474,14 +474,14 @@ class Supervisor:
     def _plan(
         self, snapshot: FleetSnapshot, decision: Decision, pursuing: Mapping[int, int] | None
     ) -> Sequence[SetPoint]:
-        steered = self._fleet_arming.steered
+        groups = self._fleet_arming.groups
         if not self.targets_move:
             ready = all(p.stage in _SETTLED for s, p in self.arming.items() if self._join_ms[s] == 0)
             self.targets_move = ready or self.time_s > self._wait_for_fleet_s
         return self.planner.plan(
             PlanRequest(
                 snapshot,
-                steered,
+                groups.steered,
                 self._periods * self.scenario.clock.period_s,
                 self.targets_move,
                 decision.rendezvous,
@@ -490,13 +490,13 @@ class Supervisor:
                 decision.stations,
                 self.script.given(self.time_s),
                 claims=self.missions.claims,
-                takes_off=self._fleet_arming.takes_off,
+                takes_off=groups.takes_off,
             )
         )
 
     def _flown(self, set_points: Sequence[SetPoint]) -> Sequence[SetPoint]:
         """Set points of vehicles under our control."""
-        yielded = self._fleet_arming.yielded
+        yielded = self._fleet_arming.groups.yielded
         return [point for point in set_points if point.sysid not in yielded] if yielded else set_points
 
     # out

@@ -9,7 +9,7 @@ from changing import ChangingFleet
 from gcs.scenario.external import External
 from gcs.supervisor.arming import SELDOM_S, ArmingSequence, Stage
 from gcs.supervisor.arming_external import ExternalArmingSequence
-from gcs.supervisor.fleet_arming import FleetArming
+from gcs.supervisor.fleet_arming import FleetArming, Groups
 
 SYSIDS = (1, 2, 3, 7, 101, 201)
 TICKS = 2500
@@ -60,9 +60,8 @@ def test_who_is_not_asked_would_not_have_answered_nor_changed(seed: int) -> None
             some.asked(sysid, seen)
         assert all(answer == ([], []) for answer in answers.values())
         assert {s: one.stage for s, one in some.sequences.items()} == {s: one.stage for s, one in everybody.items()}
-        assert some.steered == {s for s, one in everybody.items() if one.sends_set_points}
-        assert some.yielded == {s for s, one in everybody.items() if one.stage is Stage.YIELDED}
-        assert some.ordered == {s: one.ordered for s, one in everybody.items() if one.ordered is not None}
+        assert some.groups == Groups.of(everybody)
+        assert some.groups.steered == {s for s, one in everybody.items() if one.sends_set_points}
         now = {s: (one.stage, one.ordered, one.grounded, one.left_out) for s, one in everybody.items()}
         assert {s for s in SYSIDS if now[s] != before[s]} <= some.moved
         before, told = now, told + len(some.moved)

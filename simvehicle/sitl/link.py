@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import encodings.idna  # noqa: F401 - getaddrinfo needs it: it is shared by processes that are forked later
 import errno
 import re
 import socket

@@ -11,6 +11,7 @@ from __future__ import annotations
 import cython
 import cython.cimports.skytender.elementary as elementary
 import numpy as np
+from cython.cimports.libc import math
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
@@ -21,6 +22,14 @@ def advanced(ln_v: FloatArray, tau: FloatArray, at: float, p: float) -> FloatArr
     made = np.empty((2, len(ln_v)))
     _advance(ln_v, tau, at, p, made[0], made[1])
     return made[0]
+
+
+def all_at_least(x: FloatArray, least: float) -> bool:
+    """Whether all numbers of x (n,) are finite, and none is below `least`."""
+    for i in range(x.shape[0]):
+        if not least <= x[i] < math.INFINITY:
+            return False
+    return True
 
 
 def _advance(ln_v: FloatArray, tau: FloatArray, at: float, p: float, z: FloatArray, shares: FloatArray) -> None:

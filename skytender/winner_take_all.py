@@ -8,6 +8,7 @@ The largest τ wins: its v settles at τ^(1/p), every other goes to zero. v and 
 from __future__ import annotations
 
 import math
+import sys
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from skytender import closed_form, elementary, elementwise
 
 FloatArray = NDArray[np.float64]
+_LARGEST, _SMALLEST = sys.float_info.max, math.ulp(0.0)
 
 
 def advance(v: ArrayLike, tau: ArrayLike, dt_s: float, *, p: float, rate: float) -> FloatArray:
@@ -97,7 +99,7 @@ def finite(name: str, value: ArrayLike) -> FloatArray:
     array = np.asarray(value, dtype=np.float64)
     if array.ndim != 1:
         raise ValueError(f"competition: {name} has shape {array.shape}; it must be (n,)")
-    if not np.isfinite(array).all():
+    if not closed_form.all_at_least(array, -_LARGEST):
         at = int(np.flatnonzero(~np.isfinite(array))[0])
         raise ValueError(f"competition: {name} is {array[at]!r} at {at}; it must be finite")
     return array
@@ -105,7 +107,7 @@ def finite(name: str, value: ArrayLike) -> FloatArray:
 
 def states_of(v: ArrayLike, name: str = "v") -> FloatArray:
     states = finite(name, v)
-    if (states < 0).any():
+    if not closed_form.all_at_least(states, 0.0):
         raise ValueError(f"competition: {name} is {states.min()!r} at {int(states.argmin())}; it must be at least 0")
     return states
 
@@ -114,7 +116,7 @@ def drive_of(tau: ArrayLike, shape: tuple[int, ...]) -> FloatArray:
     drive = finite("tau", tau)
     if drive.shape != shape:
         raise ValueError(f"competition: tau has shape {drive.shape} and v {shape}; they must agree")
-    if (drive <= 0).any():
+    if not closed_form.all_at_least(drive, _SMALLEST):
         raise ValueError(f"competition: tau is {drive.min()!r} at {int(drive.argmin())}; it must be above 0")
     return drive
 

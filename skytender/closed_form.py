@@ -26,10 +26,10 @@ def advanced(ln_v: FloatArray, tau: FloatArray, at: float, p: float) -> FloatArr
 
 def all_at_least(x: FloatArray, least: float) -> bool:
     """Whether all numbers of x (n,) are finite, and none is below `least`."""
+    fit = True
     for i in range(x.shape[0]):
-        if not least <= x[i] < math.INFINITY:
-            return False
-    return True
+        fit = fit and least <= x[i] < math.INFINITY
+    return fit
 
 
 def _advance(ln_v: FloatArray, tau: FloatArray, at: float, p: float, z: FloatArray, shares: FloatArray) -> None:

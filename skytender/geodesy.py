@@ -60,6 +60,17 @@ def place_of(p_ned: Vec3, origin: Vec3) -> Vec3:
     return math.degrees(lat), math.degrees(elementary.atan2(y, x)), height_m
 
 
+def radii_m(lat_deg: float) -> tuple[float, float]:
+    """The ellipsoid's radii of curvature (m) at a latitude (deg): along the meridian, and across it.
+
+    M = a (1 - e²)/(1 - e² sin² φ)^(3/2)    N = a/(1 - e² sin² φ)^(1/2)
+    """
+    sine, _ = elementary.sin_cos(math.radians(lat_deg))
+    square = 1.0 - _E2 * sine * sine
+    across_m = A_M / math.sqrt(square)
+    return across_m * (1.0 - _E2) / square, across_m
+
+
 def _directions(origin: Vec3) -> tuple[tuple[float, float], tuple[float, float]]:
     """Sine and cosine of an origin's latitude and of its longitude."""
     return elementary.sin_cos(math.radians(origin[0])), elementary.sin_cos(math.radians(origin[1]))

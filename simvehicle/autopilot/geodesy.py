@@ -7,11 +7,13 @@ there: against the exact conversion it is off by 1 mm at 100 m from the origin a
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import cos, degrees, radians
+from math import degrees, radians
 
 import numpy as np
 from numpy.typing import NDArray
-from pymap3d import rcurve
+
+from skytender import elementary
+from skytender.geodesy import radii_m
 
 MOST_LATITUDE_DEG = 89.0
 
@@ -35,8 +37,9 @@ class LocalFrame:
             raise ValueError(
                 f"{place} is no origin: latitude within 89 deg, longitude within 180 deg, then height in m"
             )
-        north_radius_m = float(rcurve.meridian(self.lat_deg)) + self.alt_m
-        east_radius_m = (float(rcurve.transverse(self.lat_deg)) + self.alt_m) * cos(radians(self.lat_deg))
+        meridian_m, across_m = radii_m(self.lat_deg)
+        north_radius_m = meridian_m + self.alt_m
+        east_radius_m = (across_m + self.alt_m) * elementary.cos(radians(self.lat_deg))
         object.__setattr__(self, "deg_per_north_m", degrees(1.0 / north_radius_m))
         object.__setattr__(self, "deg_per_east_m", degrees(1.0 / east_radius_m))
         numbers = (self.lat_deg, self.lon_deg, self.alt_m, self.deg_per_north_m, self.deg_per_east_m)

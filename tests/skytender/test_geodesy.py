@@ -26,3 +26,9 @@ def test_places_agree_with_pymap3d(origin: tuple[float, float, float]) -> None:
 def test_a_pole_has_a_place() -> None:
     lat_deg, _, height_m = geodesy.place_of((0.0, 0.0, -10.0), (90.0, 0.0, 0.0))
     assert (lat_deg, height_m) == pytest.approx((90.0, 10.0), abs=1e-8)
+
+
+@pytest.mark.parametrize("lat_deg", [-89.0, -35.363262, 0.0, 1e-9, 47.397742, 89.0])
+def test_radii_of_curvature_agree_with_pymap3d(lat_deg: float) -> None:
+    expected = pymap3d.rcurve.meridian(lat_deg), pymap3d.rcurve.transverse(lat_deg)
+    assert geodesy.radii_m(lat_deg) == pytest.approx(expected, rel=1e-15)

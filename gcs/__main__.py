@@ -7,6 +7,7 @@ import signal
 import sys
 
 from skytender.exit import INTERRUPTED
+from skytender.loading import uncollected
 
 AGAIN_S = 0.02
 TYPE_CHECKING = False
@@ -20,7 +21,8 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
+    with uncollected():
+        from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
 
     sys.unraisablehook = raise_again
     signal.signal(signal.SIGINT, handler)

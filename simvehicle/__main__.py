@@ -6,6 +6,7 @@ import os
 import signal
 
 from skytender.exit import INTERRUPTED
+from skytender.loading import uncollected
 
 
 def main() -> None:
@@ -13,7 +14,8 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    from simvehicle import cli  # noqa: PLC0415 - what takes long
+    with uncollected():
+        from simvehicle import cli  # noqa: PLC0415 - what takes long
 
     signal.signal(signal.SIGINT, handler)
     cli.main()

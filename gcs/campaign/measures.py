@@ -20,7 +20,7 @@ from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
 from gcs.scenario.model import Scenario
 from skytender import geometry
-from skytender.patrol import patrol
+from skytender.safety.patrol import patrol
 
 REACHED_M = 0.5
 """Distance from its last way point within which a vehicle has arrived."""

@@ -17,6 +17,7 @@ import click
 from gcs.cli.options import STATION_OPTION, connect_option
 from gcs.cli.trust import TRUST
 from skytender.exit import BAD_INPUT, NOT_DONE
+from skytender.loading import uncollected
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -81,6 +82,7 @@ def show_warnings(scenario: str, checked: Scenario, *, strict: bool = False, sta
     return lines
 
 
+@uncollected()
 def load_scenario(
     scenario: str, settings: Sequence[str] = (), *, trust: bool | None = None, plans: bool = True, quiet: bool = True
 ) -> Scenario:

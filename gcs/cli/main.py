@@ -12,6 +12,7 @@ import click
 
 from gcs.extras import MissingExtra
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from skytender.loading import uncollected
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 
@@ -49,7 +50,8 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in MODULES:
             return None
-        command: click.Command = getattr(import_module(f"gcs.cli.{MODULES[cmd_name]}"), cmd_name)
+        with uncollected():
+            command: click.Command = getattr(import_module(f"gcs.cli.{MODULES[cmd_name]}"), cmd_name)
         return command
 
 

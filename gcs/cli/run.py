@@ -19,6 +19,7 @@ from gcs.cli.author import ScenarioName, ScenarioRefused, load_scenario, module_
 from gcs.cli.options import ONE_STDOUT, PLAIN, key_file_option, limits, out_option, speed_option
 from gcs.cli.trust import TRUST
 from skytender.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
+from skytender.loading import uncollected
 
 if TYPE_CHECKING:
     from gcs.scenario.model import Scenario
@@ -164,10 +165,11 @@ def run(
 
     lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
     server = click.get_current_context().with_resource(early(lines and can_fork()))
-    from gcs.scenario.plugins import named
-    from gcs.session.plain_text import logged, mute_stdout
-    from gcs.session.supervised import SupervisorFork, new_folder, write_scenario
-    from gcs.session.supervised import run as fly
+    with uncollected():
+        from gcs.scenario.plugins import named
+        from gcs.session.plain_text import logged, mute_stdout
+        from gcs.session.supervised import SupervisorFork, new_folder, write_scenario
+        from gcs.session.supervised import run as fly
 
     try:
         key_path = None if key_file is None else str(key_file.resolve())

@@ -22,6 +22,7 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.plugins import clients
 from gcs.session.own_vehicles import OwnVehicles
 from skytender.exit import INTERNAL_ERROR, leave
+from skytender.loading import uncollected
 
 
 @click.command()
@@ -67,7 +68,8 @@ def fly(
     try:
         scenario = scenario or load(folder / "scenario.yaml")
         vehicles = OwnVehicles(scenario, folder, drop, server)
-        from gcs.session.session_process import SessionProcess  # noqa: PLC0415 - the vehicles come up meanwhile
+        with uncollected():
+            from gcs.session.session_process import SessionProcess  # noqa: PLC0415 - the vehicles come up meanwhile
 
         with plugin_process.started(scenario, modules, folder, parent=0) as process, contextlib.ExitStack() as stack:
             plugins = clients(scenario, process)

@@ -29,6 +29,7 @@ from gcs.scenario.pydantic_plugins import without_plugins
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR
+from skytender.loading import uncollected
 
 SUPERVISOR = "gcs.session.process"
 POLL_S = 0.125
@@ -148,7 +149,8 @@ class SupervisorFork:
             del sys.path[0]  # as -P does for the command
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here is worth threads
         with without_plugins():
-            from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
+            with uncollected():
+                from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             server = None if self.server is None else self.server.adopted()
             return process.fly(self.folder, drop=self.drop, scenario=self.scenario, server=server)

@@ -34,7 +34,7 @@ from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
 from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
 from gcs.telemetry.state import STALE_S, FleetSnapshot, TrafficView, Vec3, VehicleView
-from skytender.patrol import patrol
+from skytender.safety.patrol import patrol
 
 Notices = tuple[list[dict[str, Any]], list[Event]]
 """Records and events."""

@@ -19,6 +19,7 @@ from simvehicle.cli.command import cli, reported, run_argv
 from simvehicle.cli.vehicle import LAST_SYSID, prepare
 from simvehicle.sitl.secret import hand_over
 from skytender.fork_server import Child, serve
+from skytender.loading import uncollected
 
 COMMAND = "fork-server"
 OWN_PROCESS = {"-h", "--help", "--version", "--state"}
@@ -32,7 +33,8 @@ def fork_server() -> None:
     Modules are loaded once; every vehicle is then a fork of this process.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # threads would be missing in a fork
-    from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - once, for all vehicles
+    with uncollected():
+        from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - once, for all vehicles
 
     status = serve(child_of)
     sys.stderr.flush()

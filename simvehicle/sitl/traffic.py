@@ -21,7 +21,7 @@ from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.unit import Unit
 from skytender import elementary
 from skytender import mavlink as mav
-from skytender.patrol import patrol
+from skytender.safety.patrol import patrol
 
 SYSID, COMPID = 255, 156
 REPORT_EVERY_MS = 100

@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -34,7 +34,7 @@ _BEGIN = b'{"kind":"set_point",'
 
 class _SetPoint(msgspec.Struct, tag_field="kind", tag="set_point", gc=False):
     p_ned: tuple[float, float, float]
-    sysid: int
+    sysid: Annotated[int, msgspec.Meta(ge=0, le=255)]
     t_s: float
 
 
@@ -68,9 +68,14 @@ class DecisionLine(NamedTuple):
             return {}
 
 
+def _is_deep(line: bytes) -> bool:
+    """Whether a line may be nested more deeply than it can be read."""
+    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
+
+
 def _is_refused(line: bytes) -> bool:
-    """Whether a line may be nested more deeply than it can be read, or holds a whole number of more than 64 bits."""
-    if len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED:
+    """Whether a line may be too deep, or holds a whole number of more than 64 bits."""
+    if _is_deep(line):
         return True
     if _LONG.search(line) is None:
         return False
@@ -116,7 +121,7 @@ class DecisionLines:
 
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
-        for lines in self._blocks():
+        for lines in self._blocks(lambda line: _is_deep(line) if line.startswith(_BEGIN) else _is_refused(line)):
             own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
             points = [point for point, _ in self._decoded(_POINTS, own)]
             others = []
@@ -131,7 +136,7 @@ class DecisionLines:
             rows[:, T_S] = [point.t_s for point in points]
             yield rows, others
 
-    def _blocks(self) -> Iterator[list[bytes]]:
+    def _blocks(self, refuses: Callable[[bytes], bool] = _is_refused) -> Iterator[list[bytes]]:
         self.broken, self.cut, done = 0, False, 0
         with rotation.open_parts(self._path) as file:
             size = max(rotation.size(self._path), 1)
@@ -139,7 +144,7 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                refused = {line for line in lines if _is_refused(line)}
+                refused = {line for line in lines if refuses(line)}
                 for line in lines if refused else ():
                     if line in refused:
                         self._pass_over(line)

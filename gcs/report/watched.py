@@ -7,9 +7,13 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator
-from itertools import chain
 
+import numpy as np
+from numpy.typing import NDArray
+
+from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
+from gcs.recording import tlog_reader
 from gcs.recording.session_folder import Recorded
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
@@ -42,16 +46,33 @@ class Watched:
         vehicles = max(len(recorded.traffic_count), 1)
         every_s = max(EVERY_S, recorded.end_s * vehicles / MOST_LOOKS)
         looks, latest_s = 1, 0.0
-        for t_us, frame in chain.from_iterable(chunk.frames() for chunk in recorded.health_frames):
-            latest_s = min(max(latest_s, t_us / 1e6), recorded.end_s)  # a stamp may be years away
-            while round(looks * every_s, 6) < latest_s:
-                self._look(round(looks * every_s, 6))
-                looks += 1
-            self._observer.receive(frame, latest_s, counted=False)
+        for chunk in recorded.health_frames:
+            data, heads = chunk.octets.tobytes(), chunk.heads
+            # A stamp may be years away.
+            seconds = np.maximum.accumulate(np.append(latest_s, heads[:, tlog_reader.T_US] / 1e6))[1:]
+            times_s = np.minimum(seconds, recorded.end_s)
+            begin = 0
+            while begin < len(heads):
+                due_s = round(looks * every_s, 6)
+                end = int(np.searchsorted(times_s, due_s, side="right"))
+                if begin < end:
+                    self._receive(data, heads[begin:end], times_s[begin:end])
+                    begin = end
+                if begin < len(heads):
+                    self._look(due_s)
+                    looks += 1
+            latest_s = float(times_s[-1]) if len(heads) else latest_s
         while round(looks * every_s, 6) < recorded.end_s:
             self._look(round(looks * every_s, 6))
             looks += 1
         self._look(recorded.end_s)
+
+    def _receive(self, data: bytes, heads: NDArray[np.int64], times_s: NDArray[np.float64]) -> None:
+        def frame(k: int) -> Frame:
+            _, at, *numbers = heads[k].tolist()
+            return Frame._make((*numbers, tlog_reader.raw_at(data, at)))
+
+        self._observer.receive_dated(data, heads[:, [tlog_reader.AT, tlog_reader.SYSID]], times_s, frame)
 
     def _look(self, t_s: float) -> None:
         observer = self._observer

@@ -13,7 +13,9 @@ from collections.abc import Callable, Sequence
 from typing import Any, Literal
 
 import msgspec
+import numpy as np
 from msgspec import UNSET
+from numpy.typing import NDArray
 
 from gcs.link.quality import LinkQuality
 from gcs.mavlink import codec
@@ -158,6 +160,22 @@ class Observer:
             self._report_events(frame.sysid, t_s)
         elif frame.msgid == _CURRENT:
             self._mission_items[frame.sysid] = codec.fields(frame).seq
+
+    def receive_dated(
+        self, data: bytes, heads: NDArray[np.int64], times_s: NDArray[np.float64], frame: Callable[[int], Frame]
+    ) -> None:
+        """As `receive` with n frames of a recording that are not counted; the session's own vehicles' are read at once.
+
+        Args:
+            heads: (n, 2) where in `data` each frame begins, and its sender's system id.
+            times_s: (n,) when each came.
+            frame: makes that of a number.
+        """
+        places, sysids = np.ascontiguousarray(heads.T)
+        self.fleet.ingest_dated(
+            data, places, sysids, times_s, self._known,
+            lambda k: self.receive(frame(k), float(times_s[k]), counted=False),
+        )  # fmt: skip
 
     def _report_events(self, sysid: int, t_s: float) -> None:
         """Say once that a vehicle sends events; a session's recording has them as decisions."""

@@ -16,6 +16,7 @@ from operator import itemgetter
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.mavlink.codec import Frame, fields
 from gcs.mavlink.common_frame import FramePlace, frame_place, origin_under, turned
@@ -159,6 +160,43 @@ class Fleet:
             else:
                 at = self._go_on(self._tracks[sysid], data, at, why, time_s)
                 row = self._rows[sysid]
+
+    def ingest_dated(
+        self,
+        data: bytes,
+        places: NDArray[np.int64],
+        sysids: NDArray[np.int64],
+        times_s: NDArray[np.float64],
+        of: Collection[int],
+        other: Callable[[int], object],
+    ) -> None:
+        """As `ingest` with n frames, each at its own session time, of these vehicles; `other` is called with the
+        number of each further frame, in its turn.
+
+        Args:
+            places, sysids, times_s: (n,) where in `data` each frame begins, its sender, and its time.
+        """
+        k, row_by_sysid = 0, self._rows_of(of)
+        while True:
+            k, at, why = self._reader.read_dated(data, places, sysids, times_s, row_by_sysid, k, len(places))
+            if why == END:
+                return
+            if why == UNKNOWN:
+                other(k)
+                row_by_sysid = self._rows_of(of)  # another vehicle may have joined
+            else:
+                sysid, time_s = int(sysids[k]), float(times_s[k])
+                at = self._go_on(self._tracks[sysid], data, at, why, time_s)
+                end = int(places[k]) + len(frame_at(data, int(places[k])).raw)
+                self._read(sysid, self._rows[sysid], data, at, end, time_s)
+            k += 1
+
+    def _rows_of(self, sysids: Collection[int]) -> NDArray[np.int64]:
+        """(256,) rows of these vehicles by system id, -1 of others."""
+        row_by_sysid = np.full(NUMBERS, -1)
+        for sysid in sysids:
+            row_by_sysid[sysid] = self._rows[sysid]
+        return row_by_sysid
 
     def _read(self, sysid: int, row: int, data: bytes, at: int, end: int, time_s: float) -> None:
         """Read the frames of one vehicle, which lie there whole and one after the other."""

@@ -131,5 +131,11 @@ cdef class TelemetryReader:
     cpdef read_runs(
         self, bytes data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t vehicle, Py_ssize_t run, int64_t[:, ::1] spans,
         int64_t[:, ::1] runs, double now_s)
+    @cython.locals(
+        stop=Stop, octets="const unsigned char *", at=Py_ssize_t, behind=Py_ssize_t, vehicle=Py_ssize_t,
+        signature=Py_ssize_t)
+    cpdef read_dated(
+        self, bytes data, const int64_t[::1] places, const int64_t[::1] sysids, const double[::1] times_s,
+        const int64_t[::1] row_by_sysid, Py_ssize_t k, Py_ssize_t end)
     cdef Stop _read(
         self, const unsigned char* data, Py_ssize_t at, Py_ssize_t end, Py_ssize_t vehicle, double now_s) noexcept nogil

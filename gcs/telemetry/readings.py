@@ -55,6 +55,7 @@ from cython.cimports.gcs.telemetry.readings import (
     readings_at,
 )
 from cython.cimports.libc.math import INFINITY, M_PI, NAN, fabs, isfinite, isnan, sqrt
+from cython.cimports.skytender.frames import CHECKSUM_BYTES, HEADER_BYTES, MAGIC, SIGNATURE_BYTES, SIGNED
 from numpy.typing import NDArray
 
 from gcs.mavlink.battery import HECTOJOULE
@@ -414,6 +415,36 @@ class TelemetryReader:
             run += 1
             if vehicle < 0:
                 return run, at, UNKNOWN
+
+    def read_dated(
+        self,
+        data: bytes,
+        places: NDArray[np.int64],
+        sysids: NDArray[np.int64],
+        times_s: NDArray[np.float64],
+        row_by_sysid: NDArray[np.int64],
+        k: int,
+        end: int,
+    ) -> tuple[int, int, int]:
+        """Read frames k to end of n that lie anywhere, each at its own time; (which one it stops at, where in that the
+        next one begins, why). UNKNOWN: its vehicle is left out, or it is of MAVLink 1.
+
+        Args:
+            places, sysids, times_s: (n,) where each frame begins, its sender, and its session time.
+            row_by_sysid: (256,) rows of the vehicles that are read; negative: left out.
+        """
+        octets = cython.cast("const unsigned char *", data)
+        while k < end:
+            at, vehicle = places[k], row_by_sysid[sysids[k]]
+            if vehicle < 0 or octets[at] != MAGIC:
+                return k, at, UNKNOWN
+            signature = SIGNATURE_BYTES if octets[at + 2] & SIGNED else 0
+            behind = at + HEADER_BYTES + octets[at + 1] + CHECKSUM_BYTES + signature
+            stop = self._read(octets, at, behind, vehicle, times_s[k])
+            if stop.why != END:
+                return k, stop.at, stop.why
+            k += 1
+        return k, 0, END
 
     def _read(self, data: Any, at: int, end: int, vehicle: int, now_s: float) -> Any:
         if at >= end:

@@ -68,14 +68,9 @@ class DecisionLine(NamedTuple):
             return {}
 
 
-def _is_deep(line: bytes) -> bool:
-    """Whether a line may be nested more deeply than it can be read."""
-    return len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED
-
-
 def _is_refused(line: bytes) -> bool:
-    """Whether a line may be too deep, or holds a whole number of more than 64 bits."""
-    if _is_deep(line):
+    """Whether a line may be nested more deeply than it can be read, or holds a whole number of more than 64 bits."""
+    if len(line) > MOST_OPENED and line.count(b"[") + line.count(b"{") > MOST_OPENED:
         return True
     if _LONG.search(line) is None:
         return False
@@ -121,7 +116,7 @@ class DecisionLines:
 
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
-        for lines in self._blocks(lambda line: _is_deep(line) if line.startswith(_BEGIN) else _is_refused(line)):
+        for lines in self._blocks(typed=True):
             own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
             points = [point for point, _ in self._decoded(_POINTS, own)]
             others = []
@@ -136,7 +131,8 @@ class DecisionLines:
             rows[:, T_S] = [point.t_s for point in points]
             yield rows, others
 
-    def _blocks(self, refuses: Callable[[bytes], bool] = _is_refused) -> Iterator[list[bytes]]:
+    def _blocks(self, *, typed: bool = False) -> Iterator[list[bytes]]:
+        """Lines that can be read; `typed`: short set points are left to the types of their numbers."""
         self.broken, self.cut, done = 0, False, 0
         with rotation.open_parts(self._path) as file:
             size = max(rotation.size(self._path), 1)
@@ -144,7 +140,10 @@ class DecisionLines:
                 done += len(block)
                 lines = [line for line in block.split(b"\n") if line]
                 self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                refused = {line for line in lines if refuses(line)}
+                suspects = lines
+                if typed:
+                    suspects = [line for line in lines if len(line) > MOST_OPENED or not line.startswith(_BEGIN)]
+                refused = {line for line in suspects if _is_refused(line)}
                 for line in lines if refused else ():
                     if line in refused:
                         self._pass_over(line)

@@ -31,10 +31,10 @@ from gcs.session.arrival import WATCH_EVERY_S, BadVehicleError, ForkServerDied, 
 from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
-from gcs.session.old_parameters import OldParameters
 from gcs.session.own_vehicles import OwnVehicles
 from gcs.session.parent import has_gone, say
 from gcs.session.program.channel import Program
+from gcs.session.replaced import OldParameters, OldPlans
 from gcs.session.server import Publisher
 from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
@@ -120,7 +120,7 @@ class SessionProcess:
         self._answered_s = self._said_waiting_s = math.inf
         self._suspension = SuspensionWatch()
         self._published_s = self._watched_s = 0.0
-        self._old_parameters = OldParameters(folder)
+        self._old_parameters, self._old_plans = OldParameters(folder), OldPlans(folder)
         self._phase = "starting"
         self._begun = False
         self._wall_time_s = 0.0
@@ -237,6 +237,7 @@ class SessionProcess:
             supervisor.tick(self._watch, periods)
             if supervisor.preflight.under_way and self._external_link is not None:
                 self._old_parameters.keep(supervisor.preflight.before())
+                self._old_plans.keep(supervisor.preflight.plans_before(), supervisor.snapshot.vehicle)
             self._answered_s = self._said_waiting_s = time.monotonic()
             if time.monotonic() - self._watched_s >= WATCH_EVERY_S:
                 self._watch()

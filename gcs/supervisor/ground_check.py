@@ -41,7 +41,7 @@ class GroundCheck:
         self._expected = scenario.vehicles.external
         self._fleet = make_fleet(scenario)
         self._externals = ExternalFleet(scenario)
-        self._preflight = Preflight(scenario, returns_set=False)
+        self._preflight = Preflight(scenario, returns_set=False, keeps_plans=False)
         self._queue = FleetCommandQueue(self._expected, dict.fromkeys(self._expected, scenario.station.ids))
         self._heartbeat_s = -HEARTBEAT_EVERY_S
         self._ready: dict[int, bool | None] = {}

@@ -50,8 +50,9 @@ NO_TIME_BEFORE_S = 1_420_070_400.0
 ASK_EVERY_S, ASK_TIMES = 0.5, 2
 _SYSTEM_TIME = codec.msgid("SYSTEM_TIME")
 _PARAMETERS = frozenset(map(codec.msgid, return_setting.MESSAGES))
-BEFORE_FILE = "parameters-before.param"
-"""File in a session's folder, for `gcs params load`: what vehicles had before the session wrote it."""
+BEFORE_FILE, PLAN_BEFORE = "parameters-before.param", "plan-before-{}.plan"
+"""Files in a session's folder, for `gcs params load` and `gcs mission set`: what vehicles had before the session wrote
+it; the second for each system id."""
 _WORDS = {
     "kept": "there already",
     "uploaded": "uploaded and read back",
@@ -112,8 +113,10 @@ class _CheckList:
 class Preflight:
     """The check lists of all vehicles of a session."""
 
-    def __init__(self, scenario: Scenario, *, returns_set: bool = True) -> None:
-        """`returns_set`: whether return parameters are written; else it is only said what they would be."""
+    def __init__(self, scenario: Scenario, *, returns_set: bool = True, keeps_plans: bool = True) -> None:
+        """`returns_set`: whether return parameters are written; else it is only said what they would be. `keeps_plans`:
+        whether there is a folder for `plans_before`."""
+        self._keeps_plans = keeps_plans
         self.enforced = scenario.preflight == "enforce"
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
         self._stations = dict.fromkeys(scenario.vehicles.external, scenario.station.ids)
@@ -129,6 +132,7 @@ class Preflight:
                         KINDS[key],
                         items,
                         station=self._stations.get(v.sysid, STATION),
+                        keeps=keeps_plans and v.external is not None,
                     )
                     for key, items in plans.items()
                     if items
@@ -229,6 +233,14 @@ class Preflight:
         settings = {sysid: checks.homecoming for sysid, checks in self._lists.items()}
         return {sysid: one.before for sysid, one in settings.items() if one is not None and one.before}
 
+    def plans_before(self) -> dict[int, dict[int, tuple[PlanItem, ...]]]:
+        """Plans of external vehicles that the session has replaced, by system id and MAV_MISSION_TYPE."""
+        replaced = {
+            sysid: {client.kind: client.replaced for client in checks.clients.values() if client.replaced}
+            for sysid, checks in self._lists.items()
+        }
+        return {sysid: plans for sysid, plans in replaced.items() if plans}
+
     def begin_putting_back(self, snapshot: FleetSnapshot) -> None:
         """At the end: vehicles get back what they had."""
         self.under_way = ()
@@ -269,7 +281,8 @@ class Preflight:
         kind, habits = KINDS["mission"], view.profile.plans
         items = wire_items(mission, kind, habits, view.profile.not_given)
         station = self._stations.get(view.sysid, STATION)
-        return PlanClient(view.sysid, AUTOPILOT, kind, items, habits, station=station, first=1)
+        keeps = self._keeps_plans and view.sysid in self._stations
+        return PlanClient(view.sysid, AUTOPILOT, kind, items, habits, station=station, first=1, keeps=keeps)
 
     def _plan(self, key: str, client: PlanClient, checks: _CheckList, now_s: float) -> list[Message]:
         messages = client.poll(now_s)
@@ -277,6 +290,8 @@ class Preflight:
             why = f" ({client.why})" if client.why and client.outcome != "unsupported" else ""
             name = "rally points" if key == "rally" else key
             text = f"{name} {_WORDS[client.outcome]}{why}"
+            if client.replaced:
+                text += f", the one before it is in {PLAN_BEFORE.format(client.sysid)}"
             if key == "mission" and client.outcome == "unsupported":
                 text = f"mission not taken: {client.why}"
             fails = _FAILS_MISSION if key == "mission" else _FAILS

@@ -18,6 +18,8 @@ from pymavlink.dialects.v20 import common as mav
 from sessions import Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, strangers
 
+from gcs.missions import files, qgc_plan
+from gcs.missions.items import FenceArea, GlobalPlace, MissionPlan
 from gcs.scenario.model import Scenario
 from gcs.supervisor.preflight import fence_items, rally_items
 
@@ -158,3 +160,21 @@ def test_the_check_list_is_gone_through_without_a_flight(tmp_path: Path) -> None
     assert lists[3].keys() == {"heard"}
     assert f"no HEARTBEAT at {at[3]}" in lists[3]["heard"]["text"]
     assert gcs("check", str(file), "--arm").returncode == 2
+
+
+def test_plans_that_a_session_replaces_are_kept_in_its_folder(tmp_path: Path) -> None:
+    port = free_port()
+    corners = ((47.3976, 8.5454), (47.3979, 8.5454), (47.3979, 8.5458))
+    before = MissionPlan(fence=(FenceArea(True, corners),), rally=(GlobalPlace(47.3977, 8.5456, 12.0, "home"),))
+    file = tmp_path / "before.plan"
+    file.write_text(qgc_plan.write(before), encoding="utf-8")
+    made = scenario(clock={"mode": "real", "speed": 1}, goal={"duration_s": 8})
+    external = {"connect": f"udpin:127.0.0.1:{port}", "sysid": 1, "capacity_j": 250_000}
+    made["vehicles"] = {"pursuers": [{"external": external, "waypoints_m": [[0, 4, -3]]}]}
+    with strangers(tmp_path / "said", [*SIMVEHICLE, "--sysid", "1", "--connect", f"udpout:127.0.0.1:{port}"]):
+        assert gcs("mission", "set", str(file), "--connect", external["connect"]).returncode == 0
+        folder = fly(made, tmp_path, "--no-report").folder
+    log = (folder / "session.log").read_text(encoding="utf-8")
+    assert "fence uploaded and read back, the one before it is in plan-before-1.plan" in log
+    kept = files.load(folder / "plan-before-1.plan")
+    assert (kept.fence, kept.rally) == (before.fence, before.rally)

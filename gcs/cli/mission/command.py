@@ -264,17 +264,9 @@ def _converse(
 
 def _plan(fleet: FleetClient, sysid: int, clients: Mapping[str, PlanClient]) -> MissionPlan:
     """All parts that were read of a vehicle."""
-    from gcs.missions.items import joined
-    from gcs.missions.transfers import Held, item_of, plan_of
+    from gcs.mavlink.plans.items import plan_of
 
-    habits = fleet.profiles[sysid].plans
-    return joined(
-        plan_of(
-            Held(0.0, sysid, client.kind, tuple(item_of("MISSION_ITEM_INT", item) for item in client.found or ())),
-            has_home=habits.begin_with_home,
-        )
-        for client in clients.values()
-    )
+    return plan_of({client.kind: client.found or () for client in clients.values()}, fleet.profiles[sysid].plans)
 
 
 def _paths(out: Path, sysids: Sequence[int], parts: Sequence[str]) -> dict[int, Path]:

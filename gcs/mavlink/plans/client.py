@@ -6,7 +6,8 @@ argument (s).
     clear   MISSION_CLEAR_ALL → MISSION_ACK
 
 Rules:
-1. At first the plan is read: one that is there already is not written. A plan without items is one to clear.
+1. At first the plan is read: one that is there already is not written. A plan without items is one to clear. Of one
+   that differs in its number of items no item is read, unless it is to be kept.
 2. What has been written is read back, and counts only when it reads as it was written, but for what the autopilot does
    not keep (habits.py). So an acknowledgement that is lost costs nothing: the reading decides.
 3. What is not answered is asked again after REPEAT_S, TRIES times in a row; a plan that reads otherwise is written
@@ -66,9 +67,11 @@ class PlanClient:
         *,
         station: tuple[int, int] = STATION,
         first: int = 0,
+        keeps: bool = False,
     ) -> None:
         """`items`: what it is to have, as `wire_items` makes them; None to read only. `station`: our ids. `first`:
-        number of the first item, behind home, for people."""
+        number of the first item, behind home, for people. `keeps`: whether another plan is read whole before it is
+        replaced."""
         self.sysid, self.compid, self.kind = sysid, compid, kind
         self.items = None if items is None else tuple(items)
         self.outcome: PlanOutcome | None = None
@@ -77,9 +80,11 @@ class PlanClient:
         """words of the vehicle's refusal, or where it differs"""
         self.found: tuple[PlanItem, ...] | None = None
         """what it has, by its last whole reading"""
+        self.replaced: tuple[PlanItem, ...] = ()
+        """what it had before it was written, where that is kept"""
         self.lost: list[ItemDifference] = []
         """what of the plan its autopilot does not keep as it was given"""
-        self._habits, self._station = habits, station
+        self._habits, self._station, self._keeps = habits, station, keeps
         self._home = int(kind == MISSION and habits.begin_with_home)
         self._first = first - self._home
         self._others: set[tuple[int, int]] = set()
@@ -163,7 +168,8 @@ class PlanClient:
             self._tries = 0
         else:
             return
-        if len(self._read) < self._count and (self.items is None or (self.items and self.has_count(self.items))):
+        whole = self.items is None or (self._keeps and not self._writes) or (self.items and self.has_count(self.items))
+        if len(self._read) < self._count and whole:
             self._put(now_s, "MISSION_REQUEST_INT", seq=len(self._read))
             return
         self._put(now_s, "MISSION_ACK", type=mav.MAV_MISSION_ACCEPTED)
@@ -185,6 +191,8 @@ class PlanClient:
         elif self._writes >= WRITES:
             self._end("differs", f"read back, {different[0].text if different else f'it has {self.count} items'}")
         else:
+            if self._keeps and not self._writes and self.count:
+                self.replaced = self.found or ()
             self._writing, self._writes, self._tries = True, self._writes + 1, 0
             self._ask_to_write(now_s)
 

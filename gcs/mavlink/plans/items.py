@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from gcs.mavlink.plans.habits import PlanHabits
+from gcs.missions import transfers
 from gcs.missions.items import (
     GLOBAL,
     ItemError,
@@ -14,6 +15,7 @@ from gcs.missions.items import (
     MissionPlan,
     Params,
     fence_items,
+    joined,
     mission_items,
     numbered,
     rally_items,
@@ -58,6 +60,17 @@ class PlanItem(NamedTuple):
         """Its seven parameters, 5 and 6 in the wire's units."""
         x, y = (math.nan if value in NOT_GIVEN else float(value) for value in (self.x, self.y))
         return self.param1, self.param2, self.param3, self.param4, x, y, self.z
+
+
+def plan_of(parts: Mapping[int, Sequence[PlanItem]], habits: PlanHabits) -> MissionPlan:
+    """One plan of a vehicle's items of each kind (MAV_MISSION_TYPE)."""
+    return joined(
+        transfers.plan_of(
+            transfers.Held(0.0, 0, kind, tuple(transfers.item_of("MISSION_ITEM_INT", item) for item in items)),
+            has_home=habits.begin_with_home,
+        )
+        for kind, items in parts.items()
+    )
 
 
 def as_sent(kind: int, item: PlanItem, habits: PlanHabits) -> PlanItem:

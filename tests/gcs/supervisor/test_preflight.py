@@ -196,7 +196,7 @@ def test_one_whose_mission_reads_otherwise_than_it_was_written_does_not_begin(pr
     assert ended
     assert failed == (
         "Does not begin, and is not armed: mission not kept as it was written (read back, item 2 NAV_WAYPOINT: "
-        "Altitude 5 is 7)"
+        "Altitude 5 is 7), the one before it is in plan-before-3.plan"
     )
 
 

@@ -117,6 +117,17 @@ def test_a_plan_is_written_and_read_back_whatever_the_link_loses(
     assert (again.outcome, again.compare(plan)) == ("read", [])
 
 
+@pytest.mark.parametrize("before", [[], PLAN[:2], [*PLAN[:6], PLAN[0]], [*PLAN, *PLAN]])
+def test_a_plan_that_is_replaced_is_read_whole_where_it_is_to_be_kept(before: list[PlanItem]) -> None:
+    client, vehicle = PlanClient(3, 1, FENCE, PLAN, keeps=True), Vehicle(plan=before)
+    converse(client, vehicle)
+    assert [item._replace(frame=0) for item in client.replaced] == before
+    assert (client.outcome, vehicle.plan) == ("uploaded", PLAN)
+    again = PlanClient(3, 1, FENCE, PLAN, keeps=True)
+    converse(again, vehicle)
+    assert (again.outcome, again.replaced) == ("kept", ())
+
+
 def test_a_plan_that_is_there_is_not_written_and_rounding_is_no_difference() -> None:
     for rounds in (0, 1, -1):
         client, vehicle = PlanClient(3, 1, FENCE, PLAN), Vehicle(plan=PLAN)

@@ -7,17 +7,15 @@ from contextlib import contextmanager
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Look for no garbage within this context, and never among what is there at its end.
+    """Look for no garbage within this context.
 
     Python looks through all objects again each time that their number has grown by a quarter: a twelfth of the time
-    from the prompt to a session's end. Forked processes, which look at none of them either, share their memory.
+    from the prompt to a session's end.
     """
-    if not gc.isenabled():
-        yield
-        return
+    collects = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
-        gc.freeze()
-        gc.enable()
+        if collects:
+            gc.enable()

@@ -27,8 +27,10 @@ class VehicleTexts:
 
     def pop_events(self, now_s: float) -> list[Event]:
         """Texts since the last call that are to be shown."""
-        spoken = self._shown(self._fleet.pop_statustexts(now_s), now_s)
-        announced = self._shown(self._externals.pop_texts(), now_s)
+        spoken, announced = self._fleet.pop_statustexts(now_s), self._externals.pop_texts()
+        if not (spoken or announced):
+            return []
+        spoken, announced = self._shown(spoken, now_s), self._shown(announced, now_s)
         self._records += [
             {"t_s": now_s, "kind": "event", "sysid": sysid, "severity": severity, "text": text}
             for sysid, severity, text in announced
@@ -41,10 +43,8 @@ class VehicleTexts:
         return taken
 
     def _shown(self, texts: Sequence[Text], now_s: float) -> list[Text]:
-        shown: list[Text] = []
-        if not texts:
-            return shown
         count: Counter[int] = Counter()
+        shown = []
         for sysid, severity, text in texts:
             count[sysid] += 1
             arming = self._arming.get(sysid)

@@ -62,6 +62,8 @@ class Plan:
     """folders in which planners, policies and generators are looked for"""
     trusted: bool = False
     """whether what its scenarios name beyond a session may be used"""
+    is_search: bool = False
+    """whether its rows are the trials of a search, which follow from those before them (search.py)"""
 
     @property
     def rows(self) -> int:
@@ -72,6 +74,12 @@ class Plan:
     def trusted_by(self) -> str:
         """Hash of all that says what it names (gcs/scenario/parts/trust.py)."""
         return digest(*self.modules, dump(self.campaign), self.text)
+
+    @property
+    def _fingerprint(self) -> str:
+        """Hash of all that the rows follow from, but for how many there are."""
+        campaign = self.campaign.model_copy(update={"sessions": 1})
+        return digest(dump(campaign), self.text)
 
     def row(self, number: int) -> PlannedRow:
         """A row: sessions in turn, each with every combination, so that pairs are complete early."""
@@ -185,7 +193,7 @@ class Plan:
         (folder / "campaign.yaml").write_text(dump(self.campaign), encoding="utf-8")
         if self.campaign.generate is None:
             (folder / "scenario.yaml").write_text(self.text, encoding="utf-8")
-        about = {"scenario": self.file, "modules": self.modules}
+        about = {"scenario": self.file, "modules": self.modules, "search": self.is_search, "sha256": self._fingerprint}
         (folder / "plan.json").write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
@@ -203,11 +211,16 @@ def make(campaign: CampaignRules, beside: Sequence[Path]) -> Plan:
 
 
 def read(folder: Path) -> Plan:
-    """The plan that `write` put into a campaign's folder. Raises ScenarioError, OSError."""
+    """The plan that `write` put into a campaign's folder, of which more sessions may be wanted by now. Raises
+    ScenarioError, also where its files say something else than by which its rows were flown; OSError."""
     about = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
     campaign = load(folder / "campaign.yaml")
     text = "" if campaign.generate is not None else (folder / "scenario.yaml").read_text(encoding="utf-8")
-    return Plan(campaign, about["scenario"], text, tuple(about["modules"]))
+    plan = Plan(campaign, about["scenario"], text, tuple(about["modules"]), is_search=about.get("search", False))
+    if about.get("sha256", plan._fingerprint) != plan._fingerprint:
+        why = "was changed since its sessions were flown, and only sessions may grow: put it back, or fly it anew"
+        raise ScenarioError([Problem(str(folder / "campaign.yaml"), None, None, why)])
+    return plan
 
 
 @functools.lru_cache(4)

@@ -14,7 +14,7 @@ from typing import Any
 
 from gcs.campaign import draws, table
 from gcs.campaign.model import Draw
-from gcs.campaign.plan import Plan, PlannedRow
+from gcs.campaign.plan import Plan, PlannedRow, RowError
 
 EXPLORED_SHARE = 0.3
 STEP = 0.03
@@ -63,9 +63,13 @@ class Search:
             for trial in trials:
                 self._study.tell(trial, self._results[trial.number])
 
-    def row(self, flown: dict[str, Any]) -> PlannedRow:
-        """The trial that a row of the table came from."""
-        number = int(flown["row"])
+    def row(self, number: int) -> PlannedRow:
+        """The trial of a number. Raises RowError where it follows from some that have not been flown."""
+        ahead = self.rows()
+        while number not in self._trials and next(ahead, None) is not None:
+            pass
+        if number not in self._trials:
+            raise RowError(f"trial {number} follows from trials before it that have not been flown")
         return self._trials[number]
 
     def _row(self, trial: Any) -> PlannedRow:

@@ -81,8 +81,10 @@ class ParallelSessionEnv(ParallelEnv[str, Any, Any]):  # type: ignore[misc]  # i
         self, actions: dict[str, Any]
     ) -> tuple[dict[str, Any], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
         """Fly one step. An agent without an action leaves its vehicle to the planner, and is neither rewarded nor
-        ended by that step. Raises ValueError for an action outside its space."""
+        ended by that step. Raises ValueError for an action outside its space, and for an unknown agent."""
         acting = {agent: self._sysids[agent] for agent in self.agents}
+        if unknown := sorted(actions.keys() - set(self.possible_agents)):
+            raise ValueError(f"there is no agent {unknown[0]!r}; the agents are {', '.join(self.possible_agents)}")
         if not acting:
             return {}, {}, {}, {}, {}
         steps, ended = self._episodes.step(

@@ -29,7 +29,7 @@ from gcs.recording.summary import Summary
 from gcs.recording.tables import Column
 from gcs.report import page, plots
 from gcs.report.charts import Charts
-from gcs.report.findings import Findings
+from gcs.report.findings import Findings, ServiceFinding
 from gcs.scenario.document import path_of
 from gcs.scenario.model import Scenario
 
@@ -139,7 +139,7 @@ class Recording(Mapping[str, Any]):
     @cached_property
     def _services(self) -> dict[str, Column]:
         services = self.findings.services
-        names = [name for name in services[0].__struct_fields__ if name != "bids"] if services else ["receiver"]
+        names = [name for name in ServiceFinding.__struct_fields__ if name != "bids"]
         return {name: [getattr(one, name) for one in services] for name in names}
 
     def __repr__(self) -> str:

@@ -66,7 +66,7 @@ class Guard:
     def __init__(self, policy: str, limit_s: float = LIMIT_S) -> None:
         """limit_s: of wall time, after which a call is cut off; inf: none is."""
         self.policy = policy
-        self.raised: Exception | None = None
+        self.raised: BaseException | None = None
         """by the last call that failed; for its caller to take"""
         self._limit_s = limit_s
         self._reported: dict[int, str] = {}
@@ -99,7 +99,7 @@ class Guard:
         except (Exception, SystemExit, KeyboardInterrupt) as error:
             if isinstance(error, KeyboardInterrupt) and signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
                 raise  # a person's, not the code's own
-            self.raised = error if isinstance(error, Exception) else None
+            self.raised = error
             self._blame(sysid, f"raised {_described(error)}")
         else:
             self._reported.pop(sysid, None)

@@ -16,13 +16,13 @@ import click
 
 from gcs.cli.campaign.options import FOLDER, OUT, QUIET, SEED, flown, found, planned
 from gcs.cli.campaign.progress_line import ProgressLine
-from gcs.cli.campaign.worst_case import search, shrink
+from gcs.cli.campaign.worst_case import fly_search, search, shrink
 from gcs.cli.options import Refused, out_option
 from gcs.cli.trust import TRUST
 from skytender.exit import DONE, NOT_DONE
 
 if TYPE_CHECKING:
-    from gcs.campaign.plan import Plan
+    from gcs.campaign.plan import Plan, PlannedRow
 
 
 @click.group(short_help="Fly a scenario many times, varied, and see what comes of it.")
@@ -90,7 +90,8 @@ def resume(folder: Path, trust: bool, **how: Any) -> int:
     \b
     Exit status: as of `gcs campaign run`.
     """
-    return _fly(folder, found(folder, trust=trust), **how)
+    plan = found(folder, trust=trust)
+    return fly_search(folder, plan, **how) if plan.is_search else _fly(folder, plan, **how)
 
 
 @campaign.command(short_help="How far a campaign is.")
@@ -150,7 +151,7 @@ def fly(folder: Path, row: int, out: Path | None, only: bool, quiet: bool, trust
     if row >= plan.rows:
         raise click.UsageError(f"there is no row {row}: {plan.campaign.name} has rows 0 to {plan.rows - 1}")
     try:
-        scenario, _ = plan.resolved(plan.row(row))
+        scenario, _ = plan.resolved(_planned(plan, folder, row))
     except RowError as error:
         raise Refused(str(error)) from None
     if only:
@@ -199,6 +200,18 @@ def report(folder: Path) -> int:
         return NOT_DONE
     click.echo(f"{path}: written")
     return DONE
+
+
+def _planned(plan: Plan, folder: Path, number: int) -> PlannedRow:
+    """A row of the campaign in a folder. Raises RowError."""
+    from gcs.extras import require
+
+    if not plan.is_search:
+        return plan.row(number)
+    require("a search", {"optuna": "Optuna"}, "campaign")
+    from gcs.campaign.search import Search
+
+    return Search(plan, folder).row(number)
 
 
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:

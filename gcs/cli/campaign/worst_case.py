@@ -22,6 +22,7 @@ from skytender.exit import DONE, NOT_DONE
 if TYPE_CHECKING:
     from gcs.campaign.engine import Progress
     from gcs.campaign.model import Expectation
+    from gcs.campaign.plan import Plan
 
 
 @click.command(short_help="Look for the worst case.")
@@ -52,13 +53,9 @@ def search(
       2    bad input; nothing has flown
       130  stopped by Ctrl-C
     """
-    from gcs.campaign import table
     from gcs.campaign.engine import EngineError
     from gcs.campaign.model import SearchRules
-    from gcs.campaign.runner import Runner, make_folder
-    from gcs.campaign.search import Search
-    from gcs.extras import require
-    from gcs.scenario.file import dump
+    from gcs.campaign.runner import make_folder
 
     plan = planned(file, None, seed, trust=trust)
     rules = plan.campaign.search
@@ -69,34 +66,58 @@ def search(
     each = {key: draw.model_copy(update={"together": True}) for key, draw in plan.campaign.draw.items()}
     changed = {"search": rules, "vary": {}, "keep": "none", "sessions": rules.trials, "draw": each}
     changed["set"] = {**plan.campaign.set, **{k: v for k, v in plan.row(0).values.items() if k in plan.campaign.vary}}
-    plan = replace(plan, campaign=plan.campaign.model_copy(update=changed))
-    require("a search", {"optuna": "Optuna"}, "campaign")
+    plan = replace(plan, campaign=plan.campaign.model_copy(update=changed), is_search=True)
     try:
         folder = make_folder(plan, out)
-        searched = Search(plan, folder)
-        shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+    except EngineError as error:
+        raise Refused(str(error)) from None
+    return fly_search(folder, plan, scheduler=scheduler, workers=workers, plain=plain, quiet=quiet)
 
-        def notify(progress: Progress, row: dict[str, Any] | None) -> None:
-            if row is not None:
-                searched.add(row)
-            shown.update(progress, None)
 
+def fly_search(
+    folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool
+) -> int:
+    """Fly what the search in a folder lacks, and write its worst case; the exit status."""
+    from gcs.campaign import table
+    from gcs.campaign.engine import EngineError
+    from gcs.campaign.runner import Runner
+    from gcs.campaign.search import Search
+    from gcs.extras import require
+    from gcs.scenario.file import dump
+
+    rules = plan.campaign.search
+    assert rules is not None
+    require("a search", {"optuna": "Optuna"}, "campaign")
+    searched = Search(plan, folder)
+    shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
+
+    def notify(progress: Progress, row: dict[str, Any] | None) -> None:
+        if row is not None:
+            searched.add(row)
+        shown.update(progress, None)
+
+    try:
         runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=notify, rows=searched.rows())
         progress = runner.run()
     except EngineError as error:
-        click.echo(f"gcs: {error}", err=True)
+        shown.end()
+        click.echo(f"gcs: {error}; what was flown is kept, gcs campaign resume {folder} goes on", err=True)
         return NOT_DONE
     shown.end()
     name = str(rules.minimise or rules.maximise)
     rows = [row for row in table.read(folder, plan.campaign).to_pylist() if row[name] is not None]
     if rows:
         worst = (min if rules.minimise else max)(rows, key=lambda row: (row[name], row["row"]))
-        scenario, _ = plan.resolved(searched.row(worst))
+        scenario, _ = plan.resolved(searched.row(int(worst["row"])))
         (folder / "worst.yaml").write_text(dump(scenario), encoding="utf-8")
         if not quiet:
             click.echo(f"{name} {worst[name]:.4g} in trial {worst['row']}: gcs run {folder / 'worst.yaml'} --lockstep")
     if runner.interrupted:
+        click.echo(f"stopped; gcs campaign resume {folder} flies the other {rules.trials - progress.done}", err=True)
         return 128 + runner.interrupted
+    if not rows:
+        click.echo(f"gcs: no trial has a value of {name}: its scenario has nothing of that kind", err=True)
+        return NOT_DONE
     return DONE if progress.done == rules.trials else NOT_DONE
 
 
@@ -131,6 +152,8 @@ def shrink(
     from gcs.campaign.spawner import SessionSpawner, SpawnError
     from gcs.scenario.file import dump
 
+    if out.exists():
+        raise Refused(f"{out} exists already and is left as it is; give --out another file")
     loaded = load_scenario(scenario, settings, trust=trust, quiet=quiet).flown(lockstep=True)
     wanted = dict(_expectation(text) for text in expect)
     try:

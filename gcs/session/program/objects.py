@@ -81,7 +81,7 @@ class Objects:
             return False
         return True
 
-    def pop_raised(self) -> tuple[str, Exception] | None:
+    def pop_raised(self) -> tuple[str, BaseException] | None:
         """The first exception since the last call, and who raised it."""
         found = None
         for guard in self._guards.values():

@@ -117,8 +117,9 @@ class DecisionLines:
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
         for lines in self._blocks(typed=True):
-            own = [line for line in lines if line.startswith(_BEGIN)] if set_points else []
+            own = [line for line in lines if line.startswith(_BEGIN) and (set_points or line is self._last)]
             points = [point for point, _ in self._decoded(_POINTS, own)]
+            points = points if set_points else []
             others = []
             for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
                 if head.kind != "set_point":

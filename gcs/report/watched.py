@@ -77,7 +77,7 @@ class Watched:
     def _look(self, t_s: float) -> None:
         observer = self._observer
         self._done = self._moments.let_happen(observer, self._done, t_s)
-        observer.ordered = self._moments.ordered(t_s)
+        observer.ordered, observer.lost = self._moments.ordered(t_s), self._moments.lost(t_s)
         while self._counted is not None and self._counted[0] <= t_s:
             at_s, sysid, received, lost = self._counted
             self._gaps.lost_of[sysid] = self._gaps.lost_of.get(sysid, 0) + lost

@@ -86,6 +86,8 @@ class Observer:
         self.duration_s: float | None = None
         self.ordered: dict[int, End] = {}
         """what an operator wants vehicles of a scenario to fly: that is no failsafe"""
+        self.lost: set[int] = set()
+        """vehicles of a scenario that were lost; one that flies again is not"""
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         given = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self._zero = CommonZero(given)
@@ -220,7 +222,8 @@ class Observer:
         found = {}
         for view in map(self._seen, self.view(t_s).vehicles):
             share, ordered = self.quality.lost_share(view.sysid), view.sysid in self.ordered
-            found[view.sysid] = health(health_issues(view, t_s, lost_share=share, ordered=ordered))
+            down = self._is_down(view)
+            found[view.sysid] = health(health_issues(view, t_s, lost_share=share, down=down, ordered=ordered))
         return found
 
     def session(self) -> dict[str, Any]:
@@ -385,7 +388,9 @@ class Observer:
         rows = []
         for reported in snapshot.vehicles:
             adapter, view = self._adapter(reported.sysid), self._seen(reported)
-            row = vehicle_row(view, snapshot.time_s, self.quality, ordered=view.sysid in self.ordered)
+            row = vehicle_row(
+                view, snapshot.time_s, self.quality, down=self._is_down(view), ordered=view.sysid in self.ordered
+            )
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
@@ -397,6 +402,9 @@ class Observer:
                 row.battery, row.remaining_j, row.power_w, row.endurance_s = adapter.share, None, adapter.power_w, None
             rows.append(row)
         return rows
+
+    def _is_down(self, view: VehicleView) -> bool:
+        return view.sysid in self.lost and not view.flying
 
     def _adapter(self, sysid: int) -> TelemetryAdapter | None:
         """Reader of a vehicle that is not a session's own."""

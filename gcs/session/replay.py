@@ -193,6 +193,7 @@ class Replay:
             for event in self._timeline.events(self._reported_until_s, self.t_s):
                 self.observer.add_event(event)
             self.observer.ordered = self._timeline.ordered(self.t_s)
+            self.observer.lost = self._timeline.lost(self.t_s)
         self._reported_until_s = self.t_s
         if self.t_s >= self._planned_until_s and self.observer.origin is not None:
             self.observer.changed = True

@@ -81,12 +81,15 @@ class ServiceMoment(NamedTuple):
 
 
 class Moments:
-    """Deaths, bookings and operators' orders: a session's decisions on vehicles that their frames do not show."""
+    """Deaths, losses, bookings and operators' orders: a session's decisions on vehicles that their frames do not
+    show."""
 
     def __init__(self) -> None:
         self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
+        self.losses: list[tuple[float, int]] = []
+        """(time, system id) of vehicles that were lost, some of which flew again"""
 
     def take(self, t_s: float, record: Mapping[str, Any]) -> None:
         """Take the next decision. Raises ValueError, KeyError, TypeError for one of another version."""
@@ -95,6 +98,8 @@ class Moments:
             self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
         elif kind == "served" and record.get("base"):
             self.happened.append(ServiceMoment(t_s, int(record["receiver"]), round(float(record["energy_j"]))))
+        elif kind == "violation" and record["part"] == "lost":
+            self.losses += [(float(record["at_s"]), int(sysid)) for sysid in record["sysids"]]
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             if record["command"] == "rejoin":
                 self.orders.append((t_s, int(record["sysid"]), None))
@@ -110,6 +115,10 @@ class Moments:
                 if mode is not None:
                     held[sysid] = mode
         return held
+
+    def lost(self, t_s: float) -> set[int]:
+        """Vehicles that had been lost by a time."""
+        return {sysid for since_s, sysid in self.losses if since_s <= t_s}
 
     def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
         """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then
@@ -175,7 +184,7 @@ class Timeline(Moments):
         line.services = services_of(is_open, snapshot, scenario)
         line.history = [ServedRow(**row) for row in explain.history_of(services)]
         line.refuelled = sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services)
-        line.goal = goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s))
+        line.goal = goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s, snapshot))
         if pursue_held_s is None:
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
         states, notes = states_of(snapshot, competition_state, is_open), explain.notes_of(is_open, (), {})
@@ -185,9 +194,9 @@ class Timeline(Moments):
             row.note, row.state = notes.get(row.sysid, ""), states[row.sysid]
             row.target_m = distance_m(row.p_ned, places.get(targets.get(row.sysid, -1)))
 
-    def _broken_at(self, t_s: float) -> list[BrokenRow]:
+    def _broken_at(self, t_s: float, snapshot: FleetSnapshot) -> list[BrokenRow]:
         """Parts of the goal that were broken by a time: as the session judged them at its end, by truth; where it left
-        no summary, by what was recorded when it happened."""
+        no summary, by what was recorded when it happened. A vehicle that flies again is not lost."""
         if self.unmet is not None:
             at_end = t_s >= self._scenario.goal.duration_s - 1e-6
             return [
@@ -195,7 +204,12 @@ class Timeline(Moments):
                 for part in self.unmet
                 if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
             ]
-        return first_broken(record for record in self.violations if record["at_s"] <= t_s)
+        flying = {view.sysid for view in snapshot.vehicles if view.flying}
+        return first_broken(
+            record
+            for record in self.violations
+            if record["at_s"] <= t_s and not (record["part"] == "lost" and flying.issuperset(record["sysids"]))
+        )
 
     def _targets(self, t_s: float) -> dict[int, int]:
         vehicles = self._scenario.vehicles
@@ -300,6 +314,7 @@ class Timeline(Moments):
         elif kind == "violation":
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
+            self.take(t_s, record)
         elif kind in ("death", "operator"):
             self.take(t_s, record)
             if record.get("taken") and "sysid" in record and record["command"] == "retarget":

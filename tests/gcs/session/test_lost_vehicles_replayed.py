@@ -1,0 +1,42 @@
+"""A vehicle that was lost is trouble in replay and report too, until it flies again."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+from sessions import fly, small
+
+from gcs.recording.session_folder import read
+from gcs.report.watched import Watched
+from gcs.session.replay import Replay
+
+
+def seen_at(replay: Replay, t_s: float) -> dict[int, dict[str, Any]]:
+    replay.advance(t_s, math.inf)
+    return {row["sysid"]: row for row in replay.snapshot(speed=None)["vehicles"]}
+
+
+def test_a_vehicle_whose_motor_failed_is_no_vehicle_that_is_well(tmp_path: Path) -> None:
+    faults = [{"fault": "motor", "sysid": 1, "at_s": 9.0}]
+    folder = fly(small(faults=faults, goal={"duration_s": 16.0}), tmp_path, "--no-report").folder
+    replay = Replay(folder)
+    assert "not flying" not in seen_at(replay, 8.0)[1]["trouble"]
+    crashed = seen_at(replay, 15.0)[1]
+    assert ("not flying" in crashed["trouble"], crashed["severity"]) == (True, 2)
+    assert "not flying" in Watched(read(folder)).health[1][-1][1].texts
+    (folder / "summary.json").unlink()
+    killed = Replay(folder)
+    killed.advance(15.0, math.inf)
+    broken = [part["text"] for part in killed.snapshot(speed=None)["goal"]["broken"]]
+    assert any(text.startswith("lost: ") for text in broken)
+
+
+def test_a_recording_that_ends_inside_a_set_point_says_so(tmp_path: Path) -> None:
+    folder = fly(small(goal={"duration_s": 10.0}), tmp_path, "--no-report").folder
+    file = folder / "decisions.jsonl"
+    lines = file.read_bytes().splitlines(keepends=True)
+    last = max(k for k, line in enumerate(lines) if line.startswith(b'{"kind":"set_point"'))
+    file.write_bytes(b"".join(lines[:last]) + lines[last][:40])
+    assert any("decisions.jsonl" in problem for problem in Replay(folder).problems)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from gcs.link.fleet_client import FleetClient
 
 FIND_WITHIN_S = 10.0
-LEFT_OUT = "gcs.left_out"
+LEFT_OUT, DOUBLED = "gcs.left_out", "gcs.doubled"
 
 
 def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -61,10 +61,11 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def _left_out() -> int:
     """Name the vehicles that a command for all could not speak to; NOT_DONE where there are some."""
-    found: dict[int, str] = click.get_current_context().meta.get(LEFT_OUT, {})
+    context = click.get_current_context()
+    found: dict[int, str] = context.meta.get(LEFT_OUT, {})
     for sysid, why in sorted(found.items()):
         click.echo(f"gcs: vehicle {sysid} is left out: its messages are refused: {why}", err=True)
-    return NOT_DONE if found else 0
+    return NOT_DONE if found or context.meta.get(DOUBLED) else 0
 
 
 @contextlib.contextmanager
@@ -92,6 +93,8 @@ def fleet_at(
             second = ":".join(map(str, fleet.doubled[sysid][:2]))
             said = f"two autopilots say that they are vehicle {sysid}; the one at {second} was passed over"
             click.echo(f"gcs: {said}: give it a system id of its own.", err=True)
+        if fleet.doubled.keys() & fleet.profiles.keys() and (context := click.get_current_context(silent=True)):
+            context.meta[DOUBLED] = True
         if not sysids and (context := click.get_current_context(silent=True)) is not None:
             context.meta[LEFT_OUT] = fleet.not_understood
     finally:

@@ -231,8 +231,9 @@ class ArmingSequence:
         return [self._command(command, *params)]
 
     def _carry_out_order(self, view: VehicleView) -> list[CommandRequest]:
-        """The operator's order, once; one whose motors are off stays where it is without a command."""
-        if self._order_sent or self.ordered is None:
+        """The operator's order, once, as soon as the vehicle reports again where it does not; one whose motors are off
+        stays where it is without a command."""
+        if self._order_sent or self.ordered is None or view.age_s > CUT_OFF_S:
             return []
         self._order_sent = True
         if not view.armed:

@@ -7,6 +7,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +18,7 @@ from gcs.link.impairment import Impairment
 from gcs.link.link import Answers, Key, TickLink
 from gcs.mavlink.autopilots import End
 from gcs.mavlink.command_protocol import ARMING, CommandResult
-from gcs.mavlink.ids import AUTOPILOT, TRAFFIC
+from gcs.mavlink.ids import AUTOPILOT, OUR_HEARTBEAT, TRAFFIC
 from gcs.mavlink.setpoints import SetPoint
 from gcs.planner.custom import make_planner
 from gcs.planner.request import PlanRequest
@@ -516,6 +517,8 @@ class Supervisor:
         self.time_ms = grant_ms
 
     _periods = 0
+    _beat_s = -math.inf
+    """when external vehicles were last sent a HEARTBEAT after the last tick"""
     _partners: frozenset[tuple[int, int]] = frozenset()
 
     def hand_back(self) -> None:
@@ -553,10 +556,14 @@ class Supervisor:
         received = self._receive([(list(unawaited), list(unawaited.values()))], now_s)
         self._receive_acknowledgements(now_s)
         sent: list[bytes] = []
+        beats = now_s - self._beat_s >= 1.0
+        self._beat_s = now_s if beats else self._beat_s
         for sysid in self.externals.rules:
             for result in self.command_queue.poll(sysid, now_s):
                 self._report(sysid, result, now_s)
             messages = [*self.command_queue.pop(sysid), *self.preflight.put_back(sysid, now_s)]
+            if beats:  # else they would take the station for lost, and fly home
+                messages.append(OUR_HEARTBEAT)
             if (sysid, AUTOPILOT) in self.link.joined:
                 sent += self.link.grant((sysid, AUTOPILOT), self.time_ms, 0, messages, ())
         self.sent += len(sent)

@@ -1,8 +1,8 @@
 """MAVFTP without a socket, a file or a clock, read-only: a vehicle's files are its metadata and its log, `@LOG/NUMBER`.
 
 Rules:
-1. One session, 0. OpenFileRO opens it for the station that asks, even if another had it before, and says how long
-   the file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it.
+1. Each station has one session, 0, of the last MOST_OPEN that opened one. OpenFileRO opens it and says how long the
+   file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it.
 2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
 3. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
@@ -24,6 +24,8 @@ MESSAGE = mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL
 PIECE_BYTES = 239
 TERMINATE, RESET, OPEN, READ, BURST, ACK, NAK = 1, 2, 4, 5, 15, 128, 129
 INVALID_SESSION, END_OF_FILE, UNKNOWN_COMMAND, NOT_FOUND = 4, 6, 7, 10
+MOST_OPEN = 8
+"""[choice] Stations that have a file open at once; a further one takes the place of the one that opened first."""
 _HEAD = struct.Struct("<HBBBBBxI")
 _PAYLOAD_BYTES = 251
 
@@ -42,81 +44,96 @@ class _Request(NamedTuple):
         return cls(number, session, opcode, size, offset, payload[_HEAD.size : _HEAD.size + size])
 
 
+class _OpenFile(NamedTuple):
+    read: Callable[[int, int], bytes]
+    """bytes from a place on, so many"""
+    size_bytes: int
+
+    def piece(self, asked: _Request, offset: int) -> bytes:
+        count = min(_piece_bytes(asked), self.size_bytes - offset)
+        try:
+            return self.read(offset, count) if count > 0 else b""
+        except OSError:  # it cannot be read any more: it ends here
+            return b""
+
+
+class _Burst:
+    def __init__(self, connection: Connection, asked: _Request, file: _OpenFile) -> None:
+        self.connection, self.asked, self.file = connection, asked, file
+        self.sent = 0
+        """answers so far"""
+
+
 class FileService:
     """The files of one vehicle, on all its connections."""
 
     def __init__(self, log: Log | None, metadata: Callable[[str], bytes | None]) -> None:
         """`log`: None where it writes none; `metadata`: content of the other files by their paths."""
         self._log, self._metadata = log, metadata
-        self._read: Callable[[int, int], bytes] | None = None
-        """the open file's bytes from a place on, so many; None: closed"""
-        self._size_bytes = 0
-        self._burst: tuple[Connection, tuple[int, int], _Request] | None = None
-        self._sent = 0
-        """answers to the burst so far"""
+        self._files: dict[tuple[int, int], _OpenFile] = {}
+        """by station"""
+        self._bursts: dict[tuple[int, int], _Burst] = {}
 
     def receive(self, call: Call) -> None:
         """Act on a FILE_TRANSFER_PROTOCOL."""
-        asked = _Request.of(bytes(call.content.payload))
-        self._burst = None
-        to = call.connection, call.sender, asked
+        asked, sender = _Request.of(bytes(call.content.payload)), call.sender
+        self._bursts.pop(sender, None)
+        to, file = (call.connection, sender, asked), self._files.get(sender)
         if asked.opcode not in (TERMINATE, RESET, OPEN, READ, BURST):
             _answer(*to, refusal=UNKNOWN_COMMAND)
         elif asked.opcode in (TERMINATE, RESET):
-            self._read = None
+            self._files.pop(sender, None)
             _answer(*to)
         elif asked.opcode == OPEN:
-            if self._open(asked.data.rstrip(b"\0")):
-                _answer(*to, data=struct.pack("<I", min(self._size_bytes, 0xFFFFFFFF)))
-            else:
-                _answer(*to, refusal=NOT_FOUND)
-        elif self._read is None or asked.session:
+            self._open(asked.data.rstrip(b"\0"), *to)
+        elif file is None or asked.session:
             _answer(*to, refusal=INVALID_SESSION)
         elif asked.opcode == READ:
-            piece = self._piece(asked, asked.offset)
+            piece = file.piece(asked, asked.offset)
             _answer(*to, data=piece, offset=asked.offset, refusal=0 if piece else END_OF_FILE)
         else:
-            self._burst, self._sent = to, 0
+            self._bursts[sender] = _Burst(call.connection, asked, file)
 
     @property
     def at_work(self) -> bool:
         """Whether pieces wait to be sent."""
-        return self._burst is not None
+        return bool(self._bursts)
 
     def report(self) -> None:
         """Queue the pieces of this tick."""
-        for _ in range(PIECES_A_TICK):
-            if self._burst is None:
-                return
-            asked = self._burst[2]
-            offset = asked.offset + self._sent * self._piece_bytes(asked)
-            piece = self._piece(asked, offset)
-            _answer(*self._burst, data=piece, offset=offset, refusal=0 if piece else END_OF_FILE, later=self._sent)
-            self._sent += 1
-            if not piece:
-                self._burst = None
+        for sender, burst in list(self._bursts.items()):
+            for _ in range(PIECES_A_TICK):
+                asked = burst.asked
+                offset = asked.offset + burst.sent * _piece_bytes(asked)
+                piece, to = burst.file.piece(asked, offset), (burst.connection, sender, asked)
+                _answer(*to, data=piece, offset=offset, refusal=0 if piece else END_OF_FILE, later=burst.sent)
+                burst.sent += 1
+                if not piece:
+                    del self._bursts[sender]
+                    break
 
-    def _open(self, path: bytes) -> bool:
-        """Open a file; False where there is none of this path, and what was open stays."""
+    def _open(self, path: bytes, connection: Connection, sender: tuple[int, int], asked: _Request) -> None:
+        """Open a file for a station; where there is none of this path, what it had open stays."""
+        file = self._found(path)
+        if file is None:
+            _answer(connection, sender, asked, refusal=NOT_FOUND)
+        else:
+            self._files.pop(sender, None)
+            if len(self._files) >= MOST_OPEN:
+                del self._files[next(iter(self._files))]
+            self._files[sender] = file
+            _answer(connection, sender, asked, data=struct.pack("<I", min(file.size_bytes, 0xFFFFFFFF)))
+
+    def _found(self, path: bytes) -> _OpenFile | None:
         log = self._log
         if log is not None and path == f"@LOG/{log.number}".encode():
-            self._read, self._size_bytes = log.read, log.size_bytes
-            return True
+            return _OpenFile(log.read, log.size_bytes)
         content = self._metadata(path.decode("ascii", "replace"))
-        if content is not None:
-            self._read, self._size_bytes = lambda at, count: content[at : at + count], len(content)
-        return content is not None
+        return None if content is None else _OpenFile(lambda at, count: content[at : at + count], len(content))
 
-    def _piece(self, asked: _Request, offset: int) -> bytes:
-        assert self._read is not None
-        count = min(self._piece_bytes(asked), self._size_bytes - offset)
-        try:
-            return self._read(offset, count) if count > 0 else b""
-        except OSError:  # it cannot be read any more: it ends here
-            return b""
 
-    def _piece_bytes(self, asked: _Request) -> int:
-        return min(asked.size, PIECE_BYTES) or PIECE_BYTES
+def _piece_bytes(asked: _Request) -> int:
+    return min(asked.size, PIECE_BYTES) or PIECE_BYTES
 
 
 def _answer(

@@ -72,9 +72,23 @@ def triggers(event: Trigger) -> CommandHandler:
     return lambda context, _request, _connection: _result(context.vehicle.trigger(event))
 
 
-def _place(context: ServiceContext, request: VehicleCommand) -> Vec3 | None:
-    """Params 5..7 in the local frame; None where they name no place."""
+def _filled_in(context: ServiceContext, request: VehicleCommand) -> tuple[float, ...]:
+    """Params 5..7, those that are not given (NaN) as the vehicle's place has them."""
+    vehicle = context.vehicle
+    north, east, down = vehicle.p_ned
+    here = (north, east, down)
+    if request.frame != mav.MAV_FRAME_LOCAL_NED:
+        here = vehicle.frame.to_global(north, east, down)
+    if request.altitude_is_relative:
+        here = (*here[:2], vehicle.home_ned[2] - down)
+    return tuple(own if math.isnan(given) else given for own, given in zip(here, request.params[4:7], strict=True))
+
+
+def _place(context: ServiceContext, request: VehicleCommand, *, or_here: bool = False) -> Vec3 | None:
+    """Params 5..7 in the local frame; None where they name no place. `or_here`: what is not given is as it is."""
     vehicle, numbers = context.vehicle, request.params[4:7]
+    if or_here and request.frame_is_known:
+        numbers = _filled_in(context, request)
     if not all(map(math.isfinite, numbers)) or not request.frame_is_known:
         return None
     if request.frame == mav.MAV_FRAME_LOCAL_NED:
@@ -87,7 +101,7 @@ def _place(context: ServiceContext, request: VehicleCommand) -> Vec3 | None:
 
 
 def reposition(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    place = _place(context, request)
+    place = _place(context, request, or_here=True)
     speed_m_s = request.value(1, -1.0)
     if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
         return DENIED
@@ -156,11 +170,14 @@ def enter_custom(context: ServiceContext, custom_mode: int) -> int:
 
 
 def start_mission(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left."""
+    """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left, and
+    param2 the last one, or 0."""
     vehicle = context.vehicle
     if vehicle.mission is None:
         return _refuse(context, "Mission refused: there is none")
-    first = request.whole(1)
+    first, last = request.whole(1), request.whole(2)
+    if 0 < last < len(vehicle.mission.legs) - 1:  # it flies to the end
+        return DENIED
     if first and not vehicle.mission.go_to(first):
         return DENIED
     if not vehicle.armed:

@@ -6,7 +6,8 @@ The rules of an upload:
 2. The plan in force stays until the last item has come and the whole is accepted; what is refused changes nothing.
 3. A request without an answer is repeated every 0.5 s; after five of them the upload is given up, and said so.
 4. The last item, repeated because the acknowledgement was lost, is acknowledged again.
-5. One upload at a time: a count from the same sender begins it again, one from another sender is refused.
+5. One upload at a time: a count from the same sender begins it again; a count or a clearing from another sender is
+   refused. Clearing another kind of plan leaves it as it is.
 """
 
 from __future__ import annotations
@@ -101,9 +102,12 @@ class MissionProtocol:
         kind = content.mission_type
         if kind != mav.MAV_MISSION_TYPE_ALL and kind not in KINDS:
             return [_ack(peer, channel, kind, mav.MAV_MISSION_UNSUPPORTED)]
+        if self._upload is not None and self._upload.peer != peer:
+            return [_ack(peer, channel, kind, mav.MAV_MISSION_ERROR)]
+        result = ACCEPTED
         for each in KINDS if kind == mav.MAV_MISSION_TYPE_ALL else (kind,):
-            self._finish(peer, channel, each, ())
-        return [_ack(peer, channel, kind, ACCEPTED)]
+            result = self._put_in_force(each, ()) or result
+        return [_ack(peer, channel, kind, result)]
 
     def send_count(self, content: Any, peer: Peer, channel: Any) -> list[Post]:
         """MISSION_REQUEST_LIST: how many items there are to download."""
@@ -172,14 +176,21 @@ class MissionProtocol:
         self._upload = None
 
     def _finish(self, peer: Peer, channel: Any, kind: int, items: tuple[Item, ...]) -> list[Post]:
-        self._upload = None
+        result = self._put_in_force(kind, items)
+        if result == ACCEPTED:
+            self._finished = (peer, kind, len(items) - 1)
+        return [_ack(peer, channel, kind, result)]
+
+    def _put_in_force(self, kind: int, items: tuple[Item, ...]) -> int:
+        """Put a plan in force, and end the upload of its kind; a MAV_MISSION_RESULT."""
+        if self._upload is not None and self._upload.kind == kind:
+            self._upload = None
         try:
             self._accept(kind, items)
         except PlanError as error:
-            return [_ack(peer, channel, kind, error.result)]
+            return error.result
         self.plans[kind] = items
-        self._finished = (peer, kind, len(items) - 1)
-        return [_ack(peer, channel, kind, ACCEPTED)]
+        return ACCEPTED
 
 
 def _ack(peer: Peer, channel: Any, kind: int, result: int) -> Post:

@@ -116,13 +116,22 @@ def _leg(number: int, item: Item, frame: LocalFrame) -> Leg:
         raise PlanError(f"item {number}: command {item.command} cannot be flown", mav.MAV_MISSION_UNSUPPORTED)
     hold_s = radius_m = speed_m_s = None
     if kind is Kind.SPEED:
-        speed_m_s = _number(item.params[1], number, mav.MAV_MISSION_INVALID_PARAM2, least=-2.0)
+        if _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.0) not in _SPEEDS:
+            raise PlanError(f"item {number}: speed of type {item.params[0]:g}", mav.MAV_MISSION_INVALID_PARAM1)
+        speed_m_s = -1.0 if math.isnan(item.params[1]) else item.params[1]
+        if speed_m_s == _NO_CHANGE:
+            return Leg(Kind.WAIT)
+        if not (0.0 < speed_m_s < 1e6 or speed_m_s == _OWN_SPEED):
+            raise PlanError(f"item {number}: a speed of {speed_m_s:g} m/s", mav.MAV_MISSION_INVALID_PARAM2)
         return Leg(kind, speed_m_s=speed_m_s if speed_m_s > 0.0 else None)
     if kind is Kind.WAIT:
-        return Leg(kind, hold_s=max(_number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=-1.0), 0.0))
+        return Leg(kind, hold_s=_number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.0))
     if kind is Kind.RETURN:
         return Leg(kind)
     place = _place(number, item, frame, may_lack_place=kind in (Kind.TAKEOFF, Kind.LAND))
+    low = place.height_m is not None and place.above_home and place.height_m < LEAST_HEIGHT_M
+    if low and kind is not Kind.LAND:
+        raise PlanError(f"item {number}: {place.height_m:g} m above home", mav.MAV_MISSION_INVALID_PARAM7)
     if item.command in (mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_CMD_NAV_LOITER_TIME):
         hold_s = _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.0)
     if item.command == mav.MAV_CMD_NAV_WAYPOINT:
@@ -172,6 +181,11 @@ def _number(value: float, number: int, result: int, *, least: float) -> float:
     return value
 
 
+LEAST_HEIGHT_M = 0.3
+"""[choice] No vehicle flies lower above home."""
+_SPEEDS = (0.0, 1.0)
+"""SPEED_TYPE: airspeed and ground speed, which are one."""
+_NO_CHANGE, _OWN_SPEED = -1.0, -2.0
 FARTHEST_M = 1e5
 _UNSET = 2**31 - 1
 _LOCAL = frozenset({mav.MAV_FRAME_LOCAL_NED})

@@ -174,13 +174,14 @@ def test_number_that_is_none_is_denied_or_counts_as_unset(
     for slot in slots:
         bench = vehicle_bench().in_air()
         height = -bench.vehicle.p_ned[2]
-        params = [1.0, 1.0, 100.0, 100.0, 47.3978, 8.5456, 491.0]
+        params = [1.0, 1.0, 100.0, 100.0, 47.3978, 8.5456, 488.0 + height]
         if command == mav.MAV_CMD_DO_SET_HOME:
             params[0] = 0.0
         params[slot - 1] = bad
         result = bench.result(command, *params)
         unset = math.isnan(bad) and command in (
             mav.MAV_CMD_NAV_TAKEOFF, mav.MAV_CMD_DO_CHANGE_SPEED, mav.MAV_CMD_SET_MESSAGE_INTERVAL,
+            mav.MAV_CMD_DO_REPOSITION,
         )  # fmt: skip
         assert (result == DENIED) != unset, f"parameter {slot} of {command}: {result}"
         bench.fly(2.0)

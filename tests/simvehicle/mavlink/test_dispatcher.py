@@ -138,7 +138,23 @@ def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None
         assert bench.vehicle.p_ned == pytest.approx((6.0, -3.0, down_m), abs=0.1)
     place = (0, 0, -3.0)
     assert bench.result(mav.MAV_CMD_DO_REPOSITION, place=place, frame=mav.MAV_FRAME_BODY_NED) == DENIED
-    assert bench.result(mav.MAV_CMD_DO_REPOSITION, 0.0, 0.0, 0.0, 0.0, NAN, NAN, 490.0) == DENIED
+
+
+def test_what_a_reposition_does_not_give_stays_as_it_is(vehicle_bench: Any) -> None:
+    """As the standard has it, by NaN and by INT32_MAX: QGroundControl pauses and changes heights so."""
+    bench = vehicle_bench().in_air()
+    north, east, down = bench.vehicle.p_ned
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 1.0, 0.0, NAN, NAN, NAN, NAN) == ACCEPTED
+    bench.fly(3.0)
+    assert bench.vehicle.p_ned == pytest.approx((north, east, down), abs=0.1)
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 1.0, 0.0, NAN, NAN, NAN, HOME_AMSL + 8.0) == ACCEPTED
+    bench.fly(8.0)
+    assert bench.vehicle.p_ned == pytest.approx((north, east, -8.0), abs=0.1)
+    unset, frame = 2**31 - 1, mav.MAV_FRAME_GLOBAL_RELATIVE_ALT
+    place = (unset, unset, 6.0)
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 0.0, 0.0, NAN, place=place, frame=frame) == ACCEPTED
+    bench.fly(8.0)
+    assert bench.vehicle.p_ned == pytest.approx((north, east, -6.0), abs=0.1)
 
 
 def test_reposition_on_the_ground_is_rejected(vehicle_bench: Any) -> None:

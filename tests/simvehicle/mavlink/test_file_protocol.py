@@ -69,6 +69,17 @@ def test_a_burst_brings_the_rest_some_in_each_tick_and_then_its_end(vehicle_benc
     assert max(map(len, ticks)) <= PIECES_A_TICK
 
 
+def test_stations_read_their_own_files(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
+    ask(bench, OPEN, b"@LOG/4")
+    for opcode, data in ((OPEN, b"/metadata/parameters.json.xz"), (RESET, b"")):
+        head = struct.pack("<HBBBBBxI", 5, 0, opcode, len(data), 0, 0, 0)
+        payload = list((head + data).ljust(251, b"\0"))
+        (answer,) = bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, payload), source=(9, 9))
+        assert (bytes(answer.payload)[3], answer.target_system) == (ACK, 9)
+        assert ask(bench, READ, offset=40, size=20) == [(ACK, 71, 40, CONTENT[40:60])]
+
+
 def test_whatever_else_is_asked_ends_a_burst(vehicle_bench: Any) -> None:
     bench = vehicle_bench(log=WrittenLog(CONTENT))
     ask(bench, OPEN, b"@LOG/4")

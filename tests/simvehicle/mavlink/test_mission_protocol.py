@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import common as mav
 
+from simvehicle.autopilot.mission import Kind
 from simvehicle.sitl.storage import StateError, StateFile
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED = 0, 1, 2
@@ -305,6 +306,31 @@ def test_second_uploader_is_refused_while_the_first_goes_on(vehicle_bench: Any) 
     assert answer(bench.send(waypoint(bench, 1.0, 0.0, 2.0))).type == ACCEPTED
 
 
+def test_an_upload_goes_on_while_another_kind_is_cleared_and_others_may_not_clear(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    rally = mav.MAV_MISSION_TYPE_RALLY
+    bench.send(mav.MAVLink_mission_count_message(1, 1, 1, MISSION))
+    (refused,) = bench.send(mav.MAVLink_mission_clear_all_message(1, 1, rally), source=(9, 9))
+    assert (refused.get_type(), refused.type) == ("MISSION_ACK", mav.MAV_MISSION_ERROR)
+    assert answer(bench.send(mav.MAVLink_mission_clear_all_message(1, 1, rally))).type == ACCEPTED
+    assert answer(bench.send(mav.MAVLink_mission_count_message(1, 1, 0, mav.MAV_MISSION_TYPE_FENCE))).type == ACCEPTED
+    assert answer(bench.send(waypoint(bench, 1.0, 0.0, 2.0))).type == ACCEPTED
+    assert len(download(bench)) == 1
+
+
+def test_a_change_of_speed_by_nothing_changes_nothing(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    speeds = [
+        mav.MAVLink_mission_item_int_message(
+            1, 1, 0, REL, mav.MAV_CMD_DO_CHANGE_SPEED, 0, 1, 1.0, speed, 0, 0, 0, 0, 0, MISSION
+        )
+        for speed in (0.5, -1.0)
+    ]
+    assert upload(bench, [waypoint(bench, 0.0, 0.0, 2.0), *speeds, waypoint(bench, 9.0, 0.0, 2.0)]) == ACCEPTED
+    assert [leg.speed_m_s for leg in bench.vehicle.mission.legs] == [None, 0.5, None, None]
+    assert [leg.kind for leg in bench.vehicle.mission.legs].count(Kind.SPEED) == 1
+
+
 @pytest.mark.parametrize(
     ("command", "params", "frame", "xyz", "result"),
     [
@@ -323,6 +349,11 @@ def test_second_uploader_is_refused_while_the_first_goes_on(vehicle_bench: Any) 
         (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, REL, (0, 0, 2.0), mav.MAV_MISSION_INVALID_PARAM5_X),
         (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, REL, (473977420, 85455940, math.inf), mav.MAV_MISSION_INVALID_PARAM7),
         (mav.MAV_CMD_DO_CHANGE_SPEED, (1, -math.inf, 0, 0), REL, (0, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM2),
+        (mav.MAV_CMD_DO_CHANGE_SPEED, (1, 0.0, 0, 0), REL, (0, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM2),
+        (mav.MAV_CMD_DO_CHANGE_SPEED, (3, 0.3, 0, 0), REL, (0, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM1),
+        (mav.MAV_CMD_NAV_DELAY, (-1.0, 12.0, 30.0, 0), REL, (0, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM1),
+        (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, REL, (473977420, 85455940, -2.0), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_TAKEOFF, (0.0,) * 4, REL, (0, 0, -1.0), mav.MAV_MISSION_INVALID_PARAM7),
     ],
 )
 def test_item_that_cannot_be_flown_is_refused_by_name_and_the_old_mission_stays(

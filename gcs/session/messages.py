@@ -238,7 +238,8 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
         ordered = arming.ordered is not None or sysid in supervisor.grounded
-        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=arming.down, ordered=ordered)
+        down = arming.down or (sysid in supervisor.goal_watch.lost and not view.flying)
+        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=down, ordered=ordered)
         notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]
         row.stage, row.note, row.state = arming.stage, "; ".join(filter(None, notes_of)), states[sysid]
         row.mission_item = supervisor.missions.item(sysid) or UNSET

@@ -19,6 +19,8 @@ Snapshot = Mapping[str, Any]
 
 SESSION_LOG = "session.log"
 PROGRESS_EVERY_S = 2.0
+SILENT_S = 4.0
+"""[choice] A session that has sent no state for so long may be stopped, or waits for a vehicle."""
 JSON_EVERY_S = 1.0
 FAREWELL_WIDTH = 80
 REPORTED_OFF_M = 0.01
@@ -232,6 +234,9 @@ class PlainView(View):
         self._printed: Snapshot | None = None
         self._printed_s = -PROGRESS_EVERY_S
         self._begun_s: float | None = None
+        self._seen: Snapshot | None = None
+        self._seen_s = 0.0
+        """the newest state at the last `tick`, and since when it has been that"""
 
     def show(self, snapshot: Snapshot) -> None:
         """Take in the newest state."""
@@ -241,7 +246,13 @@ class PlainView(View):
 
     def tick(self, now_s: float) -> None:
         """Write the line that is due at wall time `now_s`."""
-        if self._last is not None and now_s - self._printed_s >= PROGRESS_EVERY_S:
+        if self._last is not self._seen:
+            self._seen, self._seen_s = self._last, now_s
+        if self._last is not None and self._last is self._printed and now_s - self._seen_s >= SILENT_S:
+            if now_s - self._printed_s >= PROGRESS_EVERY_S:
+                self._write(f"the session has said nothing for {now_s - self._seen_s:.0f} s")
+                self._printed_s = now_s
+        elif self._last is not None and now_s - self._printed_s >= PROGRESS_EVERY_S:
             self._print_progress(now_s)
         elif self._last is None and self._begun_s is None:
             self._begun_s = now_s

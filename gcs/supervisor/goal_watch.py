@@ -11,7 +11,7 @@ Vehicles that count (docs/protocol/result.md#goal):
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -247,6 +247,11 @@ class GoalWatch:
         """A vehicle that was lost is there again."""
         self._lost.pop(sysid, None)
         self._restless.add(sysid)
+
+    @property
+    def lost(self) -> Set[int]:
+        """System ids of the vehicles that count as lost now."""
+        return self._lost.keys()
 
     def losses(self, snapshot: FleetSnapshot, end_s: float) -> list[Loss]:
         """Vehicles lost by now, in order of time; with those that never flew, and those on their failsafe's way

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 from gcs.mavlink.autopilots import End
 from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
-from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
@@ -47,6 +47,7 @@ class Operator:
         self._arming = arming
         self._schedule = schedule
         self._refuels = bool(scenario.refuelling.enabled and (vehicles.tankers or scenario.bases))
+        self._tankers_alone = bool(scenario.vehicles.tankers) and not scenario.bases
         self._on_board = scenario.competition.where == "vehicles"
         self._until = scenario.refuelling.until
         self._targets = {target.sysid for target in vehicles.targets}
@@ -97,6 +98,8 @@ class Operator:
         view = snapshot.vehicle(sysid)
         if command == "retarget":
             return self._retarget(view, target, snapshot)
+        if command == "refuel" and self._tankers_alone and not any(v.alive for v in snapshot.of_role("tanker")):
+            return OperatorReply(False, "No tanker lives that could refuel it.")
         return _COMMANDS[command](self, view, command)
 
     def unreachable(self, sysid: int, snapshot: FleetSnapshot) -> str | None:
@@ -114,6 +117,8 @@ class Operator:
         self._schedule.out[view.sysid] = OUT_TAKEN
         if not view.armed:
             does = "stays on the ground"
+        elif view.age_s > CUT_OFF_S:
+            does += ", once it is received again,"
         elif self._schedule.bound(view.sysid):
             does += ", once its transfer is broken off,"
         return OperatorReply(True, f"{_name(view)} {does} until it rejoins.")

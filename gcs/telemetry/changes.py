@@ -14,6 +14,8 @@ from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
+RECEIVED_WITHIN_S = 1.0
+"""[choice] A vehicle of which anything has come within so long is received, though its place is old."""
 REGULAR_S = 5.0
 """Positions come again when none has been old for so long: of a slow stream each one would begin anew."""
 NO_TELEMETRY = "No telemetry for"
@@ -106,7 +108,9 @@ class ChangeDetector:
         sysid, old = view.sysid, STALE_S < view.age_s < math.inf
         if not view.alive:
             self._late_s.pop(sysid, None)
-        elif old and (sysid in self._late_s or sysid not in self._silent):
+        elif old and (
+            sysid in self._late_s or (sysid not in self._silent and view.silent_s(now_s) < RECEIVED_WITHIN_S)
+        ):
             if sysid not in self._late_s:
                 text = f"No position for {view.age_s:.1f} s, though it is heard"
                 events.append(Event(now_s, sysid, "warning", text, "link"))

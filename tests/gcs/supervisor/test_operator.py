@@ -78,6 +78,12 @@ def test_refuel_makes_it_the_next_and_only_where_that_makes_sense(session: Any) 
     assert not taken(session, "refuel", sysid=1)
 
 
+def test_none_is_refuelled_where_no_tanker_lives(session: Any) -> None:
+    session.supervisor.fleet.lost(201)
+    session.fly(1)
+    assert not taken(session, "refuel", sysid=1)
+
+
 def test_a_full_one_is_not_refuelled(scripted: Any) -> None:
     session = scripted()
     session.fly(3)

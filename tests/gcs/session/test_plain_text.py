@@ -1,0 +1,27 @@
+"""Lines of a session in a terminal."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from sessions import fly, small
+
+from gcs.session.plain_text import PlainView
+from gcs.session.replay import Replay
+
+
+def test_a_session_that_says_nothing_more_is_not_shown_as_flying(tmp_path: Path) -> None:
+    replay = Replay(fly(small(goal={"duration_s": 5.0}), tmp_path, "--no-report").folder)
+    lines: list[str] = []
+    view = PlainView(lambda text: lines.append(str(text)))
+    shown = []
+    for wall_s in (0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0):
+        if wall_s in (0.0, 2.0, 10.0):
+            replay.advance(wall_s / 4.0, math.inf)
+            view.show(replay.snapshot(speed=None))
+        lines.clear()
+        view.tick(wall_s)
+        shown.append(lines[-1])
+    assert ["flying" in line for line in shown] == [True, True, True, False, False, True, True]
+    assert shown[3:5] == ["the session has said nothing for 4 s", "the session has said nothing for 6 s"]

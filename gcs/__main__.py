@@ -21,7 +21,7 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    with uncollected():
+    with uncollected(for_good=True):
         from gcs.cli.main import main as command_line  # noqa: PLC0415 - what takes long
 
     sys.unraisablehook = raise_again

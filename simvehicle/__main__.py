@@ -14,7 +14,7 @@ def main() -> None:
     handler = signal.getsignal(signal.SIGINT)
     if handler is signal.default_int_handler:  # else the caller ignores it, as nohup does
         signal.signal(signal.SIGINT, lambda *_: os._exit(INTERRUPTED))
-    with uncollected():
+    with uncollected(for_good=True):
         from simvehicle import cli  # noqa: PLC0415 - what takes long
 
     signal.signal(signal.SIGINT, handler)

@@ -6,8 +6,9 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def uncollected() -> Iterator[None]:
-    """Look for no garbage within this context.
+def uncollected(*, for_good: bool = False) -> Iterator[None]:
+    """Look for no garbage within this context; `for_good`: nor ever among what is there at its end, in a program of
+    ours, whose objects are all its own.
 
     Python looks through all objects again each time that their number has grown by a quarter: a twelfth of the time
     from the prompt to a session's end.
@@ -17,5 +18,7 @@ def uncollected() -> Iterator[None]:
     try:
         yield
     finally:
+        if for_good:
+            gc.freeze()
         if collects:
             gc.enable()

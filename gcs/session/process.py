@@ -68,7 +68,7 @@ def fly(
     try:
         scenario = scenario or load(folder / "scenario.yaml")
         vehicles = OwnVehicles(scenario, folder, drop, server)
-        with uncollected():
+        with uncollected(for_good=True):
             from gcs.session.session_process import SessionProcess  # noqa: PLC0415 - the vehicles come up meanwhile
 
         with plugin_process.started(scenario, modules, folder, parent=0) as process, contextlib.ExitStack() as stack:

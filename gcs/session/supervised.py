@@ -149,7 +149,7 @@ class SupervisorFork:
             del sys.path[0]  # as -P does for the command
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here is worth threads
         with without_plugins():
-            with uncollected():
+            with uncollected(for_good=True):
                 from gcs.session import process  # noqa: PLC0415 - only a supervisor needs it
 
             server = None if self.server is None else self.server.adopted()

@@ -33,7 +33,7 @@ def fork_server() -> None:
     Modules are loaded once; every vehicle is then a fork of this process.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # threads would be missing in a fork
-    with uncollected():
+    with uncollected(for_good=True):
         from simvehicle.sitl import block, link, storage, traffic  # noqa: F401 - once, for all vehicles
 
     status = serve(child_of)

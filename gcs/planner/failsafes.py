@@ -137,7 +137,7 @@ def _timetable(
     """Heights and times of a fleet's return, of our vehicles and of others; a height that a vehicle's own parameters
     give stays. Ours climb at once, above all others, and come down with them."""
     every = scenario.vehicles.all
-    rows = [row for row, vehicle in enumerate(every) if vehicle.foreign is None]
+    rows = [row for row, vehicle in enumerate(every) if not vehicle.is_foreign]
     boxes = boxes_of(every, scenario)[rows]
     layers, below = coloured(meeting(boxes)), layers_of(scenario)
     gap_m = scenario.planner.separation_m + widest_m(scenario)[0] + LAYER_SPARE_M

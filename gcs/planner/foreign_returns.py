@@ -69,7 +69,7 @@ def layers_of(scenario: Scenario) -> dict[int, int]:
     """
     heights_m = _heights_m(scenario)
     every = scenario.vehicles.all
-    foreign = ((row, v.sysid) for row, v in enumerate(every) if v.foreign is not None)
+    foreign = ((row, v.sysid) for row, v in enumerate(every) if v.is_foreign)
     rows = sorted((heights_m[sysid], -descent_of(sysid), sysid, row) for row, sysid in foreign)
     boxes = boxes_of(every, scenario)
     for row, vehicle in enumerate(every):

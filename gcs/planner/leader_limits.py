@@ -31,7 +31,7 @@ def speeds_m_s(scenario: Scenario) -> dict[int, float]:
 def acceleration_m_s2(scenario: Scenario, vehicle: VehicleBase) -> float:
     """Greatest acceleration of a vehicle's leader."""
     most_m_s2 = scenario.planner.acceleration_m_s2
-    if vehicle.foreign is not None:
+    if vehicle.is_foreign:
         return min(most_m_s2, EXTERNAL_M_S2)
     able_m_s2 = vehicle.params.get("MPC_ACC_HOR", USUAL_M_S2)
     tilt_m_s2 = GRAVITY_M_S2 * elementary.tan(math.radians(vehicle.params.get("MPC_TILTMAX_AIR", USUAL_TILT_DEG)))

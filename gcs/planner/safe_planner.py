@@ -98,7 +98,7 @@ class SafePlanner(TickPlanner):
         self._spreads = Spreads([*spreads_m(scenario).values()], factor(scenario), self._a_max, self._external)
         self._spread_m = np.zeros(n)
         self._floors = Floors(self._row[v.sysid] for v in every if not v.airborne)
-        launched = (v for v in every if v.foreign is None)
+        launched = (v for v in every if not v.is_foreign)
         self._airborne = {v.sysid: v.start_m for v in launched if v.airborne and not v.join_s}
         self.lag_s = LOOKAHEAD_S
         """how far vehicles fly behind their leaders, usually"""
@@ -111,7 +111,7 @@ class SafePlanner(TickPlanner):
         self._unsaid_s = np.zeros(n)
         """for how long each has been sent set points without having said that it follows them"""
         failsafes = failsafes_of(scenario)
-        self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if v.foreign is None}
+        self._failsafes = {v.sysid: (v.start_m, failsafes[v.sysid]) for v in every if not v.is_foreign}
         self._link_age = LinkAge(n)
         self._fence = FenceBorder(scenario, rules.clearance_m)
         self._solid = np.concatenate([planner.obstacles, self._fence.walls])

@@ -212,7 +212,7 @@ class SessionProcess:
             self._event(0, "warning", text)
         vehicles = self._scenario.vehicles.launched
         self._lockstep_link.expect(self._vehicles.keys)
-        self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.foreign is not None)
+        self._lockstep_link.compare_clocks((v.sysid, AUTOPILOT) for v in vehicles if v.is_foreign)
         for notices in arriving(self._scenario, self._labels, self._link, self._lockstep_link, self._external_link):
             for sysid, text in notices:
                 self._event(sysid, "info", text)

@@ -23,9 +23,9 @@ def make_fleet(scenario: Scenario) -> Fleet:
             v.label,
             v.battery.capacity_j,
             v.battery.capacity_j * v.battery.initial_percent / 100.0,
-            external=v.foreign is not None,
+            external=v.is_foreign,
             profile=PROFILES.get(rules.autopilot) if (rules := v.foreign) else None,
-            airborne=v.airborne and v.foreign is None,
+            airborne=v.airborne and not v.is_foreign,
             battery_apart=v.real is not None,
         )
         for v in scenario.vehicles.all

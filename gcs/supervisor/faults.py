@@ -112,7 +112,7 @@ class FaultInjector:
         if one.fault.fault not in COMMANDED or sysid is None or (ends and one.fault.fault == "battery"):
             return []
         params = self._params(one, ends=ends)
-        if self._vehicles[sysid].foreign is not None:
+        if self._vehicles[sysid].is_foreign:
             return [CommandRequest(sysid, mav.MAV_CMD_INJECT_FAILURE, params, f"fault {one.number}")]
         order = CommandLong(CommandTarget(sysid, AUTOPILOT), mav.MAV_CMD_INJECT_FAILURE, params)
         orders = self._orders.setdefault(sysid, [])

@@ -185,7 +185,7 @@ class GoalWatch:
         if view.silent_s(now_s) >= self._returns_after_s.get(view.sysid, math.inf):
             return True
         to_land = arming.grounded or arming.stage is Stage.BASE
-        by_itself = self._vehicles[row].foreign is None or view.failsafe
+        by_itself = not self._vehicles[row].is_foreign or view.failsafe
         return by_itself and view.mode in GOING_DOWN and not to_land
 
     def _see_height(self, row: int, view: VehicleView, arming: ArmingSequence, height_m: float) -> tuple[float, bool]:
@@ -225,7 +225,7 @@ class GoalWatch:
         An order to land or return explains a landing, an order to hold does not. No order explains a battery that is
         empty in flight.
         """
-        by_itself = self._vehicles[self._rows[view.sysid]].foreign is None or view.failsafe
+        by_itself = not self._vehicles[self._rows[view.sysid]].is_foreign or view.failsafe
         if arming.ordered != "hold" or (view.flying and view.mode not in GOING_DOWN):
             self._leaves_hold.discard(view.sysid)
         elif view.flying and by_itself:
@@ -277,7 +277,7 @@ class GoalWatch:
                 return self._landed_s(view.sysid, end_s), "landed by itself"
         if (in_silence := self._lost_in_silence(view, arming, end_s)) is not None:
             return in_silence
-        by_itself = vehicle.foreign is None or view.failsafe
+        by_itself = not vehicle.is_foreign or view.failsafe
         ours = held or arming.stage in (*_STEERED, Stage.MISSION, Stage.YIELDED)
         taken_down = ours and by_itself and view.flying and view.mode in GOING_DOWN
         return (end_s, f"its failsafe flies it ({view.mode_name})") if taken_down else None

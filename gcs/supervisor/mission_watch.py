@@ -45,7 +45,7 @@ class MissionFlight:
         self.items: tuple[FlownItem, ...] = items_of(vehicle)
         self.last = max(k for k, item in enumerate(self.items) if item.command != mav.MAV_CMD_DO_CHANGE_SPEED)
         """index of the last item that is reached"""
-        self.stopping = OURS if vehicle.foreign is None else FOREIGN
+        self.stopping = FOREIGN if vehicle.is_foreign else OURS
         o = scenario.origin
         self.origin = o.lat_deg, o.lon_deg, o.alt_m
         self.said: list[Any] = []

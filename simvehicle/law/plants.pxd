@@ -5,6 +5,12 @@ from simvehicle.world.rows cimport AirframeRow, Gust, Weather
 cpdef enum:
     STEPS_AHEAD = 500  # of noise, which is drawn at once
 
+cdef class BodyMotion:
+    cdef readonly tuple p_ned
+    cdef readonly tuple v_ned
+    cdef readonly tuple quaternion
+    cdef readonly tuple rates_body
+
 cdef class Plant:
     cdef readonly object state
     cdef State* row  # of `state`: what the law knows
@@ -42,3 +48,6 @@ cdef class RotorPlant(Plant):
 
     cdef _blow(self)
     cdef _draw_ahead(self, Py_ssize_t steps)
+    cpdef tuple turn(self, tuple wanted_rad_s, double time_s, double dt_s)
+    @cython.locals(motion=BodyMotion)
+    cpdef BodyMotion body(self)

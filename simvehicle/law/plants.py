@@ -7,7 +7,7 @@ is the plant's to tell.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import cython
 import cython.cimports.simvehicle.law.rotor_flight as compiled_rotor_flight
@@ -34,7 +34,7 @@ Vec3 = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
 
-class BodyMotion(NamedTuple):
+class BodyMotion:
     """Motion of a rigid body: place m and velocity m/s in NED, attitude from the body to NED (w first), rates about the
     body's axes, front, right, down, rad/s."""
 
@@ -239,7 +239,7 @@ class RotorPlant(Plant):
         )  # fmt: skip
         self._next += steps
 
-    def turn(self, wanted_rad_s: Sequence[float], *, time_s: float, dt_s: float) -> Vec3:
+    def turn(self, wanted_rad_s: tuple[float, ...], time_s: float, dt_s: float) -> Vec3:
         """One step by the rotor speeds (4,) that another autopilot wants; it knows its motion exactly. The specific
         force about the body's axes after it, (3,), front, right, down, m/s²."""
         wanted, force = cython.declare(cython.double[4]), cython.declare(cython.double[3])
@@ -258,7 +258,10 @@ class RotorPlant(Plant):
         """True motion of its body."""
         body = cython.address(self.rotors.body)
         p, v, q, r = body.position, body.velocity, body.quaternion, body.rates
-        return BodyMotion((p[0], -p[1], -p[2]), (v[0], -v[1], -v[2]), (q[0], q[1], -q[2], -q[3]), (r[0], -r[1], -r[2]))
+        motion = BodyMotion.__new__(BodyMotion)
+        motion.p_ned, motion.v_ned = (p[0], -p[1], -p[2]), (v[0], -v[1], -v[2])
+        motion.quaternion, motion.rates_body = (q[0], q[1], -q[2], -q[3]), (r[0], -r[1], -r[2])
+        return motion
 
     def true_motion(self, motion: Any) -> None:
         """As every plant."""

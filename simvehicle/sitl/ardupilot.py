@@ -6,17 +6,16 @@ an answer back.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import cython.cimports.simvehicle.mavlink.real_autopilots.json_backend as backend
 
-from simvehicle.autopilot.vectors import Vec3
+from simvehicle.law.plants import Vec3
 from simvehicle.mavlink.codec import ReceivedFrame
-from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.mavlink.real_autopilots.analog_battery import AnalogBattery
 from simvehicle.mavlink.real_autopilots.autopilot_boot import ARDUCOPTER_BOOT, AutopilotBoot
 from simvehicle.mavlink.real_autopilots.gnss_switch import GnssSwitch
 from simvehicle.sitl.ardupilot_link import ArduPilotLink
 from simvehicle.sitl.ardupilot_process import STEP_MS
-from simvehicle.sitl.autopilot_unit import AutopilotUnit
+from simvehicle.sitl.autopilot_unit import AutopilotUnit, Throttles
 
 
 class ArduPilotUnit(AutopilotUnit):
@@ -37,8 +36,8 @@ class ArduPilotUnit(AutopilotUnit):
         self._monitor = AnalogBattery(self._wanted.sysid, boot.volts)
         self._receiver = GnssSwitch(self._wanted.sysid)
 
-    def _throttles(self) -> Sequence[float]:
-        return self._link.servo.throttles
+    def _throttles(self) -> Throttles:
+        return self._link.throttles
 
     def _report_battery(self) -> None:
         for content in self._monitor.settings(self._boot_s, *self._plant.electric):
@@ -54,15 +53,15 @@ class ArduPilotUnit(AutopilotUnit):
     def _answer(self, accel_body: Vec3) -> None:
         sensed = self._sense(accel_body)
         volts, amperes = self._plant.electric
-        line = json_backend.answer(
-            step=self._steps,
-            dt_s=STEP_MS / 1e3,
-            rates_body=sensed.rates_body,
-            accel_body=sensed.accel_body,
-            p_ned=sensed.p_ned,
-            v_ned=sensed.v_ned,
-            quaternion=sensed.quaternion,
-            volts=volts,
-            amperes=amperes,
+        line = backend.answer(
+            self._steps,
+            STEP_MS / 1e3,
+            sensed.rates_body,
+            sensed.accel_body,
+            sensed.p_ned,
+            sensed.v_ned,
+            sensed.quaternion,
+            volts,
+            amperes,
         )
         self._link.answer(line)

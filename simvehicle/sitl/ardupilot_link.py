@@ -6,8 +6,14 @@ import contextlib
 import socket
 import time
 
+import cython
+import cython.cimports.simvehicle.mavlink.real_autopilots.json_backend as json_backend
+from cython.cimports.cpython.bytes import PyBytes_AS_STRING
+from cython.cimports.simvehicle.mavlink.real_autopilots.json_backend import Servo
+from cython.cimports.simvehicle.sitl.ardupilot_link import SERVO_BYTES
+from cython.cimports.skytender.system_calls import recv, send
+
 from simvehicle.mavlink.codec import ReceivedFrame, split
-from simvehicle.mavlink.real_autopilots import json_backend
 from simvehicle.sitl.ardupilot_process import APART, SERIAL_PORT, simulation_port, start_ardupilot
 from simvehicle.sitl.autopilot_process import (
     HOST,
@@ -20,7 +26,6 @@ from simvehicle.sitl.autopilot_process import (
 from simvehicle.sitl.link import time_of
 
 SERIAL_BYTES = 65536
-SERVO_BYTES = 2048
 
 
 class ArduPilotLink(AutopilotLink):
@@ -29,16 +34,17 @@ class ArduPilotLink(AutopilotLink):
     def __init__(self, wanted: AutopilotWanted) -> None:
         """Start it, and wait for its first servo packet."""
         self._serial_pending = b""
-        self._peer = (HOST, 0)
+        self._frame = 0
+        self.throttles = (0.0, 0.0, 0.0, 0.0)
         with contextlib.ExitStack() as opened:
             self._udp, instance = simulation_port()
+            self._fd = self._udp.fileno()
             opened.callback(self._udp.close)
             self._udp.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, time_of(LOOK_EVERY_S))
             self.process = opened.enter_context(start_ardupilot(wanted, instance))
             self._serial = self._connect(SERIAL_PORT + APART * instance)
             opened.callback(self._serial.close)
-            self.servo = self._next_servo(-1)
-            self._udp.connect(self._peer)
+            self._first_servo()
             self._closing = opened.pop_all()
 
     def say(self, raw: bytes) -> None:
@@ -49,12 +55,10 @@ class ArduPilotLink(AutopilotLink):
             raise self.process.gone() from error
 
     def answer(self, line: bytes) -> None:
-        """Answer its servo packet and wait for the next, `servo`."""
-        try:
-            self._udp.send(line)
-        except OSError as error:
-            raise self.process.gone() from error
-        self.servo = self._next_servo(self.servo.frame)
+        """Answer its servo packet and wait for the next one's `throttles`."""
+        if send(self._fd, PyBytes_AS_STRING(line), len(line), 0) < 0:
+            raise self.process.gone()
+        self._await_servo()
 
     def received(self) -> list[ReceivedFrame]:
         """Frames that have come through its serial port: all that it said before its servo packet."""
@@ -73,21 +77,37 @@ class ArduPilotLink(AutopilotLink):
         whole, self._serial_pending = whole_frames(self._serial_pending)
         return split(bytes(whole))
 
-    def _next_servo(self, last_frame: int) -> json_backend.ServoPacket:
-        """The next servo packet; what it repeats is passed over. A session may stand still: it waits while it lives."""
-        deadline_s = time.monotonic() + READY_WITHIN_S if last_frame < 0 else None
+    def _await_servo(self) -> None:
+        """Wait for the next servo packet; what it repeats is passed over. A session may stand still: it waits while it
+        lives."""
+        servo = cython.declare(Servo)
+        room = cython.declare(cython.char[SERVO_BYTES])
+        fd, last = cython.declare(cython.int, self._fd), cython.declare(cython.uint, self._frame)
+        while True:
+            have = recv(fd, room, SERVO_BYTES, 0)
+            if have < 0:  # the socket's own time-out, a signal; or it may have gone
+                self.process.look()
+            elif json_backend.read(room, have, cython.address(servo)) and servo.frame != last:
+                self._frame, self.throttles = servo.frame, json_backend.throttles_of(cython.address(servo))
+                return
+
+    def _first_servo(self) -> None:
+        """Wait for its first servo packet, and answer where that came from."""
+        deadline_s = time.monotonic() + READY_WITHIN_S
         while True:
             try:
-                datagram, self._peer = self._udp.recvfrom(SERVO_BYTES)
-            except (BlockingIOError, ConnectionRefusedError):  # the socket's own time-out; or it may have gone
+                datagram, peer = self._udp.recvfrom(SERVO_BYTES)
+            except BlockingIOError:  # the socket's own time-out
                 self.process.look()
-                if deadline_s is not None and time.monotonic() > deadline_s:
+                if time.monotonic() > deadline_s:
                     late = f"said nothing to its simulation within {READY_WITHIN_S:.0f} s"
                     raise self.process.late(late) from None
                 continue
             packet = json_backend.parse(datagram)
-            if packet is not None and packet.frame != last_frame:
-                return packet
+            if packet is not None:
+                self._frame, self.throttles = packet
+                self._udp.connect(peer)
+                return
 
     def _connect(self, port: int) -> socket.socket:
         """Its serial port, which listens soon after its start."""

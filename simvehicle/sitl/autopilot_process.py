@@ -53,7 +53,8 @@ class AutopilotWanted:
     parameters: dict[str, float]
     renamed: dict[str, str]
     """clause about each parameter that other versions call by another name"""
-    sensors: SensorErrors
+    sensors: SensorErrors | None
+    """errors of what it senses; None where it senses exactly"""
     truth: Path | None = None
 
 
@@ -178,7 +179,7 @@ def read_wanted(content: Any, sysid: int, step_s: float) -> tuple[AutopilotWante
             envelope=Envelope(float(content["capture_m"]), float(content["relative_speed_m_s"])),
             parameters={str(name): float(value) for name, value in content["parameters"].items()},
             renamed={str(name): str(clause) for name, clause in content.get("renamed", {}).items()},
-            sensors=SensorErrors(own.errors, step_s, seed=world.seed, sysid=sysid),
+            sensors=None if own.errors is None else SensorErrors(own.errors, step_s, seed=world.seed, sysid=sysid),
             truth=None if content["truth"] is None else Path(content["truth"]),
         )
         wanted.folder.mkdir(parents=True, exist_ok=True)

@@ -12,16 +12,15 @@ import contextlib
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Self
+from typing import Any, Self
 
 import numpy as np
 
 from simvehicle.autopilot.geodesy import LocalFrame
-from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law import rows
 from simvehicle.law.dynamics import ned_from_nwu
 from simvehicle.law.params import VehicleParams
-from simvehicle.law.plants import Quaternion, RotorPlant
+from simvehicle.law.plants import BodyMotion, Quaternion, RotorPlant, Vec3
 from simvehicle.mavlink.codec import ReceivedFrame, decode, encode, message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.lockstep import SUPERVISOR
@@ -44,7 +43,10 @@ OURS = frozenset({mav.MAVLINK_MSG_ID_SYSTEM_TIME, mav.MAVLINK_MSG_ID_BATTERY_STA
 the charge in its SYS_STATUS."""
 
 
-class Sensed(NamedTuple):
+Throttles = tuple[float, ...]
+
+
+class Sensed:
     """Motion as sensors have it: place, velocity NED, attitude from the body to NED (w first), rates and specific
     force about the body's axes (front, right, down)."""
 
@@ -156,7 +158,7 @@ class AutopilotUnit(Unit, ABC):
         """Start it."""
 
     @abstractmethod
-    def _throttles(self) -> Sequence[float]:
+    def _throttles(self) -> Throttles:
         """Throttle of each of four motors that it wishes for now, 0 to 1."""
 
     @abstractmethod
@@ -238,22 +240,24 @@ class AutopilotUnit(Unit, ABC):
 
     def _fly(self, time_s: float) -> Vec3:
         """One step of its body by its throttles; the specific force about its axes, front, right, down, m/s²."""
-        wanted = [self._fastest_rad_s * throttle for throttle in self._throttles()]
+        wanted = _speeds(self._throttles(), self._fastest_rad_s)
         for motor in self._failures.dead_motors:
-            wanted[motor] = 0.0
-        return self._plant.turn(wanted, time_s=time_s, dt_s=self._step_s)
+            wanted = (*wanted[:motor], 0.0, *wanted[motor + 1 :])
+        return self._plant.turn(wanted, time_s, self._step_s)
 
     def _sense(self, accel: Vec3) -> Sensed:
         """One step of time, and its motion then as its sensors have it, with the specific force about its axes."""
         self._steps += 1
-        true_p_ned, v_ned, quaternion, rates = self._plant.body()
-        p_ned = _sum(true_p_ned, self._failures.position_error_ned)
-        errors = self._wanted.sensors.step()
-        if errors is not None:
-            p_ned, v_ned = _sum(p_ned, errors[0]), _sum(v_ned, errors[1])
-            rates, accel = _sum(rates, errors[3]), _sum(accel, errors[4])
-            quaternion = _turned(quaternion, errors[2])
-        return Sensed(p_ned, v_ned, quaternion, rates, accel)
+        body: BodyMotion = self._plant.body()
+        sensed: Sensed = Sensed.__new__(Sensed)
+        sensed.p_ned, sensed.v_ned = _sum(body.p_ned, self._failures.position_error_ned), body.v_ned
+        sensed.quaternion, sensed.rates_body, sensed.accel_body = body.quaternion, body.rates_body, accel
+        if self._wanted.sensors is not None:
+            errors = self._wanted.sensors.step()
+            sensed.p_ned, sensed.v_ned = _sum(sensed.p_ned, errors[0]), _sum(sensed.v_ned, errors[1])
+            sensed.rates_body, sensed.accel_body = _sum(sensed.rates_body, errors[3]), _sum(accel, errors[4])
+            sensed.quaternion = _turned(sensed.quaternion, errors[2])
+        return sensed
 
     # truth
 
@@ -266,6 +270,12 @@ class AutopilotUnit(Unit, ABC):
         received_j = float(self._battery.exchange.received_j)
         record = [self._time_ms / 1e3, 0.0, *motion, drawn_j, received_j, 0.0, left_j]
         return np.array(record, dtype="<f8").tobytes()
+
+
+def _speeds(throttles: Throttles, fastest_rad_s: float) -> Throttles:
+    """Speeds of four rotors by their throttles, rad/s."""
+    a, b, c, d = throttles
+    return (fastest_rad_s * a, fastest_rad_s * b, fastest_rad_s * c, fastest_rad_s * d)
 
 
 def _sum(a: Sequence[float], b: Sequence[float]) -> Vec3:

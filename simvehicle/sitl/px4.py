@@ -6,18 +6,15 @@ one, and lives on with the next: so a grant ends by sending none.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
-from simvehicle.autopilot.vectors import Vec3
-from simvehicle.law.plants import Quaternion
+from simvehicle.law.plants import Quaternion, Vec3
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.real_autopilots import hil
 from simvehicle.mavlink.real_autopilots.autopilot_boot import PX4_BOOT
 from simvehicle.mavlink.real_autopilots.battery_component import STATUS_EVERY_S
-from simvehicle.sitl.autopilot_unit import AutopilotUnit, Sensed
+from simvehicle.sitl.autopilot_unit import AutopilotUnit, Sensed, Throttles
 from simvehicle.sitl.px4_link import Px4Link
 from simvehicle.world.airframes import GRAVITY_M_S2, SEA_LEVEL_KG_M3
 from simvehicle.world.atmosphere import air_at
@@ -54,7 +51,7 @@ class Px4Unit(AutopilotUnit):
         self._link = Px4Link(wanted, hover_throttle=GRAVITY_M_S2 / lift_m_s2)
         return self._link
 
-    def _throttles(self) -> Sequence[float]:
+    def _throttles(self) -> Throttles:
         return self._link.controls.throttles
 
     def _report_battery(self) -> None:
@@ -97,16 +94,16 @@ class Px4Unit(AutopilotUnit):
             satellites=0 if lost else SATELLITES,
             fix=not lost,
         )
-        p_ned, v_ned, quaternion, rates = self._plant.body()
-        lat_deg, lon_deg, alt_m = self._frame.to_global(*p_ned)
+        body = self._plant.body()
+        lat_deg, lon_deg, alt_m = self._frame.to_global(*body.p_ned)
         there = hil.truth(
             time_us,
-            quaternion=quaternion,
-            rates_body=rates,
+            quaternion=body.quaternion,
+            rates_body=body.rates_body,
             lat_deg=lat_deg,
             lon_deg=lon_deg,
             alt_m=alt_m,
-            v_ned=v_ned,
+            v_ned=body.v_ned,
             accel_body=sensed.accel_body,
         )
         return [fix, there]

@@ -19,21 +19,16 @@ class SensorErrors:
     """Errors of GNSS and barometer (position), GNSS (velocity), compass (angles), gyros and accelerometers of one
     vehicle, three axes each: NED for the first two, the body's (front, right, down) for the others."""
 
-    def __init__(self, errors: EstimateErrors | None, dt_s: float, *, seed: int, sysid: int) -> None:
-        """`dt_s`: a step. `seed` and `sysid`: of the stream that they are drawn from. None: there are none."""
-        self._none = errors is None
-        own = EstimateErrors() if errors is None else errors
-        deviations = np.repeat([*own.deviations, own.accel_m_s2], 3)
-        decays = elementwise.exponentials(-dt_s / np.repeat([*own.times_s, own.accel_s], 3))
+    def __init__(self, errors: EstimateErrors, dt_s: float, *, seed: int, sysid: int) -> None:
+        """`dt_s`: a step. `seed` and `sysid`: of the stream that they are drawn from."""
+        deviations = np.repeat([*errors.deviations, errors.accel_m_s2], 3)
+        decays = elementwise.exponentials(-dt_s / np.repeat([*errors.times_s, errors.accel_s], 3))
         self._random = np.random.default_rng(np.random.SeedSequence(seed, spawn_key=(sysid, 2)))
         self._decays, self._pushes = decays, deviations * np.sqrt(1.0 - decays * decays)
         self._now: NDArray[np.float64] = deviations * standard_normal(self._random, 1, deviations.size)[0]
 
-    def step(self) -> tuple[Floats, Floats, Floats, Floats, Floats] | None:
-        """One step of them: position m, velocity m/s, angles rad, rates rad/s, specific force m/s², each (3,);
-        None where there are none."""
-        if self._none:
-            return None
+    def step(self) -> tuple[Floats, Floats, Floats, Floats, Floats]:
+        """One step of them: position m, velocity m/s, angles rad, rates rad/s, specific force m/s², each (3,)."""
         self._now = self._decays * self._now + self._pushes * standard_normal(self._random, 1, self._now.size)[0]
         e = self._now.tolist()
         return e[0:3], e[3:6], e[6:9], e[9:12], e[12:15]

@@ -102,6 +102,11 @@ class VehicleBase(Part):
         return self.plant == "rotors" or self.real is not None
 
     @property
+    def is_foreign(self) -> bool:
+        """Whether its autopilot is not ours, launched or external."""
+        return self.real is not None or self.external is not None
+
+    @property
     def foreign(self) -> External | None:
         """Rules for a vehicle whose autopilot is not ours, launched or external; None where it is ours."""
         if self.real is None:
@@ -144,7 +149,7 @@ class Pursuer(VehicleBase):
     @property
     def transfer_capable(self) -> bool | None:
         """Whether it can take energy in the air; None where it is to be asked."""
-        asked = self.transfer is None and self.foreign is not None
+        asked = self.transfer is None and self.is_foreign
         return None if asked else self.transfer is not False
 
 

@@ -111,7 +111,7 @@ def _of_path(target: Target, speed_m_s: float, duration_s: float) -> Iterator[Sc
 
 def _most_m_s(vehicle: VehicleBase) -> float:
     """Greatest speed of a vehicle's guidance; inf where an autopilot of another make flies it."""
-    if vehicle.foreign is not None:
+    if vehicle.is_foreign:
         return math.inf
     return float(vehicle.params.get("MPC_XY_VEL_MAX", LAUNCHED_M_S))
 

@@ -14,11 +14,7 @@ DT_S = 0.004
 def series(steps: int, *, seed: int = 3, sysid: int = 2, errors: EstimateErrors | None = None) -> np.ndarray:
     """(steps, 15)"""
     sensors = SensorErrors(errors or EstimateErrors(), DT_S, seed=seed, sysid=sysid)
-    return np.array([np.concatenate(sensors.step() or ()) for _ in range(steps)])
-
-
-def test_without_errors_there_are_none() -> None:
-    assert SensorErrors(None, DT_S, seed=1, sysid=1).step() is None
+    return np.array([np.concatenate(sensors.step()) for _ in range(steps)])
 
 
 def test_each_has_its_deviation_and_its_correlation_time() -> None:

@@ -1,0 +1,1 @@
+from simvehicle.sitl.autopilot_unit cimport Sensed

@@ -1,0 +1,2 @@
+cdef enum:
+    SERVO_BYTES = 2048

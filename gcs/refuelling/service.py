@@ -80,6 +80,8 @@ class Service:
     fraction_j: float = 0.0
     reported_in_j: int = 0
     progress_s: float = 0.0
+    out_at_progress_j: int = 0
+    """what the receiver last counted, when that rose, and what its tanker had given then"""
 
     @property
     def giver(self) -> str:

@@ -32,6 +32,9 @@ BEGINS_WITHIN_S = 2.0
 """[choice] What a receiver draws in so long before its first joule is ordered too."""
 BREAKS = 5
 """A service that was broken off so often ends; the receiver competes again, and so may the others."""
+STANDS_S, STANDS_J = 1.0, 2
+"""[choice] A receiver whose mode does not show a transfer has ended it when what it counts stands for so long while its
+tanker gives this much."""
 REFUSALS = 5
 """Refusals of a receiver in a row after which its service is given up: others wait for the tanker."""
 FOLLOW_EVERY_US = 100_000.0
@@ -67,7 +70,8 @@ class TankerSteps(ServiceSteps):
             self._finish(service, receiver, tanker, now_s, "a side died")
             return
         if service.phase is not Phase.JOIN:
-            service.seen_refuel |= _takes(receiver)
+            _watch(service, receiver, tanker, now_s)
+            service.seen_refuel |= _takes(service, receiver, tanker)
             service.seen_giving |= tanker.mode is FlightMode.REFUEL
         _STEPS[service.phase](self, service, receiver, tanker, now_s)
 
@@ -91,6 +95,7 @@ class TankerSteps(ServiceSteps):
             service.near_since_s = None
             service.seen_refuel = service.seen_giving = False
             service.out_at_start_j, service.in_at_begin_j = tanker.given_j, receiver.received_j
+            service.reported_in_j, service.progress_s = receiver.received_j, math.inf
             self._order(service, receiver, TransferRole.RECEIVE, self._limit_j(service, receiver, tanker))
             service.go(Phase.START_RECEIVER, now_s)
         elif now_s - service.phase_since_s > JOIN_WITHIN_S:
@@ -133,7 +138,7 @@ class TankerSteps(ServiceSteps):
 
     def _transfer(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
         late = now_s - service.phase_since_s > START_WITHIN_S
-        receives = _takes(receiver) or not (service.seen_refuel or late)
+        receives = _takes(service, receiver, tanker) or not (service.seen_refuel or late)
         gives = tanker.mode is FlightMode.REFUEL or not (service.seen_giving or late)
         reason = None
         if receiver.remaining_j >= self.rules.until * receiver.capacity_j:
@@ -166,7 +171,7 @@ class TankerSteps(ServiceSteps):
         caught_up = (
             counter_reported and receiver.received_j - service.in_at_begin_j >= tanker.given_j - service.out_at_start_j
         )
-        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or not _takes(receiver):
+        if caught_up or now_s - service.phase_since_s >= CATCH_UP_S or not _takes(service, receiver, tanker):
             self._stop(service, receiver, now_s)
 
     def _stop_receiver(self, service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
@@ -237,9 +242,20 @@ class TankerSteps(ServiceSteps):
         )
 
 
-def _takes(receiver: VehicleView) -> bool:
-    """Whether it takes energy, by its mode; one whose battery is apart may, as long as it follows set points."""
-    return receiver.mode is FlightMode.REFUEL or (receiver.battery_apart and receiver.mode in STEERABLE)
+def _watch(service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
+    """Keep when the receiver's counter last rose; progress_s is inf before its first joule of a transfer."""
+    if receiver.received_j > service.reported_in_j:
+        service.reported_in_j, service.progress_s, service.out_at_progress_j = receiver.received_j, now_s, tanker.given_j
+
+
+def _takes(service: Service, receiver: VehicleView, tanker: VehicleView) -> bool:
+    """Whether a receiver takes energy, by its mode. One whose battery is apart does as long as it follows set points
+    and its counter rises with its tanker's."""
+    if not receiver.battery_apart:
+        return receiver.mode is FlightMode.REFUEL
+    stands_s = receiver.received_reported_s - service.progress_s
+    stands = stands_s >= STANDS_S and tanker.given_j - service.out_at_progress_j >= STANDS_J
+    return receiver.mode in STEERABLE and not stands
 
 
 def _follow_target_every(interval_us: float, sysid: int, token: str) -> CommandRequest:

@@ -187,6 +187,29 @@ def test_a_transfer_that_one_side_breaks_off_is_joined_again(side: int) -> None:
     assert service.energy_j == game.fleet.views[1].received_j  # both parts
 
 
+@pytest.mark.parametrize("reports", [True, False])
+def test_a_receiver_with_a_battery_apart_has_ended_when_its_counter_stands_while_the_tanker_gives(
+    reports: bool,
+) -> None:
+    """Its mode stays; a tanker by itself gives for 3 s more. While no report comes there is nothing to conclude from."""
+    game = play()
+    game.fleet.set(1, battery_apart=True)
+    service = game.until(Phase.TRANSFER)
+    for _ in range(5):
+        game.tick()
+    game.fleet.active.pop(1)
+    ended_s = game.now_s
+    while service.phase is Phase.TRANSFER and game.now_s < ended_s + 2.5:
+        game.fleet.set(1, mode=FlightMode.OFFBOARD)
+        game.fleet.set(201, given_j=game.fleet.views[201].given_j + 200)
+        game.tick_with({} if reports else {1: {"received_reported_s": ended_s}})
+    assert (service.phase is Phase.TRANSFER) is not reports
+    if reports:
+        assert game.now_s - ended_s == pytest.approx(1.0, abs=0.21)
+        game.until(Phase.JOIN, within_s=0.5)  # nothing is left to catch up
+        assert "broken off" in game.kinds
+
+
 def test_a_transfer_broken_off_before_it_was_seen_is_noticed_at_once() -> None:
     game = play()
     game.until(Phase.START_GIVER)

@@ -3,9 +3,9 @@ cimport cython
 cdef enum:
     WIDTH = 64  # plans kept of each length
 
-cdef double _SIGMA_S, _EARLY_S, _COST, _TOO_LATE_S, _SHORTEST_S, _WORTH_J, _FORESEEN_S, _WAITS_S, _ROUNDING_S
+cdef double _SIGMA_S, _SIGMA_GROWS, _EARLY_S, _COST, _TOO_LATE_S, _SHORTEST_S, _WORTH_J, _FORESEEN_S, _WAITS_S, _ROUNDING_S
 
-cdef double _risk(double late_s) noexcept nogil
+cdef double _risk(double late_s, double begin_s) noexcept nogil
 
 cdef class _Plans:  # plans of one length; b rows of n receivers and m givers
     cdef readonly Py_ssize_t count

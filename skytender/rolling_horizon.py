@@ -2,7 +2,8 @@
 
 A plan lists the vehicles that each giver serves one after another. The giver that is free first takes one of the
 vehicles that want energy then; none waits that a free giver could serve. A service that begins s before its receiver
-would land keeps it with the probability q = 1/(1 + e^(-(s - s0)/σ)), since times are estimates. A plan costs the sum of
+would land keeps it with the probability q = 1/(1 + e^(-(s - s0)/σ)), since times are estimates, the worse the further
+ahead they lie: σ = σ0 + σ1 t of a service that begins t from now. A plan costs the sum of
 -ln q, at most COST for each, which is least where most likely no vehicle is lost; and COST for each that lands unserved
 within the horizon. Plans grow service by service and the best of each length are kept (beam search), so that the time
 to plan is bounded for every fleet.
@@ -29,8 +30,9 @@ IntArray = NDArray[np.int64]
 COST = 8.0
 """[choice] Of one that is lost, where a service that begins at the very last moment costs ln 2."""
 _COST = COST
-_SIGMA_S, _EARLY_S = 0.35, 0.5
-"""[choice] How wrong the begin of a service is, and how much sooner a vehicle lands than its reports of 100 J tell."""
+_SIGMA_S, _SIGMA_GROWS, _EARLY_S = 0.35, 0.05, 0.5
+"""[choice] How wrong the begin of a service is that begins now, and more for each second until then; and how much
+sooner a vehicle lands than its reports of 100 J tell."""
 _TOO_LATE_S = 3.0
 """A vehicle that would have landed so long before is not flown to."""
 _SHORTEST_S = 1.0
@@ -114,9 +116,9 @@ def plan(receivers: Receivers, givers: Givers, takes: Durations, *, horizon_s: f
     )
 
 
-def _risk(late_s: float) -> float:
-    """-ln q of a service that begins so much later than it should."""
-    x = late_s / _SIGMA_S
+def _risk(late_s: float, begin_s: float) -> float:
+    """-ln q of a service that begins so much later than it should, `begin_s` from now."""
+    x = late_s / (_SIGMA_S + _SIGMA_GROWS * begin_s)
     return min(max(x, 0.0) + elementary.log(1.0 + elementary.exp(-abs(x))), _COST)
 
 
@@ -270,7 +272,7 @@ class Search:
             at = steps.count
             steps.parent[at], steps.chosen[at], steps.giver[at] = k, i, t
             steps.sets_off[at], steps.begin[at], steps.flow[at] = sets_off, begin, flow
-            steps.cost[at] = plans.cost[k] + _risk(_EARLY_S - spare)
+            steps.cost[at] = plans.cost[k] + _risk(_EARLY_S - spare, begin)
             soonest = min(free, others)
             rest = foreseen if soonest == others else self._foreseen(k, soonest)
             rest -= self._rest(lands, soonest)

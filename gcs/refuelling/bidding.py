@@ -16,6 +16,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from gcs.mavlink.autopilots import STEERABLE
+from gcs.refuelling.early_ends import EarlyEnds
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.scenario.model import CompetitionRules
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
@@ -64,6 +65,8 @@ class BiddingRule(Protocol):
     competition_state: CompetitionState
     waits_for_all: bool
     """whether nothing is to be decided before every vehicle received can be served, at a session's start"""
+    early_ends: EarlyEnds | None = None
+    """what ends transfers before their receivers are full; None: nothing does"""
 
     def advance(
         self, snapshot: FleetSnapshot, served: Collection[int], givers: Sequence[Giver], times: ServiceTimes

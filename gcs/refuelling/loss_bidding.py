@@ -12,6 +12,7 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from gcs.refuelling.early_ends import EarlyEnds
 from gcs.refuelling.giver import Giver
 from gcs.refuelling.service_plan import plan_services
 from gcs.refuelling.time_bidding import TimeBidding
@@ -19,11 +20,16 @@ from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import VehicleView
 from skytender.service_plan import AGAIN_S, below_greatest, gain_of
 
+TIE = 0.01
+"""[choice] Smaller differences of gains count for nothing: 1 % of the probability that all vehicles are kept."""
+_MOST_GAIN = 1e3
+
 
 class _Situation(NamedTuple):
-    """Competitors and givers that a plan was made for."""
+    """Competitors and givers that a plan was made for, and vehicles with a known draw."""
 
     competitors: frozenset[int]
+    draws: frozenset[int]
     free: frozenset[int | str]
     busy: frozenset[int | str]
 
@@ -34,6 +40,7 @@ class LossBidding(TimeBidding):
     def __init__(self, rules: CompetitionRules, refuelling: RefuellingRules, end_s: float) -> None:
         """`end_s`: session time at which the session ends."""
         super().__init__(rules, refuelling)
+        self.early_ends = EarlyEnds(refuelling, rules.need_from, end_s)
         self._end_s = end_s
         self._planned_for: _Situation | None = None
         self._planned_s = -math.inf
@@ -43,6 +50,7 @@ class LossBidding(TimeBidding):
     ) -> dict[int, float]:
         situation = _Situation(
             frozenset(view.sysid for view in competitors),
+            frozenset(view.sysid for view in able if view.power_w > 0.0),
             frozenset(giver.name for giver in givers if giver.free_in_s == 0.0),
             frozenset(giver.name for giver in givers if giver.free_in_s > 0.0),
         )
@@ -66,9 +74,10 @@ class LossBidding(TimeBidding):
         return {view.sysid: gain_of(*cost) for view, *cost in costs if view.sysid in competitors}
 
     def _rank(self, view: VehicleView) -> tuple[float, ...]:
-        """The greatest gain first, however small, since estimates are wrong by more than the plan presumes; then the
-        one with the least time left, the neediest, and by system id."""
-        return self.bids_s[view.sysid], self.slack_s[view.sysid], -view.need, view.sysid
+        """The greatest gain first; of those that gain as much to `TIE` the one with the least time left, the neediest,
+        and by system id."""
+        gain = round(min(max(self.gain[view.sysid], -_MOST_GAIN), _MOST_GAIN) / TIE)
+        return -gain, self.slack_s[view.sysid], -view.need, view.sysid
 
     def _in_time(self, giver: Giver, view: VehicleView) -> bool:
         """True: the plan has weighed how likely that is."""

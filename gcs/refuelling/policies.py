@@ -28,6 +28,7 @@ from skytender.assignment import least_cost
 from skytender.service_plan import LONGEST_S
 
 WINNER_TAKE_ALL = "winner_take_all"
+OPTIMAL = "optimal"
 AUCTION_S = 0.01
 """How far a tanker raises its bid at least."""
 
@@ -280,7 +281,7 @@ def _pairs(matched: Iterable[tuple[Giver, VehicleView]]) -> dict[int, int]:
 SHIPPED: dict[str, Callable[[Scenario], RefuellingPolicy]] = {
     "greedy_nearest": GreedyNearest,
     "most_empty_first": MostEmptyFirst,
-    "optimal": Optimal,
+    OPTIMAL: Optimal,
     "earliest_deadline": EarliestDeadline,
     "hungarian": Hungarian,
     "auction": Auction,

@@ -14,9 +14,10 @@ from gcs.refuelling.bidding import (
     is_servable,
     urgent_of,
 )
+from gcs.refuelling.early_ends import EarlyEnds
 from gcs.refuelling.giver import Giver, ServiceTimes
 from gcs.refuelling.loss_bidding import LossBidding
-from gcs.refuelling.policies import SHIPPED, WINNER_TAKE_ALL, GuardedPolicy, PolicyCalls, RefuellingRequest
+from gcs.refuelling.policies import OPTIMAL, SHIPPED, WINNER_TAKE_ALL, GuardedPolicy, PolicyCalls, RefuellingRequest
 from gcs.refuelling.time_bidding import TimeBidding
 from gcs.scenario.guard import Guard, PluginFault
 from gcs.scenario.model import CompetitionRules, RefuellingRules, Scenario
@@ -159,5 +160,9 @@ def make_bidding(scenario: Scenario, own: PluginClient | None) -> tuple[BiddingR
         return make_competition(rules, scenario.refuelling, scenario.goal.duration_s), None
     else:
         policy = GuardedPolicy(SHIPPED[name](scenario), Guard(f"policy {name}"))
+    end_s = scenario.goal.duration_s
     speed_m_s = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
-    return PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, scenario.goal.duration_s), policy
+    bidding = PolicyBidding(rules, scenario.refuelling, speed_m_s, policy, end_s)
+    if own is None and name == OPTIMAL:
+        bidding.early_ends = EarlyEnds(scenario.refuelling, rules.need_from, end_s)
+    return bidding, policy

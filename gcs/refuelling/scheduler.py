@@ -11,7 +11,7 @@ tanker is of no use to them, nor a place at a base to the others.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from gcs.mavlink.autopilots import STEERABLE
@@ -193,7 +193,9 @@ class Scheduler:
         self.tanker_times.learn((s for s in self.services if s.base is None), lambda _: self._rules.rate_w)
         self.base_times.learn((s for s in self.services if s.base is not None), self._base_rate_w)
         if self._bidding is not None:
-            self._bidding.advance(snapshot, served | unable | self._ability.unknown, tankers, self.tanker_times)
+            others = served | unable | self._ability.unknown
+            self._bidding.advance(snapshot, others, tankers, self.tanker_times)
+            self._end_early(self._bidding, others, tankers, snapshot)
         if self._base_bidding is not None:
             able = snapshot.columns.row.keys() - unable
             self._base_bidding.advance(snapshot, served | able, bases, self.base_times)
@@ -213,6 +215,23 @@ class Scheduler:
                 free = [giver for giver in free if giver.name != award.giver.name]
             if bidding is self._bidding:
                 self._approaches = bidding.approaches(snapshot, free)
+
+    def _end_early(
+        self, bidding: BiddingRule, unavailable: Collection[int], tankers: Sequence[Giver], snapshot: FleetSnapshot
+    ) -> None:
+        """Mark transfers that are to end before their receivers are full. `unavailable`: vehicles that do not
+        compete."""
+        early, now_s = bidding.early_ends, snapshot.time_s
+        if early is None or not (waiting := bidding.competition_state.need.keys()):
+            return
+        due = [service for service in self.open_services if early.due(service, now_s)]
+        if not due:
+            return
+        pursuers = snapshot.of_role("pursuer")
+        others = [view for view in pursuers if view.sysid not in unavailable and is_servable(view)]
+        for service in due:
+            receiver = snapshot.vehicle(service.receiver)
+            service.ends_early = early.ends(service, receiver, others, waiting, tankers, self.tanker_times, now_s)
 
     def _all_are_up(self, snapshot: FleetSnapshot) -> bool:
         """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""

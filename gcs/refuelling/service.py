@@ -82,6 +82,8 @@ class Service:
     progress_s: float = 0.0
     out_at_progress_j: int = 0
     """what the receiver last counted, when that rose, and what its tanker had given then"""
+    ends_early: bool = False
+    """whether it is to end before its receiver is full, for vehicles that wait"""
 
     @property
     def giver(self) -> str:

@@ -153,6 +153,8 @@ class TankerSteps(ServiceSteps):
             reason = "limit"
         elif now_s >= self.until_s:
             reason = "the session ends"
+        elif service.ends_early:
+            reason = "others need it more"
         elif not (gives and receives):
             reason = f"broken off by the {'receiver' if gives else 'giver'}"
             service.broken_off = True
@@ -245,7 +247,8 @@ class TankerSteps(ServiceSteps):
 def _watch(service: Service, receiver: VehicleView, tanker: VehicleView, now_s: float) -> None:
     """Keep when the receiver's counter last rose; progress_s is inf before its first joule of a transfer."""
     if receiver.received_j > service.reported_in_j:
-        service.reported_in_j, service.progress_s, service.out_at_progress_j = receiver.received_j, now_s, tanker.given_j
+        service.reported_in_j, service.progress_s = receiver.received_j, now_s
+        service.out_at_progress_j = tanker.given_j
 
 
 def _takes(service: Service, receiver: VehicleView, tanker: VehicleView) -> bool:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcs.refuelling.bidding import Award, CompetitionState, is_servable
+from gcs.refuelling.early_ends import EarlyEnds
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match, nearest_s, served_if_passed_over_s, ways_s
 from gcs.scenario.model import CompetitionRules, RefuellingRules
 from gcs.telemetry.state import FleetSnapshot, VehicleView
@@ -35,6 +36,7 @@ class TimeBidding:
     """The competition's memory from tick to tick."""
 
     waits_for_all = True
+    early_ends: EarlyEnds | None = None
 
     def __init__(self, rules: CompetitionRules, refuelling: RefuellingRules) -> None:
         self._rules = rules

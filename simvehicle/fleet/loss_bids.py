@@ -22,7 +22,7 @@ class LossBids:
 
     def __init__(self, sysid: int, rules: FleetRules) -> None:
         self._sysid, self._rules = sysid, rules
-        self._planned_for: tuple[frozenset[int], frozenset[int]] | None = None
+        self._planned_for: tuple[frozenset[int], ...] | None = None
         self._planned_s = -math.inf
         self._gain = 0.0
 
@@ -33,7 +33,9 @@ class LossBids:
         fleet = {sysid: one for sysid, one in peers.items() if sysid in self._rules.pursuers and self._can_wait(one)}
         fleet[self._sysid] = own
         competing = frozenset(sysid for sysid, one in fleet.items() if one.stage is PeerStage.COMPETES)
-        situation = competing | {self._sysid}, frozenset(giver.sysid for giver in givers if giver.free_in_s == 0.0)
+        free = frozenset(giver.sysid for giver in givers if giver.free_in_s == 0.0)
+        draws = frozenset(sysid for sysid, one in fleet.items() if one.power_w > 0.0)
+        situation = competing | {self._sysid}, free, draws
         if situation != self._planned_for or now_s - self._planned_s >= AGAIN_S:
             self._planned_for, self._planned_s = situation, now_s
             self._gain = self._planned(now_s, dict(sorted(fleet.items())), situation[0], givers)

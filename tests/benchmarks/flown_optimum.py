@@ -27,7 +27,7 @@ POLICIES = ("winner_take_all", "optimal")
 
 
 def main() -> None:
-    parser = asked(__doc__, sessions=(30, "random scenarios"), seed=20261129, out="its folder")
+    parser = asked(__doc__, sessions=(30, "random scenarios"), seed=20261213, out="its folder")
     parser.add_argument("--seconds", type=float, default=2.0, help="processor time of each search")
     options = parser.parse_args()
     content = yaml.safe_load(file.find("refuelling").read_text(encoding="utf-8")) | {"keep": "all"}

@@ -33,7 +33,7 @@ DIGESTS = {
     "paper/example2": "cd79fc52",
     "paper/example3": "ddb863e8",
     "paper/example4": "dd3ad26a",
-    "demo": "b89157ab",
+    "demo": "b31307c4",
 }
 """First digits of the digests of shipped scenarios; the changelog names each change."""
 SIMPLER = {

@@ -191,7 +191,7 @@ def test_a_transfer_that_one_side_breaks_off_is_joined_again(side: int) -> None:
 def test_a_receiver_with_a_battery_apart_has_ended_when_its_counter_stands_while_the_tanker_gives(
     reports: bool,
 ) -> None:
-    """Its mode stays; a tanker by itself gives for 3 s more. While no report comes there is nothing to conclude from."""
+    """Its mode stays; a tanker by itself gives for 3 s more. Without reports there is nothing to conclude from."""
     game = play()
     game.fleet.set(1, battery_apart=True)
     service = game.until(Phase.TRANSFER)

@@ -19,6 +19,7 @@ import pytest
 import yaml
 from pages import CONTRIBUTING, DOCS, PAGES, README, ROOT, anchors, files
 
+import gcs
 from gcs.scenario.json_schema import editor_schema
 
 SITE = DOCS / ".site"
@@ -129,7 +130,7 @@ def named_in(navigation: Any) -> Iterator[Path]:
 
 def test_what_the_python_api_describes_can_be_imported() -> None:
     described = re.findall(r"^::: ([\w.]+)$", (DOCS / "python-api.md").read_text(encoding="utf-8"), re.M)
-    assert described
+    assert {f"gcs.{name}" for name in gcs.__all__} <= set(described)
     for name in described:
         assert pkgutil.resolve_name(name).__doc__, name
 

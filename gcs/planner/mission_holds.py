@@ -12,8 +12,9 @@ if it is ordered to hold now: so far along that way, and straight on, for it may
    would come too near all the same, both going on as they do, before it could stand.
 4. One that holds in the way of another steps aside: it is led by set points like all others until it goes on.
 5. Led vehicles leave the way of one that waits (`claims`), forward where they stand in it. Of ways that come near to
-   each other only that of the lowest system id is kept free, and none near one that is not: between several a vehicle
-   would have nowhere to go, and all would wait for ever.
+   each other only that of the lowest system id is kept free, and none near one that is not, and of a way no more than
+   leads up to a sharp corner: between several, or between the legs of one, a vehicle would have nowhere to go, and all
+   would wait for ever.
 6. One that waits goes on when it could by the same rules, were it up to a speed, for CLEAR_S.
 Only what comes nearer counts: two that are too near may part.
 
@@ -24,6 +25,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -44,6 +46,8 @@ STANDS_M_S = 0.5
 ASIDE_S = 5.0
 """[choice] Time to step aside: to be steered again, and to leave."""
 SAMPLE_S = 0.1
+SHARP = 0.5
+"""Cosine of the least angle by which a way turns at a sharp corner."""
 
 
 NOWHERE: FloatArray = np.zeros((0, 3))
@@ -156,7 +160,8 @@ def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: f
         if waits_for and not one.goes:  # led vehicles leave it
             way = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))
             if not any(_least2(way, theirs) < 4.0 * separation_m * separation_m for theirs in asked):
-                claim = _up_to(way, (*others, *led), 0.5 * separation_m)[1:]
+                leg = way[: int(_corner_m(one, separation_m) / ALONG_M) + 1]
+                claim = _up_to(leg, (*others, *led), 0.5 * separation_m)[1:]
             asked.append(way)
         verdicts[one.sysid] = MissionVerdict(waits_for, False, claim)
     return {one.sysid: verdicts[one.sysid]._replace(aside=_in_the_way(one, flights, separation_m)) for one in flights}
@@ -225,6 +230,20 @@ def _along(one: OnMission, length_m: float) -> list[Vec3]:
         places.append(goal)
         here = goal
     return places
+
+
+def _corner_m(one: OnMission, beyond_m: float) -> float:
+    """Length of its way up to the first sharp corner that is farther than this; at most as far as its last item."""
+    here, length_m = one.p_ned, 0.0
+    for goal, following in pairwise(one.ahead):
+        length_m += elementary.distance(here, goal)
+        comes = [b - a for a, b in zip(here, goal, strict=True)]
+        goes = [b - a for a, b in zip(goal, following, strict=True)]
+        straight = sum(a * b for a, b in zip(comes, goes, strict=True))
+        if length_m > beyond_m and straight < SHARP * elementary.norm(comes) * elementary.norm(goes):
+            return length_m
+        here = goal
+    return length_m + (elementary.distance(here, one.ahead[-1]) if one.ahead else 0.0)
 
 
 def _stretch(one: OnMission, length_m: float) -> FloatArray:

@@ -8,9 +8,12 @@ import math
 import numpy as np
 import pytest
 
-from gcs.planner.mission_holds import OURS, OnMission, Other, judge
+from gcs.planner.mission_holds import ALONG_M, OURS, OnMission, Other, judge
+from skytender.safety.intruders import Intruder, table_of
+from skytender.safety.safety_filter import FilterSettings, Leaders, filter_step
 
 WANTED_M = 1.0
+STANDS = (0.0, 0.0, 0.0)
 Vec3 = tuple[float, float, float]
 
 
@@ -100,6 +103,35 @@ def test_one_that_stands_in_a_way_that_is_kept_free_is_driven_forward_alone() ->
     assert 2.0 < east_m.max() < 3.0
     beside = judge([waits], [dataclasses.replace(behind, p_ned=(0.9, 3.0, -4.0))], WANTED_M)[1].claim_ned[:, 1]
     assert beside.max() > 6.0
+
+
+def test_a_way_is_kept_free_up_to_a_sharp_corner_so_that_one_in_it_can_leave() -> None:
+    """Nine on one plan stood for 300 s: one waited 2.6 m before a corner, and the other, inside of the corner between
+    both legs, did not find a way out."""
+    waits = flier(1, (19.8, 21.4, -4.0), STANDS, (20.0, 24.0, -4.0), (0.0, 24.0, -4.0), goes=False)
+    waits = dataclasses.replace(waits, cruise_m_s=4.0)
+    inside = Other("pursuer 53", (18.8, 22.9, -3.9), STANDS)
+    verdict = judge([waits], [inside], WANTED_M)[1]
+    assert verdict.waits_for == inside.name
+    assert verdict.claim_ned[:, 0].min() > 19.5, "no place beyond the corner"
+    assert verdict.claim_ned[:, 1].max() == pytest.approx(24.0, abs=ALONG_M)
+    p_ned, v_ned = np.array([inside.p_ned]), np.zeros((1, 3))
+    others = [Intruder.of("", None, waits.p_ned, STANDS, 0.3, 1.15, 0.1)]
+    others += [Intruder.of("", None, place, STANDS, 0.0, 1.65, 0.0) for place in verdict.claim_ned[::2]]
+    for _ in range(50):
+        led = Leaders(ids=[53], p_ned=p_ned, v_ned=v_ned, v_max_m_s=2.5, a_max_m_s2=4.0, margin_m=0.15)
+        flown = filter_step(led, [[2.5, 0.2, 0.0]], rules=FilterSettings(0.1, WANTED_M), others=table_of(others))
+        p_ned, v_ned = flown.p_next_ned, flown.v_next_ned
+    assert min(np.linalg.norm(one.p_ned - p_ned) for one in others[1:]) > 1.65, "it has left what is claimed"
+
+
+def test_a_corner_at_which_one_waits_does_not_end_what_is_kept_free() -> None:
+    waits = flier(1, (0.0, 19.5, -4.0), STANDS, (0.0, 20.0, -4.0), (20.0, 20.0, -4.0), goes=False)
+    waits = dataclasses.replace(waits, cruise_m_s=4.0)
+    ahead = Other("pursuer 9", (3.0, 20.9, -4.0), STANDS)
+    verdict = judge([waits], [ahead], WANTED_M)[1]
+    assert verdict.waits_for == ahead.name
+    assert verdict.claim_ned[:, 0].max() > 4.0
 
 
 def test_one_that_still_brakes_does_not_step_aside_yet() -> None:

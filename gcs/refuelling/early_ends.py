@@ -65,6 +65,8 @@ class EarlyEnds:
         wanting = {*waiting, receiver.sysid} if receiver.need >= self._need_from else waiting
         freed = [free if one is giver else one for one in givers]
         goes_on = self._cost([*others, full], waiting, givers, times, now_s)
+        if goes_on <= WORTH:  # no plan costs less than nothing
+            return False
         return self._cost([*others, receiver], wanting, freed, times, now_s) < goes_on - WORTH
 
     def _cost(

@@ -51,8 +51,8 @@ class EarlyEnds:
     ) -> bool:
         """Whether a transfer is to end at `now_s`.
 
-        others: vehicles that no giver serves. waiting: system ids of those that want energy. givers: all that there
-        are, the one of this transfer among them.
+        others: vehicles without a giver. waiting: system ids of the others that want energy. givers: all givers, with
+        the one of this transfer.
         """
         self._planned_s[service.number] = now_s
         giver = next((one for one in givers if one.name == service.tanker), None)

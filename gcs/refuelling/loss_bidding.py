@@ -74,8 +74,8 @@ class LossBidding(TimeBidding):
         return {view.sysid: gain_of(*cost) for view, *cost in costs if view.sysid in competitors}
 
     def _rank(self, view: VehicleView) -> tuple[float, ...]:
-        """The greatest gain first; of those that gain as much to `TIE` the one with the least time left, the neediest,
-        and by system id."""
+        """The greatest gain first. Gains are equal to `TIE`; then the least time left, the greatest need and the lowest
+        system id decide."""
         gain = round(min(max(self.gain[view.sysid], -_MOST_GAIN), _MOST_GAIN) / TIE)
         return -gain, self.slack_s[view.sysid], -view.need, view.sysid
 

@@ -68,13 +68,15 @@ def vehicle_row(
     *,
     down: bool = False,
     ordered: bool = False,
+    unanswered_s: float = 0.0,
 ) -> VehicleRow:
     """One vehicle at `now_s`: its state, link and health (gcs/telemetry/health.py). Its place in the plan is left open.
 
-    `down`, `ordered`: as `health_issues` takes them.
+    `down`, `ordered`, `unanswered_s`: as `health_issues` takes them.
     """
     lost_share = quality.lost_share(view.sysid)
-    wrong = health(health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered))
+    issues = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered, unanswered_s=unanswered_s)
+    wrong = health(issues)
     received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
     return VehicleRow(
         sysid=view.sysid,
@@ -162,9 +164,16 @@ def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
 
 
 def snapshot_message(
-    supervisor: Supervisor, *, phase: str, speed: float, refuelled: int, events: Iterable[Event]
+    supervisor: Supervisor,
+    *,
+    phase: str,
+    speed: float,
+    refuelled: int,
+    events: Iterable[Event],
+    unanswered_s: Mapping[int, float] | None = None,
 ) -> dict[str, Any]:
-    """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet."""
+    """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet;
+    `unanswered_s`: vehicles for whose answers the session stands still, and for how long, in wall time."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
     return plain(
         SnapshotMessage(
@@ -172,7 +181,7 @@ def snapshot_message(
             duration_s=scenario.goal.duration_s,
             speed=speed,
             phase=phase,
-            vehicles=_vehicles(supervisor),
+            vehicles=_vehicles(supervisor, unanswered_s or {}),
             traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
             competition=CompetitionRow(**explain.competition_of(schedule.competition_state, scenario.competition)),
             services=services_of(schedule.open_services, snapshot, scenario),
@@ -225,7 +234,7 @@ def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[st
     }
 
 
-def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
+def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list[VehicleRow]:
     snapshot, competition_state = supervisor.snapshot, supervisor.schedule.competition_state
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
@@ -239,7 +248,8 @@ def _vehicles(supervisor: Supervisor) -> list[VehicleRow]:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
         ordered = arming.ordered is not None or sysid in supervisor.grounded
         down = arming.down or (sysid in supervisor.goal_watch.lost and not view.flying)
-        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=down, ordered=ordered)
+        waited_s = unanswered_s.get(sysid, 0.0)
+        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=down, ordered=ordered, unanswered_s=waited_s)
         notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]
         row.stage, row.note, row.state = arming.stage, "; ".join(filter(None, notes_of)), states[sysid]
         row.mission_item = supervisor.missions.item(sysid) or UNSET

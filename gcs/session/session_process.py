@@ -402,4 +402,12 @@ class SessionProcess:
             speed=supervisor.time_s / wall_s if wall_s > 0.0 else 0.0,
             refuelled=len(supervisor.schedule.refuelled),
             events=events,
+            unanswered_s=self._unanswered_s(),
         )
+
+    def _unanswered_s(self) -> dict[int, float]:
+        """Vehicles that the session stands still for, and for how long, in wall time."""
+        if not self._begun or self._pace.paused:
+            return {}
+        waited_s = time.monotonic() - self._answered_s
+        return {sysid: waited_s for sysid, _ in self._link.awaited}

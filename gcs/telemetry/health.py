@@ -100,11 +100,12 @@ def health_issues(
     lost_share: float | None = None,
     down: bool = False,
     ordered: bool = False,
+    unanswered_s: float = 0.0,
 ) -> list[HealthIssue]:
     """Everything that is wrong with a vehicle, worst first; [] when it is well.
 
     `down`: it has flown, or was to fly, and does no more. `ordered`: an operator has taken it, so that hold, return and
-    land are no surprise.
+    land are no surprise. `unanswered_s`: wall time for which the session has stood still for its answer.
     """
     silent_s = view.silent_s(now_s)
     if not view.alive:
@@ -116,6 +117,8 @@ def health_issues(
     found = []
     if view.doubt:
         found.append(HealthIssue("not believed", ACT))
+    if unanswered_s >= SILENT_S:
+        found.append(_silent("no answer for", unanswered_s, f"no answer {unanswered_s:.0f} s"))
     beatless_s = min(now_s - view.last_received_s, now_s)
     if silent_s >= SILENT_S:
         found.append(_silent("no telemetry for", silent_s, f"{silent_s:.0f} s"))

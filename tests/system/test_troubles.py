@@ -73,8 +73,13 @@ def test_a_vehicle_that_stalls_does_not_make_the_others_leave(tmp_path: Path) ->
         stalled = running.vehicle(1)
         stalled.suspend()
         told: list[str] = []
+        shown: dict[int, set[str]] = {1: set(), 101: set()}
         for line in running.lines():
-            told += [event["text"] for event in json.loads(line).get("events", ())]
+            message = json.loads(line)
+            told += [event["text"] for event in message.get("events", ())]
+            for row in message.get("vehicles", ()) if message["type"] == "snapshot" else ():
+                if row["sysid"] in shown and row["condition"] == "silent":
+                    shown[row["sysid"]].add(row["figure"])
             if any("has not answered for 1" in text for text in told):
                 break
         stalled.resume()
@@ -82,6 +87,8 @@ def test_a_vehicle_that_stalls_does_not_make_the_others_leave(tmp_path: Path) ->
     finally:
         running.stop()
     assert any("pursuer 1 lives but has not answered" in text for text in told)
+    assert any(figure.startswith("no answer ") for figure in shown[1])
+    assert shown[101] == set()
     assert outcome.status == 0
     assert outcome.summary["completed"] is True
 

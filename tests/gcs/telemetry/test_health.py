@@ -39,6 +39,7 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"mode": FlightMode.RETURN}, {"ordered": True}, "Return", LOOK),
         ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": True}, "held, not refuelled", LOOK),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
+        ({}, {"unanswered_s": 7.4}, "no answer for 7 s", ACT),
         ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),
         ({}, {"lost_share": 0.7}, "70 % packet loss", ACT),
     ],
@@ -56,6 +57,7 @@ def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text:
         ({"armed": False, "landed": True, "mode": FlightMode.LAND}, {}),  # it has landed and is done
         ({"armed": False, "landed": True}, {"down": True, "ordered": True}),
         ({"armed": False, "landed": True, "power_w": 250.0}, {}),  # nothing falls from the ground
+        ({}, {"unanswered_s": 2.9}),
         ({}, {"lost_share": 0.1}),
     ],
 )

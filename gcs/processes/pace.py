@@ -12,7 +12,8 @@ MOST_PERIODS = 10
 class Pace:
     """When the next grant is due on the wall, and how far the session has fallen behind.
 
-    A tick that comes late moves all later ones: the session slows down for everyone, and never hurries to catch up.
+    A tick that comes late by more than a period moves all later ones: the session slows down for everyone, and never
+    hurries to catch up. By less it moves none: sleeps that end a millisecond late would slow the session.
     Not so where some vehicles live on the real clock (`keeps_up`): then a late tick grants the periods that have gone
     by at once, up to MOST_PERIODS, the next ones follow without waiting, and the session's time stays the wall's.
     """
@@ -42,7 +43,7 @@ class Pace:
             self.lag_s += missed * period_s / self._speed
             self._due_wall_s += (1 + missed) * period_s / self._speed
             return 1 + missed
-        if late_s > 0.0:
+        if late_s > period_s / self._speed:
             self.lag_s += late_s
             self._due_wall_s += late_s
         self._due_wall_s += period_s / self._speed

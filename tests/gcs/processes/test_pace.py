@@ -58,6 +58,24 @@ def test_a_late_tick_moves_all_later_ones_and_is_counted(wall: Wall) -> None:
     assert (pace.lag_s, pace.wait_s()) == pytest.approx((0.25, 0.1))
 
 
+def test_sleeps_that_end_late_do_not_slow_the_session(wall: Wall) -> None:
+    pace = started(wall, 5.0)
+    for _ in range(200):
+        pace.next(0.1)
+        wall.now_s += pace.wait_s() + 0.0008
+    assert wall.now_s - 107.0 == pytest.approx(200 * 0.02, abs=0.001)
+    assert pace.lag_s == 0.0
+
+
+def test_ticks_that_take_longer_than_a_period_slow_it(wall: Wall) -> None:
+    pace = started(wall, 1.0)
+    for _ in range(100):
+        pace.next(0.1)
+        wall.now_s += max(pace.wait_s(), 0.13)
+    assert wall.now_s - 107.0 == pytest.approx(13.0)
+    assert 3.0 - 0.2 <= pace.lag_s <= 3.0  # the last period's lateness does not count yet
+
+
 def test_a_pause_is_neither_running_time_nor_lag(wall: Wall) -> None:
     pace = started(wall, 2.0)
     pace.next(0.1)

@@ -17,6 +17,7 @@ from gcs.benchmark.format import (
     BenchmarkReceiver,
     BenchmarkTanker,
     Corner,
+    FormatError,
     Instance,
     Schedule,
     ScheduledService,
@@ -33,6 +34,8 @@ SLOWEST_M_S = 0.1
 MEETS_S = 2.2
 """Of a service in flight beside the way, `hold_s` and the flow of energy: to come to rest above the receiver, and to
 part."""
+ALIKE = 1e-4
+"""Shares of capacities that differ by less are one."""
 EARLY_S = 1.0
 """A tanker sets out so long before its schedule needs it to."""
 
@@ -92,14 +95,24 @@ def _corners(places: Sequence[Vec3], speed_m_s: float) -> list[Corner]:
 
 
 def document_of(instance: Instance) -> dict[str, Any]:
-    """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept."""
+    """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept.
+
+    Where there are bases, vehicles start on the ground below, as they land there. Raises FormatError for receivers that
+    are lost at different shares of their capacity: a scenario has one.
+    """
+    lands_at = [one.lands_at_j / one.capacity_j for one in instance.receivers]
+    if max(lands_at) - min(lands_at) > ALIKE:
+        raise FormatError(
+            f"{instance.name}: receivers are lost at {100.0 * min(lands_at):.1f} to {100.0 * max(lands_at):.1f} % of "
+            "their capacity; a scenario has one share for all (refuelling.lands_at)"
+        )
     legs = [
         (b[0] - a[0], elementary.distance(a[1:], b[1:])) for one in instance.receivers for a, b in pairwise(one.path)
     ]
     cruise_m_s = max((way_m / s for s, way_m in legs if s > 0.0), default=1.0)
     pursuers = [
         {
-            "sysid": one.id, "start_m": list(one.path[0][1:]), "airborne": True,
+            "sysid": one.id, **_start(one.path[0][1:], instance),
             "waypoints_m": [list(corner[1:]) for corner in one.path[1:]] or [list(one.path[0][1:])],
             "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
         }
@@ -107,13 +120,19 @@ def document_of(instance: Instance) -> dict[str, Any]:
     ]  # fmt: skip
     tankers = [
         {
-            "sysid": one.id, "start_m": list(one.position_m), "airborne": True, "home_m": list(one.position_m),
+            "sysid": one.id, **_start(one.position_m, instance), "home_m": list(one.position_m),
             "speed_m_s": one.speed_m_s, "reserve_j": one.reserve_j,
             "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
         }
         for one in instance.tankers
     ]  # fmt: skip
-    first = instance.receivers[0]
+    bases = [
+        {
+            "name": one.name, "position_m": [*one.position_m[:2], 0.0], "rate_w": one.rate_w, "stock_j": one.stock_j,
+            **({"height_m": -one.position_m[2]} if one.position_m[2] < 0.0 else {}),
+        }
+        for one in instance.bases
+    ]  # fmt: skip
     return {
         "schema": 1, "name": instance.name, "axes": "ned", "seed": instance.seed, "clock": {"mode": "lockstep"},
         "origin": {"lat_deg": 47.397742, "lon_deg": 8.545594, "alt_m": 488.0},
@@ -124,9 +143,16 @@ def document_of(instance: Instance) -> dict[str, Any]:
         "competition": {"need_from": 0.0},
         "refuelling": {
             "rate_w": instance.rate_w, "hold_s": max(instance.setup_s - MEETS_S, 0.0),
-            "lands_at": first.lands_at_j / first.capacity_j,
+            "lands_at": lands_at[0],
         },
+        **({"bases": bases} if bases else {}),
     }  # fmt: skip
+
+
+def _start(place: Vec3, instance: Instance) -> dict[str, Any]:
+    if instance.bases and place[2] < 0.0:
+        return {"start_m": [*place[:2], 0.0], "takeoff_m": -place[2]}
+    return {"start_m": list(place), "airborne": True}
 
 
 def _battery(capacity_j: float, energy_j: float, power_w: float) -> dict[str, float]:

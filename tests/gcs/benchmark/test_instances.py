@@ -117,3 +117,24 @@ def test_an_instance_is_flown_by_a_schedule(tmp_path: Path) -> None:
     services = [(one.receiver, one.tanker) for one in summary.refuelling]
     assert services[:2] == [(2, 201), (1, 201)]
     assert summary.refuelling[0].decided_at_s == pytest.approx(8.0, abs=2.5)
+
+
+def test_bases_come_with_an_instance_and_vehicles_start_on_the_ground(tmp_path: Path) -> None:
+    one = instance("bases", 0)
+    path = tmp_path / "scenario.yaml"
+    path.write_text(yaml.safe_dump(document_of(one)))
+    back = instance_of(load(path))
+    assert [(base.name, base.stock_j, base.rate_w) for base in back.bases] == [
+        (base.name, base.stock_j, base.rate_w) for base in one.bases
+    ]
+    assert [base.position_m[:2] for base in back.bases] == [base.position_m[:2] for base in one.bases]
+    assert [r.path[0] for r in back.receivers] == [r.path[0] for r in one.receivers]
+    assert back.tankers == one.tankers
+    assert not any(vehicle.airborne for vehicle in load(path).vehicles.all)
+
+
+def test_receivers_that_are_lost_at_different_shares_make_no_scenario() -> None:
+    one = instance("tankers", 0)
+    one.receivers[1].lands_at_j *= 2.0
+    with pytest.raises(format.FormatError, match=r"tankers-000: receivers are lost at 5\.0 to 10\.0 % of their"):
+        document_of(one)

@@ -6,15 +6,15 @@ if it is ordered to hold now: so far along that way, and straight on, for it may
 1. Of two on missions the one with the higher system id gives way. It holds where its stretch comes nearer than the
    distance wanted to where the other may be by the time when it stands; earlier, if they fly towards each other, by the
    time that it needs to step aside. The first need not fly yet: both could set out at once. While another with a lower
-   id waits for it, it waits.
+   id waits for it alone, it waits.
 2. Each holds where its stretch comes near to one that stands or brakes, or to where one that holds may come back to.
 3. Others, which are led by set points, see the stretch and give way themselves (`claims`). A vehicle holds for one that
    would come too near all the same, both going on as they do, before it could stand.
 4. One that holds in the way of another steps aside: it is led by set points like all others until it goes on.
 5. Led vehicles leave the way of one that waits (`claims`), forward where they stand in it. Of ways that come near to
    each other only that of the lowest system id is kept free, and none near one that is not, and of a way no more than
-   leads up to a sharp corner: between several, or between the legs of one, a vehicle would have nowhere to go, and all
-   would wait for ever.
+   leads up to a sharp corner while another is between the legs: there, or between several ways, a vehicle would have
+   nowhere to go, and all would wait for ever.
 6. One that waits goes on when it could by the same rules, were it up to a speed, for CLEAR_S.
 Only what comes nearer counts: two that are too near may part.
 
@@ -48,6 +48,8 @@ ASIDE_S = 5.0
 SAMPLE_S = 0.1
 SHARP = 0.5
 """Cosine of the least angle by which a way turns at a sharp corner."""
+POCKET = 1.5
+"""[choice] Of the separation: what is so near to both legs of a corner is between them."""
 
 
 NOWHERE: FloatArray = np.zeros((0, 3))
@@ -130,18 +132,19 @@ class MissionVerdict(NamedTuple):
 def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: float) -> dict[int, MissionVerdict]:
     """MissionVerdict for each, by system id; `flights` in order of system id."""
     verdicts: dict[int, MissionVerdict] = {}
+    blocked_by: dict[int, list[str]] = {}
     asked: list[FloatArray] = []
     for i, one in enumerate(flights):
         speed_m_s = one.pace_m_s
         stretch = _stretch(one, one.stopping.way_m(speed_m_s))
         stands_s = one.stopping.time_s(speed_m_s)
-        waits_for = ""
+        blocks = blocked_by[one.sysid] = []
         for j, other in enumerate(flights):
             if j == i:
                 continue
-            if j < i and verdicts[other.sysid].waits_for == one.name:
-                waits_for = waits_for or other.name
-            first = j < i and not verdicts[other.sysid].waits_for
+            if j < i and set(blocked_by[other.sysid]) == {one.name}:
+                blocks.append(other.name)
+            first = j < i and not blocked_by[other.sysid]
             if other.led and not first:
                 continue
             wanted_m = separation_m + one.stopping.strays_m + other.stopping.strays_m
@@ -151,16 +154,17 @@ def judge(flights: Sequence[OnMission], others: Sequence[Other], separation_m: f
                 their_m_s = max(_speed(other), SETS_OUT_M_S)  # one that has just been let go on will be faster
                 theirs = _stretch(other, other.stopping.way_m(their_m_s) + for_s * their_m_s)
             if _meet(stretch, theirs, one.p_ned, other.p_ned, wanted_m):
-                waits_for = waits_for or other.name
+                blocks.append(other.name)
         led = [Other(other.name, other.p_ned, other.v_ned) for other in flights if other.led and other is not one]
         for near in (*others, *led):
-            if not waits_for and _reach(one, near, speed_m_s, stands_s, separation_m + one.stopping.strays_m):
-                waits_for = near.name
+            if _reach(one, near, speed_m_s, stands_s, separation_m + one.stopping.strays_m):
+                blocks.append(near.name)
+        waits_for = blocks[0] if blocks else ""
         claim = _bend(one, stretch) if one.goes else stretch[:0]
         if waits_for and not one.goes:  # led vehicles leave it
             way = np.array(_along(one, max(one.stopping.way_m(speed_m_s), speed_m_s * stands_s)))
             if not any(_least2(way, theirs) < 4.0 * separation_m * separation_m for theirs in asked):
-                leg = way[: int(_corner_m(one, separation_m) / ALONG_M) + 1]
+                leg = _without_pocket(one, way, (*others, *led), separation_m)
                 claim = _up_to(leg, (*others, *led), 0.5 * separation_m)[1:]
             asked.append(way)
         verdicts[one.sysid] = MissionVerdict(waits_for, False, claim)
@@ -244,6 +248,18 @@ def _corner_m(one: OnMission, beyond_m: float) -> float:
             return length_m
         here = goal
     return length_m + (elementary.distance(here, one.ahead[-1]) if one.ahead else 0.0)
+
+
+def _without_pocket(one: OnMission, way: FloatArray, others: Sequence[Other], separation_m: float) -> FloatArray:
+    """(k, 3) its way, up to the next sharp corner where another is between the legs: it has to come out of there
+    first."""
+    corner = int(_corner_m(one, separation_m) / ALONG_M) + 1
+    within2 = (POCKET * separation_m) ** 2
+    for other in others if corner < len(way) else ():
+        place = np.array([other.p_ned])
+        if max(_least2(way[:corner], place), _least2(way[corner:], place)) < within2:
+            return way[:corner]
+    return way
 
 
 def _stretch(one: OnMission, length_m: float) -> FloatArray:

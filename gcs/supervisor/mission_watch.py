@@ -14,6 +14,8 @@ import math
 from collections.abc import Container, Iterable, Mapping
 from typing import Any
 
+import numpy as np
+
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Frame, Message, message
@@ -32,6 +34,9 @@ FIRST_TRIES, FIRST_EVERY_S = 3, 1.0
 """How often the first item is asked for where no MISSION_CURRENT says that it is the present one."""
 COMPLETE = 5
 """MISSION_STATE_COMPLETE"""
+SETTLES_S, STILL_M_S = 3.0, 0.2
+"""[choice] One that holds and has been so slow for so long keeps its place: an autopilot that is to come back
+to another does so at once."""
 _FLYING = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.MISSION})
 _CURRENT, _REACHED = codec.msgid("MISSION_CURRENT"), codec.msgid("MISSION_ITEM_REACHED")
 _ROUNDING_S = 1e-6
@@ -62,6 +67,15 @@ class MissionFlight:
         """its greatest speed so far"""
         self.held_ned = NOWHERE
         """(k, 3) m NED where it may come back to while it holds"""
+        self.moved_s = math.nan
+        """when it has moved last"""
+
+    def settle(self, view: VehicleView, now_s: float) -> None:
+        """While it holds, see where it has come to stand: it comes back to no other place then."""
+        if not len(self.held_ned) or elementary.norm(view.v_ned) >= STILL_M_S:
+            self.moved_s = now_s
+        elif now_s - self.moved_s >= SETTLES_S - _ROUNDING_S:
+            self.held_ned = np.array([view.p_now_ned()])
 
     def listen(self, first: int) -> None:
         """Take in what it has said; `first` is its number of the first item."""
@@ -148,6 +162,7 @@ class MissionWatch:
             if not flight.done:
                 self._out.setdefault(sysid, OUT_MISSION)
             if not flight.done and view.flying and arming.stage in _FLYING:
+                flight.settle(view, snapshot.time_s)
                 flying.append(_on_mission(flight, view, arming))
         verdicts = judge(flying, _others(snapshot, {one.sysid for one in flying}), self._separation_m)
         self.claims = {sysid: verdict.claim_ned for sysid, verdict in verdicts.items() if len(verdict.claim_ned)}

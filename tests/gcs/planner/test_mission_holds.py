@@ -134,6 +134,28 @@ def test_a_corner_at_which_one_waits_does_not_end_what_is_kept_free() -> None:
     assert verdict.claim_ned[:, 0].max() > 4.0
 
 
+def test_beyond_a_corner_too_a_way_is_kept_free_where_none_is_between_its_legs() -> None:
+    """Six of eight on one plan stood for ever before its first corner: one of them stood on the leg back."""
+    waits = flier(1, (17.7, 1.8, -4.0), STANDS, (20.0, 0.0, -4.0), (0.0, 0.0, -4.0), goes=False, led=True)
+    waits = dataclasses.replace(waits, cruise_m_s=4.0)
+    ahead = Other("pursuer 6", (17.8, -0.5, -4.0), STANDS)
+    verdict = judge([waits], [ahead], WANTED_M)[1]
+    assert verdict.waits_for == ahead.name
+    assert min(np.linalg.norm(place - np.array(ahead.p_ned)) for place in verdict.claim_ned) < WANTED_M
+
+
+def test_one_does_not_wait_for_a_first_one_that_another_holds_as_well() -> None:
+    """2 crosses behind the wall at which 1 waits: 1 could not go on either way."""
+    first = flier(1, (0.0, -6.0, -4.0), STANDS, (0.0, 20.0, -4.0), goes=False)
+    first = dataclasses.replace(first, cruise_m_s=4.0)
+    crosses = flier(2, (3.0, -2.5, -4.0), (-2.0, 0.0, 0.0), (-20.0, -2.5, -4.0))
+    wall = Other("pursuer 9", (0.0, -2.0, -4.0), STANDS)
+    assert judge([first, crosses], [], WANTED_M)[2].waits_for == "pursuer 1"
+    verdicts = judge([first, crosses], [dataclasses.replace(wall, p_ned=(0.0, 0.0, -4.0))], WANTED_M)
+    assert verdicts[1].waits_for
+    assert verdicts[2].waits_for == ""
+
+
 def test_one_that_still_brakes_does_not_step_aside_yet() -> None:
     other = flier(2, (0.0, 9.0, -4.0), (0.0, -1.0, 0.0), (0.0, -20.0, -4.0), goes=False)
     assert not judge([EAST, other], [], WANTED_M)[2].aside

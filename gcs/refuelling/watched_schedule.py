@@ -79,10 +79,13 @@ class WatchedSchedule(Scheduler):
         return self._watched, CompetitionState()
 
     def settle(self, snapshot: FleetSnapshot) -> None:
-        """Book on the newest services what their tankers report as given and their receivers have not counted."""
+        """Book on the newest services what their tankers report as given and their receivers have not counted, and on
+        one under way what its receiver has counted since its tanker's last report."""
         for receiver in sorted({service.receiver for service in self.services}):
             own = [service for service in self.services if service.receiver == receiver]
             missing_j = sum(service.energy_j for service in own) - snapshot.vehicle(receiver).received_j
+            if missing_j < 0 and own[-1].phase is Phase.TRANSFER:
+                own[-1].energy_j -= missing_j
             for service in reversed(own):
                 taken_j = min(max(missing_j, 0), service.energy_j)
                 service.energy_j -= taken_j

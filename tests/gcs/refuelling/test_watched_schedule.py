@@ -67,6 +67,18 @@ def test_a_service_is_followed_from_the_call_to_its_end_and_nothing_is_commanded
     assert [s.receiver for s in watched.refuelled] == [2]
 
 
+@pytest.mark.parametrize(("received_j", "booked_j"), [(10_600, 1600), (9600, 600), (9000, 0)])
+def test_at_the_end_services_have_what_receivers_have_counted(
+    watched: WatchedSchedule, received_j: int, booked_j: int
+) -> None:
+    """The tanker reports 1200 J of the service under way, before the receiver's last joules or after what it lost."""
+    watched.receive(201, service(1, 2.0, 10.0, 12.0, 20.0, energy_j=9000.0, ending=1.0), 21.0)
+    watched.receive(201, service(2, 2.0, 30.0, 33.0, energy_j=1200.0), 34.0)
+    decide(watched, 34.0)
+    watched.settle(snapshot(view(2, received_j=received_j), view(201, "tanker"), time_s=34.5))
+    assert [one.energy_j for one in watched.services] == [9000, booked_j]
+
+
 def test_services_that_are_learnt_late_stand_in_the_order_of_their_decisions(watched: WatchedSchedule) -> None:
     watched.receive(201, service(2, 3.0, 60.0, 64.0), 100.0)
     decide(watched, 100.0)

@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from gcs.scenario.parts.surroundings import Attractor, Obstacle
     from gcs.scenario.parts.trust import TrustError
     from gcs.session.arrays import Snapshot
-    from gcs.session.python import Session, SessionError
+    from gcs.session.program.turn import SessionError
+    from gcs.session.python import Session
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
 
 __all__ = [
@@ -76,7 +77,7 @@ _HOME = {
     "Scenario": "scenario.model",
     "ScenarioError": "scenario.document",
     "Session": "session.python",
-    "SessionError": "session.python",
+    "SessionError": "session.program.turn",
     "Situation": "planner.request",
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",

@@ -18,7 +18,8 @@ from gcs.environments.spaces import Observation, VelocityAction
 from gcs.environments.transition import Transition, is_lost, nearness
 from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot
-from gcs.session.python import Session, SessionError
+from gcs.session.program.turn import SessionError
+from gcs.session.python import Session
 
 _ROUNDING_S = 1e-6
 

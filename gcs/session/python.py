@@ -20,6 +20,7 @@ in lockstep the fleet waits for it.
 from __future__ import annotations
 
 import contextlib
+import itertools
 import os
 import socket
 import time
@@ -50,13 +51,9 @@ from gcs.session.program.messages import CHANGE, INJECT, NEXT, SEND, STOP, Fleet
 from gcs.session.program.objects import Objects, without
 from gcs.session.program.session_channel import SessionChannel
 from gcs.session.program.truth_tail import Truth, TruthTails
+from gcs.session.program.turn import SessionError, Turn
 from gcs.session.program.world import Bodies
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
-
-
-class SessionError(RuntimeError):
-    """A session that could not be flown, has not ended yet, or refuses what is asked of it; the text says why and what
-    to do."""
 
 
 class Session:
@@ -70,7 +67,8 @@ class Session:
     end stops it and saves what was flown.
 
     In lockstep a program may also act: `step`, `command` and `inject`. What it does stands in decisions.jsonl, and the
-    same acts make the same session, byte for byte (docs/protocol/socket.md#programs-that-act).
+    same acts make the same session, byte for byte (docs/protocol/socket.md#programs-that-act). One call at a time: a
+    second one, by another thread or by the session's own planner or policy, raises SessionError.
 
     planner, policy: instead of the scenario's, a class that is made as CLASS(scenario) when the context begins, or an
     object with the method `plan`, or `choose` or `assign`; also one that a notebook defines. In lockstep only: they are
@@ -127,12 +125,13 @@ class Session:
         self._folder: Path | None = None
         self._process: Supervised | None = None
         self._channel: SessionChannel | None = None
+        self._turn = Turn()
         self._sysids = {vehicle.sysid for vehicle in self.scenario.vehicles.all}
         self._time_s: float | None = None
         """of the last snapshot"""
         self._sent: dict[int, SentCommand] = {}
         """commands without an outcome, by number"""
-        self._commands = 0
+        self._numbers = itertools.count(1)
         self._truth: TruthTails | None = None
         self._world = self.scenario
         """with what the program has changed"""
@@ -222,9 +221,9 @@ class Session:
             content = {"command": name, "target": acting.known(params[0], self._sysids)}
         else:
             content = {"command": name}
-        self._commands += 1
-        text = self._ask({**content, "sysid": sysid, "id": self._commands})
-        sent = self._sent[self._commands] = SentCommand(self._commands, sysid, name, text)
+        command_id = next(self._numbers)
+        text = self._ask({**content, "sysid": sysid, "id": command_id})
+        sent = self._sent[command_id] = SentCommand(command_id, sysid, name, text)
         return sent
 
     def inject(self, fault: Fault | Mapping[str, Any]) -> None:
@@ -317,9 +316,10 @@ class Session:
     def _exchange(self, content: Mapping[str, Any]) -> FleetMessage | Reply | None:
         """The session's answer; None where it has ended, and its summary is there then."""
         assert self._channel is not None
-        self._channel.say(content)
-        if (line := self._channel.receive()) is None:
-            self._end()
+        with self._turn:
+            self._channel.say(content)
+            if (line := self._channel.receive()) is None:
+                self._end()
         return line
 
     def _next(self, points: Mapping[int, list[float]]) -> Snapshot | None:
@@ -350,14 +350,16 @@ class Session:
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""
-        self._end()
+        with self._turn:
+            self._end()
         return self.summary
 
     def stop(self) -> Summary:
         """End the session now, save what was flown, and return the summary; its outcome is `interrupted`."""
         if self._open and self._channel is not None and self._summary is None:
-            self._channel.say({"command": STOP})
-            self._end(time.monotonic() + PATIENCE_S[0])
+            with self._turn:
+                self._channel.say({"command": STOP})
+                self._end(time.monotonic() + PATIENCE_S[0])
         return self.summary
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:

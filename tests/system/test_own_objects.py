@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import subprocess
+import threading
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -124,6 +126,39 @@ def test_what_a_planner_raises_reaches_its_program(tmp_path: Path) -> None:
     (told,) = lines(session.folder, "policy failed")
     assert (told["sysid"], told["t_s"]) == (2, pytest.approx(7.0))
     decide(session.folder)
+
+
+def test_a_call_while_another_is_under_way_is_refused(tmp_path: Path) -> None:
+    """Here from inside a step: the planner calls its own session, and so does a thread that it waits for."""
+    refused: list[str] = []
+
+    def call(what: Callable[[], Any]) -> None:
+        with pytest.raises(gcs.SessionError) as caught:
+            what()
+        refused.append(str(caught.value))
+
+    class Calling(Ring):  # type: ignore[misc]
+        def plan(self, vehicle: gcs.VehicleView, situation: gcs.Situation) -> tuple[np.ndarray, np.ndarray]:
+            if not refused:
+                for what in (session.step, lambda: session.command(1, "hold"), session.stop, session.finish):
+                    call(what)
+                    thread = threading.Thread(target=call, args=(what,))
+                    thread.start()
+                    thread.join()
+            planned: tuple[np.ndarray, np.ndarray] = super().plan(vehicle, situation)
+            return planned
+
+    path = write(tmp_path, block(PAGE, "ring.yaml"))
+    with gcs.Session(path, lockstep=True, planner=Calling, out=tmp_path / "out") as session:
+        while not refused:
+            session.step()
+        assert session.command(1, "hold").command == "hold"
+        assert session.step().time_s > 0.0
+    assert len(refused) == 8
+    assert set(refused) == {
+        "another call of this session is under way: call it from one thread, and not from its own planner or policy"
+    }
+    assert not lines(session.folder, "policy failed")
 
 
 def test_a_policy_is_asked_and_its_answers_are_decided_again(tmp_path: Path) -> None:

@@ -52,10 +52,10 @@ def least_lost(arrays: Arrays, enough: int, seconds: float) -> int:
     require("a proven bound", {"ortools": "OR-Tools", "scipy": "SciPy"}, "benchmark")
     until_s = time.process_time() + seconds
     ways_s, first_s = _least_ways_s(arrays)
-    lost = _by_windows(arrays, ways_s, first_s)
-    if lost < enough:
+    lost, most_j = _by_windows(arrays, ways_s, first_s), _most_j(arrays)
+    if lost < enough and most_j >= 0:  # with less, tankers do not last to the horizon whatever is done
         needs_j = np.maximum(_least_j(arrays, arrays.horizon_s), 0.0)
-        lost = max(lost, prices.least_lost(arrays, ways_s, first_s, needs_j, _most_j(arrays), enough, until_s))
+        lost = max(lost, prices.least_lost(arrays, ways_s, first_s, needs_j, most_j, enough, until_s))
     return lost
 
 
@@ -119,16 +119,19 @@ def _windows(arrays: Arrays, ways_s: Floats, first_s: Floats) -> list[tuple[Floa
 
 
 def _least_ways_s(arrays: Arrays) -> tuple[Floats, Floats]:
-    """(n, samples) the least way to each receiver that ends by about then, and (n,) from any tanker's start."""
-    n, speed_m_s = arrays.n, float(arrays.speed_m_s.max())
+    """(n, samples) the least way to each receiver that ends by about then, and (n,) when it is with a tanker or at a
+    base at the soonest."""
+    n, speed_m_s = arrays.n, float(arrays.speed_m_s.max(initial=0.0))
     times = np.arange(0.0, arrays.horizon_s + 2.0 * SAMPLE_S, SAMPLE_S)
     each = np.arange(n)
-    first_s = np.min(
-        [arrays.meets_s(each, np.zeros(n), p, v) for p, v in zip(arrays.start_ned, arrays.speed_m_s, strict=True)],
-        axis=0,
-    )
-    ways_s = np.full((n, len(times)), np.inf)
+    meets_s = [arrays.meets_s(each, np.zeros(n), p, v) for p, v in zip(arrays.start_ned, arrays.speed_m_s, strict=True)]
     shorter_m = SAMPLE_S * arrays.fastest_m_s
+    for base_ned in arrays.base_ned:
+        away_m = np.sqrt(np.square(arrays.at(each[:, None], times) - base_ned).sum(axis=2))
+        way_s = np.maximum(away_m - shorter_m, 0.0) / arrays.off_path_m_s[:, None]
+        meets_s.append((times + way_s).min(axis=1))
+    first_s = np.min(meets_s, axis=0)
+    ways_s = np.full((n, len(times)), np.inf)
     for i in range(n):  # from where a receiver is within a sample's time, to the others as they come
         here = arrays.at(np.full(len(times), i), times)
         for j in range(n):

@@ -22,8 +22,8 @@ class Gap(Struct):
     instance: str
     lower: int
     """every schedule loses at least this many"""
-    upper: int
-    """a verified schedule loses this many"""
+    upper: int | None
+    """a verified schedule loses this many; None: none was found that can be carried out"""
     cpu_s: float
     """processor time that was used"""
 

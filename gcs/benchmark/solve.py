@@ -25,22 +25,26 @@ BOUNDS_SHARE = 0.5
 def solve(
     instance: Instance, seconds: float, least_lost: Callable[[Arrays, int, float], int] = bounds.least_lost
 ) -> tuple[Gap, Schedule]:
-    """Search until the bound is met, or for so many seconds of processor time. Raises MissingExtra where a schedule
-    loses a receiver and OR-Tools is not installed: one that loses none proves itself."""
+    """Search until the bound is met, or for so many seconds of processor time; where none is found that can be carried
+    out, the gap has no upper bound and the schedule is empty. Raises MissingExtra where a schedule loses a receiver and
+    OR-Tools is not installed: one that loses none proves itself."""
     began_s = time.process_time()
     arrays, lower = Arrays(instance), 0
     best = Schedule(SCHEDULE, instance.name, [])
     upper = lost_of(instance, best)
+    if not arrays.m + arrays.k:  # without a giver it is the only one
+        return Gap(instance.name, int(upper), int(upper), round(time.process_time() - began_s, 2)), best
     bounded = False
     for weights, width in _tries(instance.seed):
         if width > WIDTHS[0] and upper > 0 and not bounded:
-            lower, bounded = least_lost(arrays, int(upper), BOUNDS_SHARE * seconds), True
+            lower, bounded = least_lost(arrays, int(min(upper, arrays.n)), BOUNDS_SHARE * seconds), True
         if upper <= lower or time.process_time() - began_s > seconds:
             break
         found = beam.search(arrays, weights, width, began_s + seconds)
         if (lost := lost_of(instance, found)) < upper:
             best, upper = found, int(lost)
-    return Gap(instance.name, lower, int(upper), round(time.process_time() - began_s, 2)), best
+    fewest = int(upper) if math.isfinite(upper) else None
+    return Gap(instance.name, lower, fewest, round(time.process_time() - began_s, 2)), best
 
 
 def searched(arrays: Arrays, seconds: float) -> Schedule:

@@ -115,7 +115,8 @@ def verify(instance: Path, schedule: Path, as_json: bool) -> int:
 )
 def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: Path | None) -> int:
     """Find a schedule of each INSTANCE that the verifier accepts, and prove how many receivers any schedule loses at
-    least. Where both are the same, the schedule is an optimum. The limit is processor time of one thread.
+    least. Where both are the same, the schedule is an optimum. The limit is processor time of one thread. Where no
+    schedule is found that can be carried out, none is written, and the table has `null` for what it loses.
 
     A bound above 0 needs OR-Tools, of the extra `benchmark`.
 
@@ -127,7 +128,7 @@ def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: 
     \b
     Exit status:
       0    the schedules are proven optima
-      1    a gap is left
+      1    a gap is left, or no schedule was found
       2    a file cannot be read, or OR-Tools is needed and missing
     """
     from gcs.benchmark import format, gaps
@@ -145,12 +146,15 @@ def solve(instances: tuple[Path, ...], seconds: float, out: Path | None, table: 
                 continue
             gap, schedule = solved(given, seconds)
             left += not gap.proven
-            if out is not None:
+            if out is not None and gap.upper is not None:
                 out.write_bytes(format.raw(schedule))
             if table is not None:
                 gaps.add(table, gap)
-            what = "proven" if gap.proven else f"at least {gap.lower}"
-            click.echo(f"{gap.instance}: lost {gap.upper} of {len(given.receivers)}, {what}, {gap.cpu_s:.1f} s")
+            found, what = f"lost {gap.upper} of {len(given.receivers)}", f"at least {gap.lower}"
+            if gap.upper is None:
+                found = "found no schedule that can be carried out"
+                what = f"any would lose at least {gap.lower} of {len(given.receivers)}"
+            click.echo(f"{gap.instance}: {found}, {'proven' if gap.proven else what}, {gap.cpu_s:.1f} s")
     except (format.FormatError, MissingExtra) as error:
         click.echo(f"gcs: {error}", err=True)
         return BAD_INPUT

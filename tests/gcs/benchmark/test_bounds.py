@@ -15,7 +15,7 @@ import pytest
 
 from gcs.benchmark import beam, bounds, format, gaps
 from gcs.benchmark.arrays import Arrays
-from gcs.benchmark.format import Instance, Schedule, plain
+from gcs.benchmark.format import Instance, Schedule, ScheduledService, plain
 from gcs.benchmark.generator import instance, instances
 from gcs.benchmark.prices import STEP_S, CheapestPlans
 from gcs.benchmark.solve import lost_of, solve
@@ -139,6 +139,7 @@ def test_the_search_finds_what_the_enumeration_finds() -> None:
     for one in map(small, range(5)):
         gap, schedule = solve(one, 0.5)
         assert gap.upper == lost_of(one, schedule)
+        assert gap.upper is not None
         assert gap.lower <= gap.upper <= fewest_lost(one, 4)
 
 
@@ -147,8 +148,8 @@ def test_the_shipped_table_has_each_instance_once_and_its_bound() -> None:
     shipped = gaps.shipped()
     assert len(lines) == len(shipped)
     assert shipped.keys() <= {one.name for one in instances()}
-    assert all(0 <= gap.lower <= gap.upper for gap in shipped.values())
-    assert bounds.least_lost(Arrays(instance("tankers", 27)), 1, 60.0) == 1 <= shipped["tankers-027"].upper
+    assert all(gap.upper is not None and 0 <= gap.lower <= gap.upper for gap in shipped.values())
+    assert bounds.least_lost(Arrays(instance("tankers", 27)), 1, 60.0) == 1 <= (shipped["tankers-027"].upper or 0)
 
 
 def test_the_command_solves(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -168,3 +169,70 @@ def test_the_command_solves(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     table.write_text("{}\n")
     assert run_argv(["benchmark", "solve", str(files[0]), "--table", str(table)]) == 2
     assert "no table of gaps" in capsys.readouterr().err
+
+
+def beside_a_base() -> Instance:
+    """One receiver that stands at a base and lands at 10 s, and a tanker that is never in time."""
+    one = instance("bases", 0)
+    one.horizon_s, one.setup_s, one.rate_w = 60.0, 2.0, 1000.0
+    one.receivers, one.tankers, one.bases = one.receivers[:1], one.tankers[:1], one.bases[:1]
+    (receiver,), (tanker,), (base,) = one.receivers, one.tankers, one.bases
+    receiver.path, base.position_m, tanker.position_m = [(0.0, 0.0, 0.0, -1.0)], (0.0, 0.0, -1.0), (900.0, 0.0, -1.0)
+    receiver.capacity_j, receiver.lands_at_j, receiver.energy_j, receiver.power_w = 14_000.0, 0.0, 2_000.0, 200.0
+    base.stock_j, base.rate_w = 20_000.0, 1_000.0
+    tanker.speed_m_s, tanker.energy_j = 1.0, tanker.reserve_j + 60.0 * tanker.power_w + 1_000.0
+    tanker.capacity_j = tanker.energy_j
+    return one
+
+
+def test_the_bound_counts_what_a_base_gives_before_a_tanker_comes() -> None:
+    """It holds 12 kJ at 12 s and draws 200 W: it flies until 72 s."""
+    one = beside_a_base()
+    service = ScheduledService(
+        0.0, 12.0, 10_000.0, receiver=1, base=one.bases[0].name, leave_s=0.0, back_s=12.0
+    )  # fmt: skip
+    assert lost_of(one, Schedule(format.SCHEDULE, one.name, [service])) == 0
+    assert bounds.least_lost(Arrays(one), 1, 5.0) == 0
+
+
+def test_instances_without_tankers_are_solved() -> None:
+    one = beside_a_base()
+    one.tankers = []
+    gap, schedule = solve(one, 5.0)
+    assert (gap.lower, gap.upper, lost_of(one, schedule)) == (0, 0, 0)
+    one.bases[0].stock_j = 3_000.0  # and 2 kJ of its own, for 200 W: it has to stand at the base for 35 s
+    assert bounds.least_lost(Arrays(one), 1, 5.0) <= lost_of(one, solve(one, 1.0)[1])
+    one.bases = []
+    gap, schedule = solve(one, 5.0)
+    assert (gap.lower, gap.upper, schedule.services) == (1, 1, [])
+    one.receivers[0].energy_j = 12_500.0
+    assert solve(one, 5.0)[0].upper == 0
+
+
+def dry() -> Instance:
+    """A tanker that is at its reserve 100 s before the horizon, and no base to load at: no schedule is feasible."""
+    one = instance("tankers", 0)
+    one.receivers, one.tankers = one.receivers[:2], one.tankers[:1]
+    one.tankers[0].energy_j = one.tankers[0].reserve_j + one.tankers[0].power_w * (one.horizon_s - 100.0)
+    return one
+
+
+def test_where_no_schedule_can_be_carried_out_that_is_the_result(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, mine, table = tmp_path / "dry.json", tmp_path / "mine.json", tmp_path / "gaps.jsonl"
+    path.write_bytes(format.raw(dry()))
+    arguments = ["benchmark", "solve", str(path), "--seconds", "0.5", "--out", str(mine), "--table", str(table)]
+    assert run_argv(arguments) == 1
+    assert "tankers-000: found no schedule that can be carried out, any would lose at least " in capsys.readouterr().out
+    assert not mine.exists()
+    (row,) = gaps.read(table, gaps.Gap)
+    assert (row.upper, row.proven) == (None, False)
+    folder = tmp_path / "instances"
+    folder.mkdir()
+    path.rename(folder / path.name)
+    compared = ["--methods", "beam_search", "--methods", "hungarian", "--seconds", "0.5"]
+    assert run_argv(["benchmark", "compare", "--instances", str(folder), *compared]) == 0
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        f"{method} made no schedule that can be carried out of tankers-000" for method in ("beam_search", "hungarian")
+    ]

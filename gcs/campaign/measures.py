@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcs.campaign.service_orders import some_order_keeps_all
+from gcs.campaign.service_orders import some_order_keeps_all, tankers_alone_serve
 from gcs.recording import truth
 from gcs.recording.summary import FILE, GoalPartSummary, Summary
 from gcs.refuelling.loss_bound import least_lost
@@ -100,7 +100,7 @@ def _least_lost(flown: Flown) -> Value:
     """By the scenario alone."""
     scenario = flown.scenario
     pursuers, tankers, rules = scenario.vehicles.pursuers, scenario.vehicles.tankers, scenario.refuelling
-    if not pursuers or not tankers:
+    if not tankers_alone_serve(scenario):
         return None
     charge_j = [v.battery.capacity_j * (0.01 * v.battery.initial_percent - rules.lands_at) for v in pursuers]
     spare_j = [v.battery.capacity_j * 0.01 * v.battery.initial_percent - v.reserve_j for v in tankers]
@@ -217,8 +217,8 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
     "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
     "lost_somebody": (lambda f: float(bool(_lost(f))), "1 where a vehicle was lost, else 0"),
-    "least_lost": (_least_lost, "vehicles that no schedule could have kept, at least"),
-    "keepable": (_keepable, "1 where some order of services keeps everyone, 0 where none does, by a search"),
+    "least_lost": (_least_lost, "vehicles that no schedule could have kept, at least; not known with bases or join_s"),
+    "keepable": (_keepable, "1 where some order of services keeps everyone, 0 where none does, by a search; the same"),
     "tankers_way_m": (_tankers_way_m, "sum of the tankers' ways, m"),
     "tanker_idle_s": (_from_summary("tanker_idle_s"), "tankers' time free while a vehicle waited, s"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),

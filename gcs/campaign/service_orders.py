@@ -90,11 +90,18 @@ class _Search:
         return False
 
 
+def tankers_alone_serve(scenario: Scenario) -> bool:
+    """Whether tankers serve pursuers, all from the start and none at bases, as bounds and searches over tankers take
+    it."""
+    vehicles = scenario.vehicles
+    late = any(vehicle.join_s > 0.0 for vehicle in (*vehicles.pursuers, *vehicles.tankers))
+    return bool(vehicles.pursuers and vehicles.tankers) and not scenario.bases and not late
+
+
 def some_order_keeps_all(scenario: Scenario) -> bool | None:
     """Whether the search found an order that keeps every pursuer until the end; None where it was cut off before it
-    had seen all, and without pursuers or tankers, or where tankers give less than vehicles draw."""
-    pursuers, tankers = scenario.vehicles.pursuers, scenario.vehicles.tankers
-    if not pursuers or not tankers:
+    had seen all, where not tankers alone serve, all from the start, or where they give less than vehicles draw."""
+    if not tankers_alone_serve(scenario):
         return None
     search = _Search(scenario)
     if search.rate_w <= max(one.power_w for one in search.receivers):

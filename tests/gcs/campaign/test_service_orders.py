@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from gcs.campaign import service_orders
+from gcs.campaign import measures, service_orders
+from gcs.campaign.measures import Flown
 from gcs.campaign.service_orders import some_order_keeps_all
 from gcs.scenario.model import Scenario
 
@@ -86,3 +88,22 @@ def test_more_tankers_keep_more_and_what_is_cut_off_is_unknown(monkeypatch: pyte
     assert some_order_keeps_all(scenario(percents, capacities, tankers=3)) is True
     monkeypatch.setattr(service_orders, "MOST_NODES", 1)
     assert some_order_keeps_all(scenario(percents, capacities, tankers=2)) is None
+
+
+def test_bases_and_late_joiners_are_not_looked_at() -> None:
+    """Neither by the search nor by the bound on losses."""
+    usual = scenario([50.0, 50.0], [12_000.0, 12_000.0])
+    content = usual.model_dump(mode="json", exclude_unset=True)
+    with_base = Scenario.model_validate(
+        content | {"bases": [{"name": "B", "position_m": [20, 20, 0], "stock_j": 1e4, "rate_w": 1000}]}
+    )
+    with_late = []
+    for role in ("pursuers", "tankers"):
+        (first, *others) = content["vehicles"][role]
+        late = first | {"join_s": 10.0, "airborne": False, "start_m": [0.0, 9.0, 0.0]}
+        vehicles = content["vehicles"] | {role: [late, *others]}
+        with_late.append(Scenario.model_validate(content | {"vehicles": vehicles}))
+    for measure in ("least_lost", "keepable"):
+        values = [measures.measure(measure, Flown(Path(), one)) for one in (usual, with_base, *with_late)]
+        assert values[0] is not None
+        assert values[1:] == [None, None, None]

@@ -47,7 +47,7 @@ def wilson(count: int, of: int, confidence: float = CONFIDENCE) -> Interval:
 
 
 def mean(values: Floats) -> Interval:
-    """A mean and its bootstrap interval (BCa; percentile where that cannot be had)."""
+    """A mean and its bootstrap interval, by percentiles; of fewer than three values there is none."""
     from scipy.stats import bootstrap  # noqa: PLC0415 - of the extra, and only a page of results needs it
 
     values = values[np.isfinite(values)]

@@ -23,9 +23,10 @@ import select
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 import pytest
@@ -33,17 +34,33 @@ import pytest
 from gcs.processes.forked import end
 from gcs.processes.python import start_python
 
+Kinds = dict[str, tuple[tuple[type, ...], str]]
+"""Arguments of a mark in order: what each may be, also in words."""
 READY_WITHIN_S = 120.0
 GONE_WITHIN_S = 20.0
 CAMPAIGN_MARK = (
-    "campaign(what, sessions=None, workers=None, trust=False): fly a campaign (a file, a shipped name or plain data) "
-    "before the test"
+    "campaign(what, sessions=None, workers=None, trust=False, seed=None, scheduler=None): fly a campaign (a file, a "
+    "shipped name or plain data) before the test"
 )
 MOST_LISTED = 20
 MARK = (
-    "fleet(what, trust=False): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or shipped "
-    "name; trust: it may use what it names beyond its vehicles"
+    "fleet(what=1, trust=False): vehicles for the `fleet` fixture: how many (1 to 254), or a scenario's file or "
+    "shipped name; trust: it may use what it names beyond its vehicles"
 )
+_YES_OR_NO = ((bool,), "True or False")
+_COUNT = ((int, NoneType), "a whole number")
+_FLEET: Kinds = {
+    "what": ((int, str, os.PathLike), "a number of vehicles, a scenario's file or a shipped name"),
+    "trust": _YES_OR_NO,
+}
+_CAMPAIGN: Kinds = {
+    "what": ((str, os.PathLike, Mapping), "a campaign's file, a shipped name or plain data"),
+    "sessions": _COUNT,
+    "workers": _COUNT,
+    "trust": _YES_OR_NO,
+    "seed": _COUNT,
+    "scheduler": ((str, NoneType), "an address"),
+}
 
 
 @dataclass(frozen=True)
@@ -105,11 +122,11 @@ def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
     from gcs.campaign.python import Campaign  # noqa: PLC0415 - what takes long
     from gcs.scenario.parts.trust import TrustError  # noqa: PLC0415 - the same
 
-    mark = request.node.get_closest_marker("campaign")
-    if mark is None or not mark.args:
+    given = _arguments(request.node.get_closest_marker("campaign"), _CAMPAIGN)
+    if "what" not in given:
         pytest.fail("the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)", pytrace=False)
     try:
-        flown = Campaign(mark.args[0], out=tmp_path / "campaign", **mark.kwargs)
+        flown = Campaign(given.pop("what"), out=tmp_path / "campaign", **given)
     except TrustError as error:
         pytest.fail(f"the campaign does not fly: {error} in its mark", pytrace=False)
     table = flown.fly()
@@ -126,11 +143,28 @@ def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
 @pytest.fixture
 def fleet(request: pytest.FixtureRequest) -> Iterator[FlyingFleet]:
     """Real vehicle processes that answer at addresses of their own; see the mark `fleet`."""
-    mark = request.node.get_closest_marker("fleet")
-    what = mark.args[0] if mark is not None and mark.args else 1
-    trust = bool(mark is not None and mark.kwargs.get("trust"))
-    with _started(what, trust=trust) as flying:
+    given = _arguments(request.node.get_closest_marker("fleet"), _FLEET)
+    with _started(given.get("what", 1), trust=given.get("trust", False)) as flying:
         yield flying
+
+
+def _arguments(mark: pytest.Mark | None, kinds: Kinds) -> dict[str, Any]:
+    """What a mark gives by name, in the order of its signature or by keyword; the test fails where that cannot be."""
+    if mark is None:
+        return {}
+    given: dict[str, Any] = {**dict(zip(kinds, mark.args, strict=False)), **mark.kwargs}
+    wrong = ""
+    if unknown := [name for name in mark.kwargs if name not in kinds]:
+        wrong = f"has no argument {unknown[0]!r}: it takes {', '.join(kinds)}"
+    elif len(given) < len(mark.args) + len(mark.kwargs):
+        wrong = f"is given too many arguments: it takes {', '.join(kinds)}, each once"
+    for name, value in given.items():
+        allowed, words = kinds.get(name, ((object,), ""))
+        if not wrong and (not isinstance(value, allowed) or (isinstance(value, bool) and bool not in allowed)):
+            wrong = f"has {value!r} for {name}, which is to be {words}"
+    if wrong:
+        pytest.fail(f"the mark {mark.name} {wrong}", pytrace=False)
+    return given
 
 
 @contextlib.contextmanager

@@ -53,6 +53,46 @@ def test_real_vehicles_are_there_for_a_test_and_gone_after_it(tmp_path: Path) ->
     assert not [p for p in psutil.process_iter(["cmdline"]) if folders[0] in " ".join(p.info["cmdline"] or ())]
 
 
+MARKED = """
+import pytest
+
+@pytest.mark.fleet(what=3)
+def test_three(fleet):
+    assert len(fleet) == 3
+
+{tests}
+"""
+MARKS = {
+    "fleet(2.5)": "the mark fleet has 2.5 for what, which is to be a number of vehicles, a scenario's file or a "
+    "shipped name",
+    "fleet(True)": "the mark fleet has True for what, which",
+    "fleet(what=0)": "a fleet has 1 to 254 vehicles, not 0",
+    "fleet(2, trust='yes')": "the mark fleet has 'yes' for trust, which is to be True or False",
+    "fleet(count=3)": "the mark fleet has no argument 'count': it takes what, trust",
+    "fleet(3, what=3)": "the mark fleet is given too many arguments: it takes what, trust, each once",
+    "fleet(3, False, 1)": "the mark fleet is given too many arguments",
+    "campaign('policies', session=1)": "the mark campaign has no argument 'session': it takes what, sessions, workers, "
+    "trust, seed, scheduler",
+    "campaign(what='policies', sessions=1.5)": "the mark campaign has 1.5 for sessions, which is to be a whole number",
+    "campaign(20)": "the mark campaign has 20 for what, which is to be a campaign's file, a shipped name or plain data",
+    "campaign(sessions=20)": "the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)",
+}
+
+
+def test_marks_take_what_their_signature_says(tmp_path: Path) -> None:
+    tests = [
+        f"@pytest.mark.{mark}\ndef test_{number}({mark.split('(', maxsplit=1)[0]}):\n    pass\n"
+        for number, mark in enumerate(MARKS)
+    ]
+    (tmp_path / "test_theirs.py").write_text(MARKED.format(tests="\n".join(tests)))
+    words = [sys.executable, "-m", "pytest", "-q", "--strict-markers", "-p", "no:cacheprovider", "test_theirs.py"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, timeout=100, check=False)
+    assert f"1 passed, {len(MARKS)} errors" in done.stdout, done.stdout + done.stderr
+    assert "Traceback" not in done.stdout
+    for sentence in MARKS.values():
+        assert sentence in done.stdout
+
+
 UNASKED = """
 import pytest
 

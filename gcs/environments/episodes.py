@@ -28,7 +28,7 @@ class Episodes:
     """The sessions of an environment, one at a time.
 
     Each begins once all agents' vehicles are in the air and are sent set points; until then the planner flies them. An
-    action steers its agent's vehicle for one step, and vehicles without an agent that acts are the planner's.
+    action steers its agent's vehicle for one step, and vehicles without an agent in flight are the planner's.
     """
 
     def __init__(

@@ -80,19 +80,18 @@ class ParallelSessionEnv(ParallelEnv[str, Any, Any]):  # type: ignore[misc]  # i
     def step(
         self, actions: dict[str, Any]
     ) -> tuple[dict[str, Any], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]]:
-        """Fly one step. An agent without an action leaves its vehicle to the planner, and is neither rewarded nor
-        ended by that step. Raises ValueError for an action outside its space, and for an unknown agent."""
+        """Fly one step, with an action of each agent of `agents`; one of an agent that has ended is left out. Raises
+        ValueError for a missing action, one outside its space, and an unknown agent."""
         acting = {agent: self._sysids[agent] for agent in self.agents}
         if unknown := sorted(actions.keys() - set(self.possible_agents)):
             raise ValueError(f"there is no agent {unknown[0]!r}; the agents are {', '.join(self.possible_agents)}")
+        if missing := [agent for agent in acting if agent not in actions]:
+            raise ValueError(f"there is no action of {missing[0]}: step takes one of each agent of `agents`")
         if not acting:
             return {}, {}, {}, {}, {}
-        steps, ended = self._episodes.step(
-            {acting[agent]: action for agent, action in actions.items() if agent in acting}
-        )
-        made = {agent: steps[sysid] for agent, sysid in acting.items() if sysid in steps}
-        rewards = {agent: self._episodes.reward(made[agent]) if agent in made else 0.0 for agent in acting}
-        ends = {agent: agent in made and self._episodes.terminated(made[agent]) for agent in acting}
+        steps, ended = self._episodes.step({sysid: actions[agent] for agent, sysid in acting.items()})
+        rewards = {agent: self._episodes.reward(steps[sysid]) for agent, sysid in acting.items()}
+        ends = {agent: self._episodes.terminated(steps[sysid]) for agent, sysid in acting.items()}
         cut = {agent: ended and not ends[agent] for agent in acting}
         seen = self._observed(acting)
         self.agents = [agent for agent in acting if not (ends[agent] or cut[agent])]

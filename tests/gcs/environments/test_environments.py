@@ -275,7 +275,13 @@ def test_wrong_calls_are_refused_in_a_sentence(make: Callable[..., ParallelSessi
         env.state()
     env.reset(seed=1)
     with pytest.raises(ValueError, match="of vehicle 1 is not in Box"):
-        env.step({"pursuer_1": np.full(3, 2.0, np.float32)})
+        env.step({"pursuer_1": np.full(3, 2.0, np.float32), "pursuer_2": STILL})
+    with pytest.raises(
+        ValueError, match=r"^there is no action of pursuer_2: step takes one of each agent of `agents`$"
+    ):
+        env.step({"pursuer_1": STILL})
+    with pytest.raises(ValueError, match="there is no agent 'pursuer_3'; the agents are pursuer_1, pursuer_2"):
+        env.step({"pursuer_3": STILL})
     env.close()
     env.close()
     assert env.step({}) == ({}, {}, {}, {}, {})

@@ -1,4 +1,5 @@
-"""Warnings of batteries that are soon empty, and of radios and their faults that fit no session."""
+"""Warnings of batteries that are soon empty, of tankers that keep too little, and of radios and their faults that fit
+no session."""
 
 from __future__ import annotations
 
@@ -17,6 +18,7 @@ SLOW_S = 5.0
 def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     """Those about batteries first."""
     yield from _of_batteries(scenario)
+    yield from _of_reserves(scenario)
     yield from _of_the_radio(scenario)
 
 
@@ -35,6 +37,27 @@ def _of_batteries(scenario: Scenario) -> Iterator[ScenarioWarning]:
             "battery",
             f"{label} hovers for {hovers_s:.1f} s with its full battery{more}: battery.capacity_j is in joules, and "
             f"{capacity_j:g} Wh are {capacity_j * J_PER_WH:g} J; raise it",
+        )
+
+
+def _of_reserves(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Tankers that can give, before the session's end, until they land by themselves."""
+    rules, duration_s, short = scenario.refuelling, scenario.goal.duration_s, []
+    launched = {vehicle.sysid for vehicle in scenario.vehicles.launched}
+    for tanker in scenario.vehicles.tankers if rules.enabled else ():
+        battery = tanker.battery
+        share = float(tanker.params.get("BAT_EMERGEN_THR", rules.lands_at))
+        lands_j, most_w = share * battery.capacity_j, battery.hover_w + battery.avionics_w + rules.rate_w
+        least_j = 0.01 * battery.initial_percent * battery.capacity_j - most_w * duration_s
+        if tanker.sysid in launched and tanker.reserve_j <= lands_j and least_j <= lands_j:
+            short.append((tanker.label, tanker.reserve_j, lands_j, share))
+    if short:
+        label, reserve_j, lands_j, share = short[0]
+        more = f", the first of {len(short)} such tankers" if len(short) > 1 else ""
+        yield ScenarioWarning(
+            "refuelling",
+            f"{label} gives until it holds {reserve_j:g} J (reserve_j){more}, and lands by itself below {lands_j:g} J, "
+            f"{100.0 * share:g} % of its battery: it is lost soon after that; raise reserve_j",
         )
 
 

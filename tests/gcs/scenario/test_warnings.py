@@ -80,6 +80,38 @@ def test_a_goal_nearer_to_the_target_than_the_ring_is_warned_of(within_m: float,
     assert about(scenario(goal=goal, formation={"ring_m": 2.0, "height_m": 1.5})) == warned
 
 
+@pytest.mark.parametrize(
+    ("changes", "warned"),
+    [
+        ({"reserve_j": 3_000.0}, "3000 J (reserve_j), and lands by itself below 3000 J, 5 % of its battery"),
+        ({"reserve_j": 3_001.0}, None),
+        ({"reserve_j": 10_000.0}, None),
+        ({"reserve_j": 10_000.0, "params": {"BAT_EMERGEN_THR": 0.2}}, "10000 J (reserve_j), and lands by itself below "
+         "12000 J, 20 % of its battery"),
+        ({"reserve_j": 3_000.0, "params": {"BAT_EMERGEN_THR": 0.0}}, None),
+        ({"reserve_j": 3_000.0, "battery": {"capacity_j": 300_000.0}}, None),  # of which 2210 W for 40 s leave 212 kJ
+    ],
+)  # fmt: skip
+def test_a_reserve_at_which_a_tanker_lands_is_warned_of(changes: dict[str, Any], warned: str | None) -> None:
+    """A twentieth of 60 kJ is 3 kJ."""
+    tanker = small()["vehicles"]["tankers"][0] | {"battery": {"capacity_j": 60_000.0}} | changes
+    said = warnings(scenario(refuelling={"enabled": True}, vehicles={"tankers": [tanker]}))
+    assert [one.text for one in said] == (
+        []
+        if warned is None
+        else [f"tanker 201 gives until it holds {warned}: it is lost soon after that; raise reserve_j"]
+    )
+    assert warnings(scenario(vehicles={"tankers": [tanker]})) == []  # with refuelling off
+
+
+def test_of_several_reserves_the_first_is_named() -> None:
+    tanker = small()["vehicles"]["tankers"][0] | {"battery": {"capacity_j": 60_000.0}, "reserve_j": 1_000.0}
+    second = tanker | {"sysid": 250, "start_m": [9.0, 9.0, 0.0]}
+    (one,) = warnings(scenario(refuelling={"enabled": True}, vehicles={"tankers": [tanker, second]}))
+    assert one.about == "refuelling"
+    assert "1000 J (reserve_j), the first of 2 such tankers, and lands by itself below 3000 J" in one.text
+
+
 @pytest.mark.parametrize(("transfer", "warned"), [(None, ["refuelling"]), (True, ["refuelling"]), (False, [])])
 def test_bases_that_nobody_may_use_are_warned_of(transfer: bool | None, warned: list[str]) -> None:
     content = small()

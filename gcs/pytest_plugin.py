@@ -149,7 +149,8 @@ def fleet(request: pytest.FixtureRequest) -> Iterator[FlyingFleet]:
 
 
 def _arguments(mark: pytest.Mark | None, kinds: Kinds) -> dict[str, Any]:
-    """What a mark gives by name, in the order of its signature or by keyword; the test fails where that cannot be."""
+    """Arguments of a mark by name, given in the order of its signature or by keyword; the test fails where they are
+    wrong."""
     if mark is None:
         return {}
     given: dict[str, Any] = {**dict(zip(kinds, mark.args, strict=False)), **mark.kwargs}

@@ -17,6 +17,7 @@ from simvehicle.mavlink.commands import (
 )
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
+from simvehicle.mavlink.plan_items import too_low
 from skytender import mavlink as mav
 
 FORCE_ARM = (21196, 2989)
@@ -104,6 +105,8 @@ def reposition(context: ServiceContext, request: VehicleCommand, connection: Con
     place = _place(context, request, or_here=True)
     speed_m_s = request.value(1, -1.0)
     if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
+        return DENIED
+    if not math.isnan(request.params[6]) and too_low(context.vehicle.home_ned[2] - place[2]):
         return DENIED
     return _result(context.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
 

@@ -4,9 +4,11 @@ reported."""
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
+from simvehicle.autopilot.mission import Leg
 from simvehicle.autopilot.modes import Severity
+from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, ServiceContext
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
@@ -98,7 +100,7 @@ class Planning:
         vehicle = self._context.vehicle
         result = mav.MAV_MISSION_ACCEPTED
         try:
-            (leg,) = legs_from([item_from(call.content)], vehicle.frame, item_0_is_home=False)
+            (leg,) = _legs(vehicle, [item_from(call.content)], item_0_is_home=False)
             place = leg.place
             if place.north_m is None or place.east_m is None or place.height_m is None:
                 raise PlanError("no place", mav.MAV_MISSION_INVALID)
@@ -116,7 +118,7 @@ def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -
     vehicle = context.vehicle
     try:
         if kind == mav.MAV_MISSION_TYPE_MISSION:
-            vehicle.load_mission(legs_from(items, vehicle.frame, item_0_is_home=vehicle.identity.item_0_is_home))
+            vehicle.load_mission(_legs(vehicle, items, item_0_is_home=vehicle.identity.item_0_is_home))
             context.set_rate("MISSION_CURRENT", CURRENT_HZ)
         elif kind == mav.MAV_MISSION_TYPE_FENCE:
             vehicle.fence = fence_from(items, vehicle.frame)
@@ -125,6 +127,10 @@ def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -
     except PlanError as error:
         vehicle.announce(Severity.WARNING, f"Plan refused: {error}")
         raise
+
+
+def _legs(vehicle: Vehicle, items: Sequence[Item], *, item_0_is_home: bool) -> tuple[Leg, ...]:
+    return legs_from(items, vehicle.frame, home_down_m=vehicle.home_ned[2], item_0_is_home=item_0_is_home)
 
 
 def _send(posts: Iterable[Post]) -> None:

@@ -67,10 +67,10 @@ def item_from(content: Any) -> Item:
     return Item(content.command, content.frame, params, x, y, content.z, content.autocontinue)
 
 
-def legs_from(items: Sequence[Item], frame: LocalFrame, *, item_0_is_home: bool) -> tuple[Leg, ...]:
-    """The legs of a mission, one per item; raises PlanError."""
+def legs_from(items: Sequence[Item], frame: LocalFrame, *, home_down_m: float, item_0_is_home: bool) -> tuple[Leg, ...]:
+    """The legs of a mission, one per item, for a vehicle whose home is there; raises PlanError."""
     return tuple(
-        Leg(Kind.HOME) if number == 0 and item_0_is_home else _leg(number, item, frame)
+        Leg(Kind.HOME) if number == 0 and item_0_is_home else _leg(number, item, frame, home_down_m)
         for number, item in enumerate(items)
     )
 
@@ -110,7 +110,12 @@ def rally_from(items: Sequence[Item], frame: LocalFrame) -> tuple[Vec3, ...]:
     return tuple(points)
 
 
-def _leg(number: int, item: Item, frame: LocalFrame) -> Leg:
+def too_low(above_home_m: float) -> bool:
+    """Whether no vehicle flies at a height; a millimetre is what a float above the sea is rounded by."""
+    return round(above_home_m, 3) < LEAST_HEIGHT_M
+
+
+def _leg(number: int, item: Item, frame: LocalFrame, home_down_m: float) -> Leg:
     kind = _KINDS.get(item.command)
     if kind is None:
         raise PlanError(f"item {number}: command {item.command} cannot be flown", mav.MAV_MISSION_UNSUPPORTED)
@@ -129,9 +134,10 @@ def _leg(number: int, item: Item, frame: LocalFrame) -> Leg:
     if kind is Kind.RETURN:
         return Leg(kind)
     place = _place(number, item, frame, may_lack_place=kind in (Kind.TAKEOFF, Kind.LAND))
-    low = place.height_m is not None and place.above_home and place.height_m < LEAST_HEIGHT_M
-    if low and kind is not Kind.LAND:
-        raise PlanError(f"item {number}: {place.height_m:g} m above home", mav.MAV_MISSION_INVALID_PARAM7)
+    if place.height_m is not None and kind is not Kind.LAND:
+        above_home_m = place.height_m + (0.0 if place.above_home else home_down_m)
+        if too_low(above_home_m):
+            raise PlanError(f"item {number}: {above_home_m:g} m above home", mav.MAV_MISSION_INVALID_PARAM7)
     if item.command in (mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_CMD_NAV_LOITER_TIME):
         hold_s = _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.0)
     if item.command == mav.MAV_CMD_NAV_WAYPOINT:

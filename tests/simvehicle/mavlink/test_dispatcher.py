@@ -157,6 +157,21 @@ def test_what_a_reposition_does_not_give_stays_as_it_is(vehicle_bench: Any) -> N
     assert bench.vehicle.p_ned == pytest.approx((north, east, -6.0), abs=0.1)
 
 
+def test_reposition_below_home_is_denied_in_each_frame(vehicle_bench: Any) -> None:
+    bench = vehicle_bench().in_air()
+    lat, lon, _ = bench.vehicle.frame.to_global(6.0, -3.0, 0.0)
+    in_degrees = (round(1e7 * lat), round(1e7 * lon))
+    before = bench.vehicle.p_ned
+    for frame, place in (
+        (mav.MAV_FRAME_GLOBAL, (*in_degrees, 100.0)),
+        (mav.MAV_FRAME_GLOBAL_RELATIVE_ALT, (*in_degrees, 0.2)),
+        (mav.MAV_FRAME_LOCAL_NED, (60_000, -30_000, 5.0)),
+    ):
+        assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 1.0, 0.0, NAN, place=place, frame=frame) == DENIED
+    bench.fly(3.0)
+    assert bench.vehicle.p_ned == pytest.approx(before, abs=0.1)
+
+
 def test_reposition_on_the_ground_is_rejected(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     bench.arm()

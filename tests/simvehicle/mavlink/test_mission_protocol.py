@@ -12,6 +12,7 @@ from simvehicle.sitl.storage import StateError, StateFile
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED = 0, 1, 2
 REL = mav.MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
+AMSL, LOCAL = mav.MAV_FRAME_GLOBAL, mav.MAV_FRAME_LOCAL_NED
 MISSION, FENCE, RALLY = 0, 1, 2
 SUPERVISOR = (255, 190)
 
@@ -354,6 +355,11 @@ def test_a_change_of_speed_by_nothing_changes_nothing(vehicle_bench: Any) -> Non
         (mav.MAV_CMD_NAV_DELAY, (-1.0, 12.0, 30.0, 0), REL, (0, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM1),
         (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, REL, (473977420, 85455940, -2.0), mav.MAV_MISSION_INVALID_PARAM7),
         (mav.MAV_CMD_NAV_TAKEOFF, (0.0,) * 4, REL, (0, 0, -1.0), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_TAKEOFF, (0.0,) * 4, AMSL, (0, 0, 488.2), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, AMSL, (473977420, 85455940, 100.0), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, 5, (473977420, 85455940, 488.2), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_LOITER_UNLIM, (0.0,) * 4, LOCAL, (100_000, 0, 0.0), mav.MAV_MISSION_INVALID_PARAM7),
+        (mav.MAV_CMD_NAV_WAYPOINT, (0.0,) * 4, LOCAL, (100_000, 0, 5.0), mav.MAV_MISSION_INVALID_PARAM7),
     ],
 )
 def test_item_that_cannot_be_flown_is_refused_by_name_and_the_old_mission_stays(
@@ -366,6 +372,26 @@ def test_item_that_cannot_be_flown_is_refused_by_name_and_the_old_mission_stays(
     assert len(download(bench)) == 1
     bench.tick()
     assert "item 1" in bench.texts[-1]
+
+
+def test_the_lowest_height_is_counted_from_home_in_every_frame(vehicle_bench: Any) -> None:
+    """0.3 m above a home at 488 m, and above one that was moved to 490 m."""
+    bench = vehicle_bench()
+    x, y = degrees_e7(bench, 3.0, 0.0)
+
+    def lowest(height_m: float) -> list[Any]:
+        places = [(REL, x, y, 0.3), (AMSL, x, y, 488.0 + height_m), (LOCAL, 30_000, 0, -height_m)]
+        return [
+            mav.MAVLink_mission_item_int_message(
+                1, 1, 0, frame, mav.MAV_CMD_NAV_WAYPOINT, 0, 1, 0, 0, 0, 0, *place, MISSION
+            )
+            for frame, *place in places
+        ]
+
+    assert upload(bench, lowest(0.3)) == ACCEPTED
+    bench.result(mav.MAV_CMD_DO_SET_HOME, place=(x, y, 490.0), frame=mav.MAV_FRAME_GLOBAL)
+    assert upload(bench, lowest(2.3)) == ACCEPTED
+    assert upload(bench, lowest(2.2)) == mav.MAV_MISSION_INVALID_PARAM7
 
 
 @pytest.mark.parametrize(("kind", "count", "result"), [(7, 1, 3), (MISSION, 65000, 4)])

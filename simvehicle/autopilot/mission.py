@@ -98,6 +98,11 @@ class Mission:
         self._set_out_anew()
         return True
 
+    def reset(self) -> None:
+        """Let one that was flown to its end go on with its last leg."""
+        if self.complete:
+            self.go_to(len(self.legs) - 1)
+
     def advance(
         self, now_s: float, p_ned: Vec3, *, landed: bool, home_ned: Vec3, radius_m: float, takeoff_m: float
     ) -> Outcome:

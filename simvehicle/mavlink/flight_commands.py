@@ -18,11 +18,13 @@ from simvehicle.mavlink.commands import (
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.context import Call, CommandHandler, MessageHandler, ServiceContext
 from simvehicle.mavlink.plan_items import too_low
+from simvehicle.mavlink.telemetry import message_of
 from skytender import mavlink as mav
 
 FORCE_ARM = (21196, 2989)
 FASTEST_M_S = 1e3
 FARTHEST_M = 1e6
+_PRESENT_ITEM = -1.0
 _EVENT_OF_MODE = {
     Mode.OFFBOARD: Trigger.OFFBOARD,
     Mode.HOLD: Trigger.HOLD,
@@ -202,10 +204,22 @@ def pause_or_continue(context: ServiceContext, request: VehicleCommand, connecti
 
 
 def set_mission_item(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    mission = context.vehicle.mission
-    if mission is None:
-        return TEMPORARILY_REJECTED
-    return ACCEPTED if mission.go_to(request.whole(1, -1)) else DENIED
+    """MAV_CMD_DO_SET_MISSION_CURRENT: param1 the item, -1 for the present one; param2 1 resets the mission."""
+    vehicle, mission = context.vehicle, context.vehicle.mission
+    number, reset = request.value(1, math.inf), request.value(2, 0.0)
+    if reset not in (0.0, 1.0):
+        return DENIED
+    if mission is None or not math.isfinite(number):
+        return FAILED
+    if number != _PRESENT_ITEM and not mission.go_to(round(number)):
+        return FAILED
+    if reset:
+        mission.reset()
+    for each in context.connections:
+        if each is not connection:
+            each.streams.hasten("MISSION_CURRENT", vehicle.time_ms)
+    context.after_ack.append(message_of(vehicle, "MISSION_CURRENT"))
+    return ACCEPTED
 
 
 def transfer(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:

@@ -13,11 +13,14 @@ from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, ServiceContext
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
 from simvehicle.mavlink.plan_items import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
+from simvehicle.mavlink.telemetry import message_of
 from skytender import mavlink as mav
 
 GUIDED_ITEM = 2
 """MISSION_ITEM.current of an item that is no part of a mission: fly there now."""
 CURRENT_HZ = 1.0
+STOPPED_US = -1
+"""MESSAGE_INTERVAL of a message that is not streamed."""
 
 
 class Planning:
@@ -69,6 +72,8 @@ class Planning:
                 if mission is None or not mission.go_to(content.seq):
                     self._context.vehicle.announce(Severity.WARNING, f"Mission has no item {content.seq}")
                 self._send_current()
+                if channel.streams.interval_us(mav.MAVLINK_MSG_ID_MISSION_CURRENT) == STOPPED_US:
+                    channel.put(message_of(self._context.vehicle, "MISSION_CURRENT"))
 
     @property
     def at_work(self) -> bool:

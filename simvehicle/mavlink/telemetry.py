@@ -76,7 +76,7 @@ class Stream(NamedTuple):
     rate_hz: float
 
 
-UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0, "CURRENT_MODE": 0.5}
+UNPROMPTED = {"ATTITUDE_QUATERNION": 10.0, "VFR_HUD": 4.0, "ALTITUDE": 2.0, "MISSION_CURRENT": 1.0, "CURRENT_MODE": 0.5}
 """Streams beside the table's own rates, in Hz, for plain connections: QGroundControl requests none from a PX4."""
 
 TELEMETRY: tuple[Stream, ...] = (
@@ -341,15 +341,15 @@ def _follow_target(v: Any, m: Any) -> None:
 
 
 def _mission_current(v: Any, m: Any) -> None:
-    """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end."""
-    length, index, state = 0, 0, 1
-    if v.mission is not None:
-        length, index = len(v.mission.legs), v.mission.index
-    if length:
-        flown = v.mode is _MISSION and v.armed
+    """MISSION_CURRENT, in the words of MISSION_STATE: 1 none, 2 not begun, 3 flown, 4 paused, 5 flown to its end. Home
+    is no item of the total."""
+    length = 0 if v.mission is None else len(v.mission.legs)
+    items = length - 1 if v.identity.item_0_is_home else length
+    m.seq, m.total, m.mission_state, m.mission_mode = 0, UNKNOWN_U16, 1, 2 - (v.mode is _MISSION)
+    if items > 0:
+        index, flown = v.mission.index, v.mode is _MISSION and v.armed
         state = 5 if index >= length else 3 if flown else 4 if index else 2
-    m.seq, m.total, m.mission_state = max(min(index, length - 1), 0), length, state
-    m.mission_mode = 2 - (v.mode is _MISSION)
+        m.seq, m.total, m.mission_state = min(index, length - 1), items, state
 
 
 def _attitude_quaternion(v: Any, m: Any) -> None:

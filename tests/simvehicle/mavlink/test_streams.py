@@ -8,7 +8,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.mavlink.connection import Connection
-from simvehicle.mavlink.telemetry import TELEMETRY
+from simvehicle.mavlink.telemetry import TELEMETRY, UNPROMPTED
 
 SET, GET = mav.MAV_CMD_SET_MESSAGE_INTERVAL, mav.MAV_CMD_GET_MESSAGE_INTERVAL
 ACCEPTED, DENIED, UNSUPPORTED = 0, 2, 3
@@ -29,6 +29,13 @@ def test_everything_is_streamed_unprompted_at_its_rate(vehicle_bench: Any) -> No
     assert told == {s.key: round(10 * s.rate_hz) for s in TELEMETRY if s.rate_hz}
     least_hz = {"HEARTBEAT": 1.0, "EXTENDED_SYS_STATE": 1.0, "HOME_POSITION": 0.5, "BATTERY_STATUS": 0.5}
     assert all(told[key] >= 10 * rate for key, rate in least_hz.items())
+
+
+def test_the_present_item_is_streamed_on_plain_links_also_without_a_mission(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    for key, rate_hz in UNPROMPTED.items():
+        bench.connection.streams.set_default(key, rate_hz)
+    assert count(bench)["MISSION_CURRENT"] == 10
 
 
 def test_interval_is_set_stopped_and_restored(vehicle_bench: Any) -> None:

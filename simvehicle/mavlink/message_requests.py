@@ -34,15 +34,13 @@ def set_interval(context: ServiceContext, request: VehicleCommand, connection: C
 
 
 def get_interval(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    interval_us = connection.streams.interval_us(request.whole(1, -1))
-    if interval_us is None:
-        return UNSUPPORTED
-    context.after_ack.append(message("MESSAGE_INTERVAL")(message_id=request.whole(1), interval_us=interval_us))
-    return ACCEPTED
+    return _answer_with_interval(context, request.whole(1, -1), connection)
 
 
 def request_message(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     msgid = request.whole(1, -1)
+    if msgid == mav.MAVLINK_MSG_ID_MESSAGE_INTERVAL:
+        return _answer_with_interval(context, request.whole(2, -1), connection)
     if msgid in (mav.MAVLINK_MSG_ID_COMPONENT_METADATA, mav.MAVLINK_MSG_ID_CURRENT_EVENT_SEQUENCE):
         context.events.listen(connection)
     return _answer_with(context, msgid, request.whole(2))
@@ -51,6 +49,14 @@ def request_message(context: ServiceContext, request: VehicleCommand, connection
 def requests(msgid: int) -> CommandHandler:
     """The handler of a command that asks for one message, whatever its parameters."""
     return lambda context, _request, _connection: _answer_with(context, msgid)
+
+
+def _answer_with_interval(context: ServiceContext, msgid: int, connection: Connection) -> int:
+    interval_us = connection.streams.interval_us(msgid)
+    if interval_us is None:
+        return UNSUPPORTED
+    context.after_ack.append(message("MESSAGE_INTERVAL")(message_id=msgid, interval_us=interval_us))
+    return ACCEPTED
 
 
 def _answer_with(context: ServiceContext, msgid: int, index: int = 0) -> int:

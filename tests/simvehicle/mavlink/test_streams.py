@@ -83,13 +83,16 @@ def test_stream_that_is_none_is_unsupported(vehicle_bench: Any, msgid: float) ->
     bench = vehicle_bench()
     assert bench.result(SET, msgid, 1e5) == UNSUPPORTED
     assert bench.result(GET, msgid) == UNSUPPORTED
+    assert bench.result(mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_MESSAGE_INTERVAL, msgid) == UNSUPPORTED
 
 
 def test_interval_is_told(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     for interval_us, told_us in ((0.0, 100_000), (50_000.0, 50_000), (-1.0, -1)):
         bench.command(SET, ATTITUDE, interval_us)
-        assert bench.command(GET, ATTITUDE)[1].interval_us == told_us
+        for asked in ((GET,), (mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_MESSAGE_INTERVAL)):
+            ack, told = bench.command(*asked, ATTITUDE)
+            assert (ack.result, told.message_id, told.interval_us) == (ACCEPTED, ATTITUDE, told_us)
 
 
 def test_each_connection_has_its_own_rates_and_numbers(vehicle_bench: Any) -> None:

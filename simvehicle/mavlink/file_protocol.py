@@ -2,9 +2,10 @@
 
 Rules:
 1. Each station has one session, 0, of the last MOST_OPEN that opened one. OpenFileRO opens it and says how long the
-   file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it.
+   file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it; with a
+   session that is not open TerminateSession, ReadFile and BurstReadFile are NAK, invalid session, and change nothing.
 2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
-3. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
+3. None is ACK. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
 """
 
@@ -22,7 +23,7 @@ from skytender import mavlink as mav
 
 MESSAGE = mav.MAVLINK_MSG_ID_FILE_TRANSFER_PROTOCOL
 PIECE_BYTES = 239
-TERMINATE, RESET, OPEN, READ, BURST, ACK, NAK = 1, 2, 4, 5, 15, 128, 129
+NONE, TERMINATE, RESET, OPEN, READ, BURST, ACK, NAK = 0, 1, 2, 4, 5, 15, 128, 129
 INVALID_SESSION, END_OF_FILE, UNKNOWN_COMMAND, NOT_FOUND = 4, 6, 7, 10
 MOST_OPEN = 8
 """[choice] Stations that have a file open at once; a further one takes the place of the one that opened first."""
@@ -77,22 +78,25 @@ class FileService:
     def receive(self, call: Call) -> None:
         """Act on a FILE_TRANSFER_PROTOCOL."""
         asked, sender = _Request.of(bytes(call.content.payload)), call.sender
-        self._bursts.pop(sender, None)
         to, file = (call.connection, sender, asked), self._files.get(sender)
-        if asked.opcode not in (TERMINATE, RESET, OPEN, READ, BURST):
-            _answer(*to, refusal=UNKNOWN_COMMAND)
+        if asked.opcode in (TERMINATE, READ, BURST) and (file is None or asked.session):
+            _answer(*to, refusal=INVALID_SESSION)
+            return
+        self._bursts.pop(sender, None)
+        if asked.opcode == NONE:
+            _answer(*to)
         elif asked.opcode in (TERMINATE, RESET):
             self._files.pop(sender, None)
             _answer(*to)
         elif asked.opcode == OPEN:
             self._open(asked.data.rstrip(b"\0"), *to)
-        elif file is None or asked.session:
-            _answer(*to, refusal=INVALID_SESSION)
-        elif asked.opcode == READ:
+        elif asked.opcode == READ and file is not None:
             piece = file.piece(asked, asked.offset)
             _answer(*to, data=piece, offset=asked.offset, refusal=0 if piece else END_OF_FILE)
-        else:
+        elif asked.opcode == BURST and file is not None:
             self._bursts[sender] = _Burst(call.connection, asked, file)
+        else:
+            _answer(*to, refusal=UNKNOWN_COMMAND)
 
     @property
     def at_work(self) -> bool:

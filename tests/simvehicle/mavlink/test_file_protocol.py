@@ -23,7 +23,7 @@ Answer = tuple[int, int, int, bytes]
 """(opcode, number, offset, data)"""
 
 
-def read(messages: list[Any], asked: int | None = None) -> list[Answer]:
+def read(messages: list[Any], asked: int | None = None, in_session: int = 0) -> list[Answer]:
     """MAVFTP's answers; those to a request name it and its session."""
     found = []
     for message in messages:
@@ -31,15 +31,18 @@ def read(messages: list[Any], asked: int | None = None) -> list[Answer]:
             assert (message.target_system, message.target_component) == (255, 190)
             raw = bytes(message.payload)
             number, session, opcode, size, of, _, offset = struct.unpack_from("<HBBBBBxI", raw)
-            assert asked is None or (session, of) == (0, asked)
+            assert asked is None or (session, of) == (in_session, asked)
             found.append((opcode, number, offset, raw[12 : 12 + size]))
     return found
 
 
-def ask(bench: Any, opcode: int, data: bytes = b"", *, offset: int = 0, size: int = 0) -> list[Answer]:
-    head = struct.pack("<HBBBBBxI", 70, 0, opcode, size or len(data), 0, 0, offset)
+def ask(
+    bench: Any, opcode: int, data: bytes = b"", *, session: int = 0, offset: int = 0, size: int = 0
+) -> list[Answer]:
+    head = struct.pack("<HBBBBBxI", 70, session, opcode, size or len(data), 0, 0, offset)
     payload = (head + data).ljust(251, b"\0")
-    return read(bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload))), opcode)
+    answers = bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload)))
+    return read(answers, opcode, session)
 
 
 def test_the_log_is_opened_and_read_piece_by_piece(vehicle_bench: Any) -> None:
@@ -80,6 +83,28 @@ def test_stations_read_their_own_files(vehicle_bench: Any) -> None:
         assert ask(bench, READ, offset=40, size=20) == [(ACK, 71, 40, CONTENT[40:60])]
 
 
+def test_a_session_that_is_not_open_is_invalid_and_nothing_else_is_closed(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
+    invalid = [(NAK, 71, 0, bytes([INVALID_SESSION]))]
+    assert ask(bench, TERMINATE) == invalid
+    ask(bench, OPEN, b"@LOG/4")
+    ask(bench, BURST, size=239)
+    for opcode in (TERMINATE, READ, BURST):
+        assert ask(bench, opcode, session=9) == invalid
+    burst = [answer for _ in range(10) for answer in read(bench.tick())]
+    assert b"".join(data for opcode, _, _, data in burst if opcode == ACK) == CONTENT
+    assert ask(bench, TERMINATE) == [(ACK, 71, 0, b"")]
+    assert ask(bench, TERMINATE) == invalid
+
+
+def test_none_is_acknowledged_also_without_a_session(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(log=WrittenLog(CONTENT))
+    assert ask(bench, 0) == [(ACK, 71, 0, b"")]
+    ask(bench, OPEN, b"@LOG/4")
+    assert ask(bench, 0) == [(ACK, 71, 0, b"")]
+    assert ask(bench, READ, size=239) == [(ACK, 71, 0, CONTENT[:239])]
+
+
 def test_whatever_else_is_asked_ends_a_burst(vehicle_bench: Any) -> None:
     bench = vehicle_bench(log=WrittenLog(CONTENT))
     ask(bench, OPEN, b"@LOG/4")
@@ -97,7 +122,7 @@ def test_nothing_but_the_log_is_there(vehicle_bench: Any, path: bytes) -> None:
     assert ask(bench, READ, size=239)[0][::3] == (NAK, bytes([INVALID_SESSION]))
 
 
-@pytest.mark.parametrize("opcode", [LIST, CREATE, WRITE, REMOVE, RENAME, 9, 10, 11, 12, 14, 0, 99, 255])
+@pytest.mark.parametrize("opcode", [LIST, CREATE, WRITE, REMOVE, RENAME, 9, 10, 11, 12, 14, 99, 255])
 def test_nothing_is_written_or_looked_for(vehicle_bench: Any, opcode: int) -> None:
     log = WrittenLog(CONTENT)
     for bench in (vehicle_bench(log=log), vehicle_bench()):

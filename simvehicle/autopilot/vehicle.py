@@ -227,12 +227,15 @@ class Vehicle(Body):
         self._anchor = replace(self._anchor, down_m=self._takeoff_down_m)
         return self.trigger(Trigger.TAKEOFF)
 
-    def reposition(self, p_ned: Vec3, speed_m_s: float | None = None) -> bool:
-        """Hold at another place, flying there no faster than asked; False where the vehicle is not flying."""
+    def reposition(self, p_ned: Vec3, speed_m_s: float | None = None, yaw_ned_rad: float = math.nan) -> bool:
+        """Hold at another place, flying there no faster than asked, with a yaw (NaN: as it is); False where the vehicle
+        is not flying."""
         hold = Trigger.GUIDED_HOLD if self.identity.guided else Trigger.HOLD
         if self.landed or not self.armed or not self.trigger(hold):
             return False
         self._anchor = replace(self._anchor, p_ned=p_ned, speed_m_s=speed_m_s)
+        if not isnan(yaw_ned_rad):
+            self.yaw_ned = math.remainder(yaw_ned_rad, math.tau)
         return True
 
     def change_speed(self, speed_m_s: float | None) -> None:

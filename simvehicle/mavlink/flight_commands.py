@@ -25,6 +25,9 @@ FORCE_ARM = (21196, 2989)
 FASTEST_M_S = 1e3
 FARTHEST_M = 1e6
 _PRESENT_ITEM = -1.0
+_CHANGE_MODE = mav.MAV_DO_REPOSITION_FLAGS_CHANGE_MODE
+_RELATIVE_YAW = mav.MAV_DO_REPOSITION_FLAGS_RELATIVE_YAW
+_REPOSITION_FLAGS = _CHANGE_MODE | _RELATIVE_YAW
 _EVENT_OF_MODE = {
     Mode.OFFBOARD: Trigger.OFFBOARD,
     Mode.HOLD: Trigger.HOLD,
@@ -104,13 +107,23 @@ def _place(context: ServiceContext, request: VehicleCommand, *, or_here: bool = 
 
 
 def reposition(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
+    """MAV_CMD_DO_REPOSITION: hold at another place, and there with another yaw; it changes the mode only where its
+    flags say so."""
+    vehicle, identity = context.vehicle, context.vehicle.identity
     place = _place(context, request, or_here=True)
-    speed_m_s = request.value(1, -1.0)
+    speed_m_s, yaw_rad, flags = request.value(1, -1.0), request.params[3], request.whole(2)
     if place is None or not -1.0 <= speed_m_s < FASTEST_M_S:
         return DENIED
-    if not math.isnan(request.params[6]) and too_low(context.vehicle.home_ned[2] - place[2]):
+    if not math.isnan(request.params[6]) and too_low(vehicle.home_ned[2] - place[2]):
         return DENIED
-    return _result(context.vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None))
+    if flags & ~_REPOSITION_FLAGS or math.isinf(yaw_rad):
+        return DENIED
+    holding = Mode.GUIDED if identity.guided else Mode.HOLD
+    if not flags & _CHANGE_MODE and identity.spoken[vehicle.mode] != identity.spoken[holding]:
+        return DENIED
+    if flags & _RELATIVE_YAW:
+        yaw_rad += vehicle.attitude_ned[2]
+    return _result(vehicle.reposition(place, speed_m_s if speed_m_s > 0.0 else None, yaw_rad))
 
 
 def change_speed(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.mission import Kind, Leg, Place
 from simvehicle.mavlink.dispatcher import COMMANDS
 from simvehicle.mavlink.telemetry import TELEMETRY
 
@@ -170,6 +171,47 @@ def test_reposition_below_home_is_denied_in_each_frame(vehicle_bench: Any) -> No
         assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, 1.0, 0.0, NAN, place=place, frame=frame) == DENIED
     bench.fly(3.0)
     assert bench.vehicle.p_ned == pytest.approx(before, abs=0.1)
+
+
+@pytest.mark.parametrize("unknown", [4.0, -1.0, 255.0])
+def test_reposition_with_flags_or_a_yaw_that_are_none_is_denied(vehicle_bench: Any, unknown: float) -> None:
+    bench = vehicle_bench().in_air()
+    for flags, yaw in ((unknown, NAN), (1.0, math.inf)):
+        assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, flags, 0.0, yaw, NAN, NAN, HOME_AMSL + 3.0) == DENIED
+
+
+def test_a_reposition_turns_the_vehicle_where_a_yaw_is_given(vehicle_bench: Any) -> None:
+    """To a quarter turn from north, by half a turn from there, and not at all."""
+    bench = vehicle_bench().in_air()
+    absolute, relative = 1.0, 3.0
+    for flags, yaw, flown in (
+        (absolute, 0.5 * math.pi, 0.5 * math.pi),
+        (relative, -math.pi, -0.5 * math.pi),
+        (absolute, NAN, -0.5 * math.pi),
+    ):
+        assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1.0, flags, 0.0, yaw, NAN, NAN, NAN) == ACCEPTED
+        bench.fly(8.0)
+        assert bench.of("ATTITUDE")[-1].yaw == pytest.approx(flown, abs=0.05)
+
+
+@pytest.mark.parametrize(
+    ("autopilot", "mission", "after"), [("px4", (4.0, 4.0), "hold"), ("ardupilot", (3.0,), "guided")]
+)
+def test_a_reposition_changes_the_mode_only_where_its_flags_say_so(
+    vehicle_bench: Any, autopilot: str, mission: tuple[float, ...], after: str
+) -> None:
+    """A vehicle that flies its mission goes on with it, as an ArduPilot does; a PX4 refuses too."""
+    bench = vehicle_bench(autopilot=autopilot)
+    bench.in_air_guided() if autopilot == "ardupilot" else bench.in_air()
+    go = (mav.MAV_CMD_DO_REPOSITION, -1.0)
+    rest = (0.0, NAN, NAN, NAN, HOME_AMSL + 3.0)
+    assert bench.result(*go, 0.0, *rest) == ACCEPTED
+    bench.vehicle.load_mission([Leg(Kind.WAYPOINT, Place(30.0, 0.0, 3.0))])
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, *mission) == ACCEPTED
+    assert bench.result(*go, 0.0, *rest) == bench.result(*go, 2.0, *rest) == DENIED
+    assert bench.vehicle.mode == "mission"
+    assert bench.result(*go, 1.0, *rest) == ACCEPTED
+    assert bench.vehicle.mode == after
 
 
 def test_reposition_on_the_ground_is_rejected(vehicle_bench: Any) -> None:

@@ -4,6 +4,7 @@ The rules of an upload:
 1. MISSION_COUNT opens it; items are asked for one after the other by MISSION_REQUEST_INT, and taken only in that order.
    An item with another number is not taken; the one that is missing is asked for again.
 2. The plan in force stays until the last item has come and the whole is accepted; what is refused changes nothing.
+   An item that no plan can have is refused when it comes, so that the sender knows which one it is.
 3. A request without an answer is repeated every 0.5 s; after five of them the upload is given up, and said so.
 4. The last item, repeated because the acknowledgement was lost, is acknowledged again.
 5. One upload at a time: a count from the same sender begins it again; a count or a clearing from another sender is
@@ -27,6 +28,8 @@ KINDS = (mav.MAV_MISSION_TYPE_MISSION, mav.MAV_MISSION_TYPE_FENCE, mav.MAV_MISSI
 Peer = tuple[int, int]
 AcceptPlan = Callable[[int, tuple[Item, ...]], None]
 """Puts a plan of a kind (MAV_MISSION_TYPE) in force, or raises PlanError."""
+CheckItem = Callable[[int, int, Item], None]
+"""Raises PlanError for an item, by its kind of plan and its number, that cannot be taken."""
 
 
 class Post(NamedTuple):
@@ -57,9 +60,9 @@ class _Upload:
 class MissionProtocol:
     """The plans in force, as items, and the upload under way; `channel` is whatever its answers are to be put on."""
 
-    def __init__(self, accept: AcceptPlan) -> None:
+    def __init__(self, accept: AcceptPlan, check: CheckItem) -> None:
         self.plans: dict[int, tuple[Item, ...]] = dict.fromkeys(KINDS, ())
-        self._accept = accept
+        self._accept, self._check = accept, check
         self._upload: _Upload | None = None
         self._finished: tuple[Peer, int, int] | None = None
 
@@ -88,10 +91,12 @@ class MissionProtocol:
         if content.seq > len(upload.items):
             return [upload.request(now_s)]
         try:
-            upload.items.append(item_from(content))
+            item = item_from(content)
+            self._check(upload.kind, content.seq, item)
         except PlanError as error:
             self._upload = None
             return [_ack(peer, channel, upload.kind, error.result)]
+        upload.items.append(item)
         upload.retries = 0
         if len(upload.items) < upload.total:
             return [upload.request(now_s)]

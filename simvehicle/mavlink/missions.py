@@ -4,7 +4,7 @@ reported."""
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from simvehicle.autopilot.mission import Leg
 from simvehicle.autopilot.modes import Severity
@@ -12,7 +12,17 @@ from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, ServiceContext
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
-from simvehicle.mavlink.plan_items import Item, PlanError, fence_from, item_from, item_of, legs_from, rally_from, row_of
+from simvehicle.mavlink.plan_items import (
+    Item,
+    PlanError,
+    check_item,
+    fence_from,
+    item_from,
+    item_of,
+    legs_from,
+    rally_from,
+    row_of,
+)
 from simvehicle.mavlink.telemetry import message_of
 from skytender import mavlink as mav
 
@@ -28,12 +38,20 @@ class Planning:
 
     def __init__(self, context: ServiceContext) -> None:
         self._context = context
-        self.protocol = MissionProtocol(self._accept)
+        self.protocol = MissionProtocol(self._accept, self._check)
 
     def _accept(self, kind: int, items: tuple[Item, ...]) -> None:
         _put_in_force(self._context, kind, items)
         if self._context.store is not None:
             self._context.store.keep_plan(kind, map(row_of, items))
+
+    def _check(self, kind: int, number: int, item: Item) -> None:
+        vehicle = self._context.vehicle
+        with _refusals_announced(vehicle):
+            item_0_is_home = vehicle.identity.item_0_is_home
+            check_item(
+                kind, number, item, vehicle.frame, home_down_m=vehicle.home_ned[2], item_0_is_home=item_0_is_home
+            )
 
     def restart(self) -> None:
         """Have what the store has kept, and nothing else; a plan that is refused now is none."""
@@ -121,7 +139,7 @@ class Planning:
 def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:
     """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
     vehicle = context.vehicle
-    try:
+    with _refusals_announced(vehicle):
         if kind == mav.MAV_MISSION_TYPE_MISSION:
             vehicle.load_mission(_legs(vehicle, items, item_0_is_home=vehicle.identity.item_0_is_home))
             context.set_rate("MISSION_CURRENT", CURRENT_HZ)
@@ -129,6 +147,12 @@ def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -
             vehicle.fence = fence_from(items, vehicle.frame)
         else:
             vehicle.rally_ned = rally_from(items, vehicle.frame)
+
+
+@contextlib.contextmanager
+def _refusals_announced(vehicle: Vehicle) -> Iterator[None]:
+    try:
+        yield
     except PlanError as error:
         vehicle.announce(Severity.WARNING, f"Plan refused: {error}")
         raise

@@ -81,20 +81,15 @@ def fence_from(items: Sequence[Item], frame: LocalFrame) -> Fence:
     outside: list[Circle | Polygon] = []
     at = 0
     while at < len(items):
-        item, more = items[at], 1
+        item, more, size = items[at], 1, _size(at, items[at])
         if item.command in _CIRCLES:
-            radius_m = _number(item.params[0], at, mav.MAV_MISSION_INVALID_PARAM1, least=0.1)
-            area: Circle | Polygon = Circle(_point(at, item, frame), radius_m)
-        elif item.command in _POLYGONS:
-            more = int(_number(item.params[0], at, mav.MAV_MISSION_INVALID_PARAM1, least=3.0))
+            area: Circle | Polygon = Circle(_point(at, item, frame), size)
+        else:
+            more = int(size)
             corners = items[at : at + more]
             if len(corners) < more or any(c.command != item.command or c.params[0] != item.params[0] for c in corners):
                 raise PlanError(f"item {at}: a polygon of {more} corners needs them all", mav.MAV_MISSION_INVALID)
             area = Polygon(tuple(_point(at + i, corner, frame) for i, corner in enumerate(corners)))
-        elif item.command == mav.MAV_CMD_NAV_FENCE_RETURN_POINT:
-            raise PlanError(f"item {at}: no return point; GF_ACTION says what happens", mav.MAV_MISSION_UNSUPPORTED)
-        else:
-            raise PlanError(f"item {at}: command {item.command} is no fence", mav.MAV_MISSION_UNSUPPORTED)
         (inside if item.command in _INCLUSIONS else outside).append(area)
         at += more
     return Fence(tuple(inside), tuple(outside))
@@ -102,12 +97,37 @@ def fence_from(items: Sequence[Item], frame: LocalFrame) -> Fence:
 
 def rally_from(items: Sequence[Item], frame: LocalFrame) -> tuple[Vec3, ...]:
     """Rally points in the local frame; their height is not used, because a return has its own."""
-    points = []
-    for number, item in enumerate(items):
-        if item.command != mav.MAV_CMD_NAV_RALLY_POINT:
-            raise PlanError(f"item {number}: command {item.command} is no rally point", mav.MAV_MISSION_UNSUPPORTED)
-        points.append((*_point(number, item, frame), 0.0))
-    return tuple(points)
+    return tuple(_rally_point(number, item, frame) for number, item in enumerate(items))
+
+
+def check_item(
+    kind: int, number: int, item: Item, frame: LocalFrame, *, home_down_m: float, item_0_is_home: bool
+) -> None:
+    """Raise PlanError for an item that no plan of this kind (MAV_MISSION_TYPE) can have, whatever comes after it."""
+    if kind == mav.MAV_MISSION_TYPE_FENCE:
+        _size(number, item)
+        _point(number, item, frame)
+    elif kind == mav.MAV_MISSION_TYPE_RALLY:
+        _rally_point(number, item, frame)
+    elif number or not item_0_is_home:
+        _leg(number, item, frame, home_down_m)
+
+
+def _size(number: int, item: Item) -> float:
+    """Radius of a fence's circle (m), or how many corners a polygon has."""
+    if item.command in _CIRCLES:
+        return _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=0.1)
+    if item.command in _POLYGONS:
+        return _number(item.params[0], number, mav.MAV_MISSION_INVALID_PARAM1, least=3.0)
+    if item.command == mav.MAV_CMD_NAV_FENCE_RETURN_POINT:
+        raise PlanError(f"item {number}: no return point; GF_ACTION says what happens", mav.MAV_MISSION_UNSUPPORTED)
+    raise PlanError(f"item {number}: command {item.command} is no fence", mav.MAV_MISSION_UNSUPPORTED)
+
+
+def _rally_point(number: int, item: Item, frame: LocalFrame) -> Vec3:
+    if item.command != mav.MAV_CMD_NAV_RALLY_POINT:
+        raise PlanError(f"item {number}: command {item.command} is no rally point", mav.MAV_MISSION_UNSUPPORTED)
+    return (*_point(number, item, frame), 0.0)
 
 
 def too_low(above_home_m: float) -> bool:

@@ -224,6 +224,8 @@ class PlanClient:
         if self._writing and self._sent and self.items and result in _OF_ITEMS:
             at = self._sent - 1
             self.why += f" to item {self._first + at}, {mav.command_name(self.items[at].command)}"
+            if 1 < len(self.items) == self._sent:  # some autopilots look at a plan when they have all of it
+                self.why += ", or to the plan as a whole"
         elif result in _MEAN:
             self.why += f": {_MEAN[result]}"
         if result == mav.MAV_MISSION_INVALID_SEQUENCE and self._writing:

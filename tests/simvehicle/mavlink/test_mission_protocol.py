@@ -393,6 +393,24 @@ def test_the_lowest_height_is_counted_from_home_in_every_frame(vehicle_bench: An
     assert upload(bench, lowest(2.2)) == mav.MAV_MISSION_INVALID_PARAM7
 
 
+@pytest.mark.parametrize(
+    ("kind", "command"),
+    [
+        (MISSION, mav.MAV_CMD_DO_JUMP),
+        (FENCE, mav.MAV_CMD_NAV_FENCE_RETURN_POINT),
+        (RALLY, mav.MAV_CMD_NAV_WAYPOINT),
+    ],
+)
+def test_item_that_no_plan_can_have_is_refused_when_it_comes(vehicle_bench: Any, kind: int, command: int) -> None:
+    bench = vehicle_bench()
+    bad = item(bench, command, (5.0, 0.0, 2.0), kind=kind)
+    bench.send(mav.MAVLink_mission_count_message(1, 1, 3, kind))
+    ack = answer(bench.send(bad))
+    assert (ack.get_type(), ack.type, ack.mission_type) == ("MISSION_ACK", mav.MAV_MISSION_UNSUPPORTED, kind)
+    assert not [m for m in bench.tick(30) if m.get_type() == "MISSION_REQUEST_INT"]
+    assert bench.texts[0].startswith("Plan refused: item 0: ")
+
+
 @pytest.mark.parametrize(("kind", "count", "result"), [(7, 1, 3), (MISSION, 65000, 4)])
 def test_plan_of_unknown_kind_or_too_great_is_refused(vehicle_bench: Any, kind: int, count: int, result: int) -> None:
     ack = answer(vehicle_bench().send(mav.MAVLink_mission_count_message(1, 1, count, kind)))

@@ -256,6 +256,17 @@ def test_a_refused_item_is_named() -> None:
     assert (client.outcome, client.why) == ("refused", "it answered MAV_MISSION_INVALID_PARAM4 to item 4, NAV_WAYPOINT")
 
 
+def test_a_refusal_after_the_last_item_may_be_of_the_whole_plan() -> None:
+    client, vehicle = PlanClient(3, 1, MISSION, ROUTE[:3], first=1), Vehicle(kind=MISSION)
+    now_s = 0.0
+    while not client.done:
+        if vehicle.asked.count("MISSION_ITEM_INT") == 2:
+            vehicle.answer_with = mav.MAV_MISSION_UNSUPPORTED
+        exchange(client, vehicle, now_s)
+        now_s += 0.1
+    assert client.why == "it answered MAV_MISSION_UNSUPPORTED to item 3, NAV_WAYPOINT, or to the plan as a whole"
+
+
 def test_an_item_out_of_turn_is_no_reason_for_a_silence_that_comes_later() -> None:
     client, vehicle = PlanClient(3, 1, MISSION, ROUTE), Vehicle(kind=MISSION)
     now_s = 0.0

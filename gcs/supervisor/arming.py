@@ -123,7 +123,7 @@ class ArmingSequence:
 
     def order(self, mode: End) -> None:
         """An operator wants it to hold, return or land, and to be left alone then."""
-        self.ordered, self._order_sent = mode, False
+        self.ordered, self.released, self._order_sent = mode, False, False
         self.touched.add(self.sysid)
 
     def go_on_mission(self, mission: Mission) -> None:

@@ -47,6 +47,19 @@ def test_who_is_taken_gets_the_command_and_no_set_points(session: Any, order: st
     ]
 
 
+def test_who_was_released_is_the_operators_by_an_order_and_may_be_released_again(session: Any) -> None:
+    arming = session.supervisor.arming[1]
+    assert taken(session, "release", sysid=1)
+    assert not taken(session, "release", sysid=1)
+    session.fly(2)
+    assert taken(session, "hold", sysid=1)
+    session.fly(2)
+    assert commands(session, 1) == [176]
+    assert (arming.ordered, arming.released) == ("hold", False)
+    assert taken(session, "release", sysid=1)
+    assert (arming.ordered, arming.released) == (None, True)
+
+
 def test_who_rejoins_gets_set_points_again(session: Any) -> None:
     assert taken(session, "hold", sysid=1)
     session.link.vehicles[1, 1].custom_mode = HOLD

@@ -10,6 +10,7 @@ import msgspec
 from msgspec import UNSET, UnsetType
 
 from gcs.link.quality import LinkQuality
+from gcs.mavlink import autopilots
 from gcs.missions.items import GlobalPlace, MissionItem, MissionPlan
 from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
@@ -67,7 +68,7 @@ def vehicle_row(
     quality: LinkQuality,
     *,
     down: bool = False,
-    ordered: bool = False,
+    ordered: autopilots.End | None = None,
     unanswered_s: float = 0.0,
 ) -> VehicleRow:
     """One vehicle at `now_s`: its state, link and health (gcs/telemetry/health.py). Its place in the plan is left open.
@@ -225,6 +226,14 @@ def states_of(
     }
 
 
+def ordered_and_down(supervisor: Supervisor, view: VehicleView) -> tuple[autopilots.End | None, bool]:
+    """What a vehicle is wanted to fly instead of the plan, and whether it is down, as `health_issues` takes them."""
+    arming = supervisor.arming[view.sysid]
+    ordered = arming.ordered or ("land" if view.sysid in supervisor.grounded else None)
+    lost = view.sysid in supervisor.goal_watch.lost and not view.flying
+    return ordered, lost or (arming.down and ordered is None)
+
+
 def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
     """The part of the present `snapshot_message` that is kept for later clients."""
     return {
@@ -246,8 +255,7 @@ def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list
     rows = []
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
-        ordered = arming.ordered is not None or sysid in supervisor.grounded
-        down = arming.down or (sysid in supervisor.goal_watch.lost and not view.flying)
+        ordered, down = ordered_and_down(supervisor, view)
         waited_s = unanswered_s.get(sysid, 0.0)
         row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=down, ordered=ordered, unanswered_s=waited_s)
         notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]

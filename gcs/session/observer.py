@@ -221,7 +221,7 @@ class Observer:
         """Health of each vehicle as a snapshot at `t_s` would report it."""
         found = {}
         for view in map(self._seen, self.view(t_s).vehicles):
-            share, ordered = self.quality.lost_share(view.sysid), view.sysid in self.ordered
+            share, ordered = self.quality.lost_share(view.sysid), self.ordered.get(view.sysid)
             down = self._is_down(view)
             found[view.sysid] = health(health_issues(view, t_s, lost_share=share, down=down, ordered=ordered))
         return found
@@ -389,7 +389,7 @@ class Observer:
         for reported in snapshot.vehicles:
             adapter, view = self._adapter(reported.sysid), self._seen(reported)
             row = vehicle_row(
-                view, snapshot.time_s, self.quality, down=self._is_down(view), ordered=view.sysid in self.ordered
+                view, snapshot.time_s, self.quality, down=self._is_down(view), ordered=self.ordered.get(view.sysid)
             )
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)

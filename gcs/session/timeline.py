@@ -7,6 +7,7 @@ frames show them too.
 from __future__ import annotations
 
 import bisect
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -117,8 +118,13 @@ class Moments:
         return held
 
     def lost(self, t_s: float) -> set[int]:
-        """Vehicles that had been lost by a time."""
-        return {sysid for since_s, sysid in self.losses if since_s <= t_s}
+        """Vehicles that had been lost by a time, but for those that rejoined since and were ordered to land then."""
+        lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
+        ordered = self.ordered(t_s)
+        rejoined = {
+            sysid for at_s, sysid, mode in self.orders if mode is None and lost_s.get(sysid, math.inf) <= at_s <= t_s
+        }
+        return {sysid for sysid in lost_s if sysid not in rejoined or ordered.get(sysid) not in ("return", "land")}
 
     def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
         """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.telemetry.events import Event
+from gcs.telemetry.health import flies_as_ordered
 from gcs.telemetry.state import STALE_S, FleetSnapshot, VehicleView
 
 RECEIVED_WITHIN_S = 1.0
@@ -57,8 +58,7 @@ class ChangeDetector:
         self._number = snapshot.columns.number
         for view in map(snapshot.vehicle, sorted(looked_at)):
             wanted = str(view.mode) if ordered is None else ordered.get(view.sysid)
-            by_order = view.mode == wanted or (wanted == "return" and view.mode is FlightMode.LAND)
-            self._watch_mode(view, snapshot.time_s, by_order, events)
+            self._watch_mode(view, snapshot.time_s, flies_as_ordered(view.mode, wanted), events)
             self._watch_silence(view, snapshot.time_s, events)
             self._watch_place(view, snapshot.time_s, events)
             self._watch_belief(view, snapshot.time_s, events)

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable
 from enum import StrEnum
 from typing import NamedTuple
 
-from gcs.mavlink.autopilots import FlightMode
+from gcs.mavlink.autopilots import End, FlightMode
 from gcs.telemetry.state import STALE_S, VehicleView
 
 WELL, LOOK, ACT = range(3)
@@ -99,13 +99,14 @@ def health_issues(
     *,
     lost_share: float | None = None,
     down: bool = False,
-    ordered: bool = False,
+    ordered: End | None = None,
     unanswered_s: float = 0.0,
 ) -> list[HealthIssue]:
     """Everything that is wrong with a vehicle, worst first; [] when it is well.
 
-    `down`: it has flown, or was to fly, and does no more. `ordered`: an operator has taken it, so that hold, return and
-    land are no surprise. `unanswered_s`: wall time for which the session has stood still for its answer.
+    `down`: it was lost and does not fly, or flies no more though nobody has ordered that. `ordered`: what an operator
+    or the schedule wants it to fly, which is no surprise. `unanswered_s`: wall time for which the session has stood
+    still for its answer.
     """
     silent_s = view.silent_s(now_s)
     if not view.alive:
@@ -136,14 +137,19 @@ def health_issues(
         found.append(HealthIssue(f"place known to {view.worse_m:.1f} m less", LOOK))
     found += _energy(view)
     if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
-        found.append(HealthIssue(view.mode_name, LOOK if ordered else ACT))
-    elif down and not ordered:
+        found.append(HealthIssue(view.mode_name, LOOK if flies_as_ordered(view.mode, ordered) else ACT))
+    elif down:
         found.append(HealthIssue("not flying", ACT))
-    elif ordered and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
+    elif ordered is not None and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
         found.append(HealthIssue("held, not refuelled", LOOK))
     if lost_share is not None and lost_share >= LOSS_LOOK:
         found.append(HealthIssue(f"{100.0 * lost_share:.0f} % packet loss", ACT if lost_share >= LOSS_ACT else LOOK))
     return sorted(found, key=lambda issue: -issue.severity)
+
+
+def flies_as_ordered(mode: FlightMode, ordered: str | None) -> bool:
+    """Whether this mode is what was ordered; a return ends in a landing."""
+    return mode == ordered or (ordered == "return" and mode is FlightMode.LAND)
 
 
 def _dead(silent_s: float) -> HealthIssue:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from gcs.mavlink.setpoints import SetPoints
-from gcs.session.messages import event_row, services_of
+from gcs.session.messages import event_row, ordered_and_down, services_of
 from gcs.session.program.messages import AcknowledgedRow, FleetMessage, Numbers
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event
@@ -68,7 +68,6 @@ def _distances(supervisor: Supervisor) -> Numbers:
 
 
 def _issues(supervisor: Supervisor, view: VehicleView, lost_share: float | None) -> list[str]:
-    sysid, arming = view.sysid, supervisor.arming[view.sysid]
-    ordered = arming.ordered is not None or sysid in supervisor.grounded
+    ordered, down = ordered_and_down(supervisor, view)
     now_s = supervisor.snapshot.time_s
-    return [one.text for one in health_issues(view, now_s, lost_share=lost_share, down=arming.down, ordered=ordered)]
+    return [one.text for one in health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)]

@@ -8,6 +8,9 @@ import pytest
 from gcs.session.messages import snapshot_message
 from gcs.telemetry.events import Event
 
+HOLD, LAND = 4 << 16 | 3 << 24, 4 << 16 | 6 << 24
+"""PX4's custom modes"""
+
 
 def shown(session: Any, **changed: Any) -> dict[str, Any]:
     how: dict[str, Any] = {"phase": "flying", "speed": 5.0, "refuelled": 0, "events": []}
@@ -43,6 +46,28 @@ def test_in_flight_it_shows_place_distance_battery_and_goal(scripted: Any) -> No
         "pursue_within_m": 3.5, "pursue_for_s": 1.0, "pursue_held_s": 0.0, "refuelled_at_least": 1,
         "separation_m": 0.6, "clearance_m": None, "traffic_m": None, "broken": []}  # fmt: skip
     assert (content["t_s"], content["duration_s"]) == (pytest.approx(0.1), 60.0)
+
+
+def test_what_is_lost_is_trouble_whatever_was_ordered_before(scripted: Any) -> None:
+    session = scripted()
+    session.fly(3)
+    vehicle = session.link.vehicles[1, 1]
+    session.supervisor.obey({"command": "hold", "sysid": 1})
+    vehicle.custom_mode = HOLD
+    session.fly(2)
+    assert shown(session)["vehicles"][0]["trouble"] == []
+    vehicle.custom_mode = LAND
+    session.fly(2)
+    falls = shown(session)["vehicles"][0]
+    assert (falls["condition"], falls["trouble"]) == ("failing", ["Land"])
+    for order in ("", "hold", "land"):
+        if order:
+            session.supervisor.obey({"command": order, "sysid": 1})
+            vehicle.custom_mode = HOLD
+        vehicle.more = [("EXTENDED_SYS_STATE", {"vtol_state": 0, "landed_state": 1})]
+        session.fly(1)
+        lies = shown(session)["vehicles"][0]
+        assert (lies["condition"], lies["trouble"]) == ("failing", ["not flying"] if order else ["Land"])
 
 
 def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:

@@ -36,8 +36,12 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"power_w": 250.0}, {}, "20 s of flight left", ACT),
         ({"mode": FlightMode.LAND}, {}, "Land", ACT),
         ({"mode": FlightMode.RETURN}, {}, "Return", ACT),
-        ({"mode": FlightMode.RETURN}, {"ordered": True}, "Return", LOOK),
-        ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": True}, "held, not refuelled", LOOK),
+        ({"mode": FlightMode.RETURN}, {"ordered": "return"}, "Return", LOOK),
+        ({"mode": FlightMode.LAND}, {"ordered": "return"}, "Land", LOOK),
+        ({"mode": FlightMode.LAND}, {"ordered": "land"}, "Land", LOOK),
+        ({"mode": FlightMode.LAND}, {"ordered": "hold"}, "Land", ACT),
+        ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": "hold"}, "held, not refuelled", LOOK),
+        ({"armed": False, "landed": True}, {"down": True, "ordered": "hold"}, "not flying", ACT),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
         ({}, {"unanswered_s": 7.4}, "no answer for 7 s", ACT),
         ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),
@@ -55,7 +59,7 @@ def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text:
     [
         ({"drawn_j": 9_900.0, "energy_source": "none", "power_w": 0.0}, {}),  # it has not told any energy
         ({"armed": False, "landed": True, "mode": FlightMode.LAND}, {}),  # it has landed and is done
-        ({"armed": False, "landed": True}, {"down": True, "ordered": True}),
+        ({"armed": False, "landed": True}, {"ordered": "land"}),
         ({"armed": False, "landed": True, "power_w": 250.0}, {}),  # nothing falls from the ground
         ({}, {"unanswered_s": 2.9}),
         ({}, {"lost_share": 0.1}),
@@ -84,7 +88,7 @@ SILENT = {"last_received_s": 91.0, "last_message_s": 91.0}
         ({"mode": FlightMode.LAND, "power_w": 250.0}, {}, ("failing", "Land", 0.0)),
         ({"power_w": 250.0, "drawn_j": 5_000.0}, {"lost_share": 0.3}, ("low", "20 s", -20.0)),
         ({"power_w": 30.0, "drawn_j": 8_500.0}, {}, ("low", "50 s", -50.0)),
-        ({"armed": False, "landed": True, "drawn_j": 8_500.0}, {"ordered": True}, ("low", "15 %", -1e6 - 15)),
+        ({"armed": False, "landed": True, "drawn_j": 8_500.0}, {"ordered": "land"}, ("low", "15 %", -1e6 - 15)),
         ({}, {"lost_share": 0.3}, ("warned", "30 % packet loss", 0.0)),
         ({}, {"lost_share": 0.7}, ("failing", "70 % packet loss", 0.0)),
     ],

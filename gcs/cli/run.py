@@ -90,7 +90,12 @@ if TYPE_CHECKING:
 )
 @click.option("--no-report", is_flag=True, help="Leave out report.html; gcs report makes it later.")
 @click.option("--verbose", "-v", is_flag=True, help="Lines of text, with every vehicle's state.")
-@click.option("--quiet", "-q", is_flag=True, help="Say only what goes wrong; the exit status tells the rest.")
+@click.option(
+    "--quiet",
+    "-q",
+    is_flag=True,
+    help="Say only what went wrong, at the end, on stderr; the exit status tells the rest.",
+)
 def run(
     scenario: str,
     lockstep: bool,
@@ -238,6 +243,11 @@ def run(
                 click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
 
         view, echo = stack.enter_context(logged(shown, said, folder))
+
+        def complain(line: str) -> None:
+            if quiet:
+                click.echo(line, err=True)
+
         shown_page = None
         if web:
             from gcs.web.process import page_server
@@ -253,6 +263,7 @@ def run(
             fork=fork,
             begun=begun,
             finish=finish,
+            complain=complain,
             stderr=stderr,
             hurry=hurry.set,
         )
@@ -261,6 +272,7 @@ def run(
 
             for problem in fetch_logs(resolved, folder, echo):
                 echo(f"gcs: {problem}")
+                complain(f"gcs: {problem}")
         if junit is not None:
             from gcs.report.junit import flown
 

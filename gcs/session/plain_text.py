@@ -18,6 +18,8 @@ Snapshot = Mapping[str, Any]
 """A message of type "snapshot"; its `events` are those since the snapshot before it."""
 
 SESSION_LOG = "session.log"
+NOT_MET = "not met: "
+"""How the outcome begins of a goal that was not met."""
 PROGRESS_EVERY_S = 2.0
 SILENT_S = 4.0
 """[choice] A session that has sent no state for so long may be stopped, or waits for a vehicle."""
@@ -160,6 +162,14 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
     return lines
 
 
+def shortfalls(summary: Mapping[str, Any] | None, outcome: str | None) -> list[str]:
+    """Those lines of `farewell` that say what went wrong: the goal not met, and losses that it allows."""
+    known = summary or {}
+    line = outcome_line(outcome or known.get("outcome"), known.get("outcome_text"))
+    lost = _losses(summary) if summary is not None else ""
+    return [line] * line.startswith(NOT_MET) + [f"lost: {clean(lost)}"] * bool(lost)
+
+
 def _losses(summary: Mapping[str, Any]) -> str:
     """Vehicles lost that the outcome does not name: as many as the goal allows; the dead where it was not judged."""
     judged = next((part for part in summary.get("goal") or () if part["part"] == "lost"), {"met": None})
@@ -171,7 +181,7 @@ def _losses(summary: Mapping[str, Any]) -> str:
 def outcome_line(outcome: str | None, text: str | None) -> str:
     """`outcome: met`, or `not met: ` and why; the bare name of a part is never shown."""
     text = clean(text or "")
-    if text.startswith("not met: "):
+    if text.startswith(NOT_MET):
         return text
     return f"outcome: {text or clean(outcome or 'none')}"
 

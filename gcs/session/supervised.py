@@ -27,7 +27,7 @@ from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.pydantic_plugins import without_plugins
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.plain_text import View, clean, farewell, mute_stdout
+from gcs.session.plain_text import View, clean, farewell, mute_stdout, shortfalls
 from skytender.exit import BAD_INPUT, INTERNAL_ERROR
 from skytender.loading import uncollected
 
@@ -295,15 +295,16 @@ def run(
     fork: SupervisorFork | None = None,
     begun: Callable[[], object] = lambda: None,
     finish: Callable[[dict[str, Any]], object] = lambda _: None,
+    complain: Callable[[str], object] = lambda _: None,
     stderr: IO[bytes] | None = None,
     hurry: Callable[[], object] = lambda: None,
 ) -> int:
     """Fly the session prepared in `folder`; the exit status (docs/protocol/result.md#exit-status).
 
-    `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word, and
-    `echo` prints the lines that sum it up. `fork` is the supervisor instead of that module. `stderr` takes
-    what the supervisor says there; our own standard error without it. `hurry` is called where a person has asked more
-    than once for the end.
+    `view` shows it while it flies, `begun` is called once it is started, `finish` gets the supervisor's last word,
+    `echo` prints the lines that sum it up, and `complain` those among them that say what went wrong. `fork` is the
+    supervisor instead of that module. `stderr` takes what the supervisor says there; our own standard error without it.
+    `hurry` is called where a person has asked more than once for the end.
     """
     with (
         Signals() as signals,
@@ -333,8 +334,11 @@ def run(
     if verdict.get("error"):
         print(f"gcs: {clean(verdict['error'])}", file=sys.stderr)
     with contextlib.suppress(OSError):  # the reader may be gone
-        for line in farewell(_summary(folder), verdict.get("outcome"), folder):
+        summary = _summary(folder)
+        for line in farewell(summary, verdict.get("outcome"), folder):
             echo(line)
+        for line in shortfalls(summary, verdict.get("outcome")):
+            complain(f"gcs: {line}")
     failed = verdict["exit"] == INTERNAL_ERROR or verdict.get("error")
     return int(verdict["exit"]) if failed or not interrupted else 128 + interrupted
 

@@ -25,3 +25,19 @@ def test_a_session_that_says_nothing_more_is_not_shown_as_flying(tmp_path: Path)
         shown.append(lines[-1])
     assert ["flying" in line for line in shown] == [True, True, True, False, False, True, True]
     assert shown[3:5] == ["the session has said nothing for 4 s", "the session has said nothing for 6 s"]
+
+
+def test_a_session_that_says_only_what_went_wrong_says_that(tmp_path: Path) -> None:
+    faults = [{"fault": "kill", "sysid": 1, "at_s": 4.0}]
+    goal = {"duration_s": 6.0, "refuelled_at_least": 0}
+    options = ("--quiet", "--no-report")
+    failed = fly(small(faults=faults, goal=goal), tmp_path / "failed", *options)
+    assert (failed.status, failed.stdout) == (1, "")
+    (line,) = failed.stderr.splitlines()
+    assert line.startswith("gcs: not met: lost 1 (1 at 4.")
+    allowed = fly(small(faults=faults, goal={**goal, "lost_at_most": 1}), tmp_path / "allowed", *options)
+    assert (allowed.status, allowed.stdout) == (0, "")
+    (line,) = allowed.stderr.splitlines()
+    assert line.startswith("gcs: lost: 1 (1 at 4.")
+    well = fly(small(goal=goal), tmp_path / "well", *options)
+    assert (well.status, well.stdout, well.stderr) == (0, "", "")

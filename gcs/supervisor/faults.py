@@ -218,4 +218,5 @@ def survival_text(outcomes: Sequence[Mapping[str, Any]]) -> str:
         return ""
     cost = [one["text"] for one in outcomes if not one["survived"]]
     survived = f"{len(outcomes) - len(cost)} of {len(outcomes)} faults survived"
-    return f"; {survived}" + (f", not: {'; '.join(cost[:NAMED])}" if cost else "")
+    more = f"; {len(cost) - NAMED} more" if len(cost) > NAMED else ""
+    return f"; {survived}" + (f", not: {'; '.join(cost[:NAMED])}{more}" if cost else "")

@@ -131,7 +131,10 @@ def write(plan: MissionPlan, out: Path, part: str | None = None) -> int:
 
 
 def lines(name: str, plan: MissionPlan) -> Iterator[str]:
-    """A plan in words, under its name."""
+    """A plan in words, under its name; its items count from 1."""
+    from gcs.missions.items import numbered
+
+    plan = numbered(plan, 1)
     counts = [
         f"{count} {one}{'' if count == 1 else 's'}"
         for count, one in (
@@ -183,7 +186,10 @@ def _height(place: GlobalPlace) -> str:
 
 
 def plain(name: str, plan: MissionPlan) -> dict[str, Any]:
-    """A plan as JSON; numbers that are not given are null."""
+    """A plan as JSON, whose items count from 1; numbers that are not given are null."""
+    from gcs.missions.items import numbered
+
+    plan = numbered(plan, 1)
 
     def known(value: float) -> float | None:
         return value if math.isfinite(value) else None

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 from commands import gcs
 from mission_tapes import LAT_DEG, LON_DEG, Tape, north
 from pymavlink import mavutil, mavwp
+
+from gcs.cli.mission.show import lines, plain
+from gcs.missions.items import MissionItem, MissionPlan
 
 
 @pytest.fixture(autouse=True)
@@ -117,7 +121,16 @@ def test_a_recording_is_listed_by_vehicle(tmp_path: Path) -> None:
     path = tape.write(tmp_path / "one.tlog")
     listed = " ".join(gcs("mission", "show", str(path)).stdout.split())
     assert listed.startswith("vehicle 3: 1 mission item")
-    assert f"0 NAV_WAYPOINT {LAT_DEG + 0.001:.7f} {LON_DEG:.7f} 10 m above home" in listed
+    assert f"1 NAV_WAYPOINT {LAT_DEG + 0.001:.7f} {LON_DEG:.7f} 10 m above home" in listed
     chosen = gcs("mission", "show", str(path), "--sysid", "3", "--json")
     assert json.loads(chosen.stdout)["source"] == "vehicle 3"
     assert gcs("mission", "show", str(path), "--sysid", "4").returncode == 2
+
+
+def test_items_of_a_vehicle_that_counts_from_0_are_listed_from_1() -> None:
+    way = MissionItem(16, 3, (0.0, 0.0, 0.0, math.nan, LAT_DEG, LON_DEG, 10.0))
+    jump = MissionItem(177, 2, (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0))  # to the first item
+    plan = MissionPlan(mission=(way, jump), first=0)
+    assert [(row["number"], row["params"][0]) for row in plain("vehicle 3", plan)["mission"]] == [(1, 0.0), (2, 1.0)]
+    rows = [line.split() for line in lines("vehicle 3", plan)]
+    assert [row[:2] for row in rows[2:]] == [["1", "NAV_WAYPOINT"], ["2", "DO_JUMP"]]

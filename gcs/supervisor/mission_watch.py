@@ -164,6 +164,8 @@ class MissionWatch:
             if not flight.done and view.flying and arming.stage in _FLYING:
                 flight.settle(view, snapshot.time_s)
                 flying.append(_on_mission(flight, view, arming))
+            else:
+                flight.waits_for = ""
         verdicts = judge(flying, _others(snapshot, {one.sysid for one in flying}), self._separation_m)
         self.claims = {sysid: verdict.claim_ned for sysid, verdict in verdicts.items() if len(verdict.claim_ned)}
         messages = {}

@@ -118,11 +118,13 @@ class FleetClient:
         assert to is not None
         self._send(message, to)
 
-    def request(self, names: Collection[str], within_s: float) -> dict[int, dict[str, Any]]:
-        """Ask every vehicle for these messages once a second, until all have come or the time is up; the latest fields
-        of each that came, by system id and name."""
+    def request(
+        self, names: Collection[str], within_s: float, sysids: Collection[int] | None = None
+    ) -> dict[int, dict[str, Any]]:
+        """Ask these vehicles, or all, for messages once a second, until all have come or the time is up; the latest
+        fields of each that came, by system id and name."""
         numbers = {codec.msgid(name): name for name in names}
-        told: dict[int, dict[str, Any]] = {sysid: {} for sysid in self.profiles}
+        told: dict[int, dict[str, Any]] = {sysid: {} for sysid in (self.profiles if sysids is None else sysids)}
         begun_s, asked_s = time.monotonic(), -math.inf
         while (now_s := time.monotonic()) - begun_s < within_s and any(len(t) < len(numbers) for t in told.values()):
             if now_s - asked_s >= ASK_EVERY_S:

@@ -119,14 +119,16 @@ def read(content: bytes, file: str) -> MissionPlan:
             raise MissionFileError(f"{file}: {name} is {version}, and only {known} is read.")
     left_out: list[str] = []
     items = tuple(_items(mission, file, left_out))
-    home = None if mission.planned_home_position is None else mission.planned_home_position
+    home = None
+    if (at := mission.planned_home_position) is not None and any(value != 0.0 for value in at):
+        home = GlobalPlace(*_place(at, f"{file}: mission.plannedHomePosition"), "sea")
     rally = enumerate((found.rally_points or _RallyPoints()).points)
     back = fence.breach_return or None
     return MissionPlan(
         mission=items,
         fence=tuple(_areas(fence, file)),
         rally=tuple(GlobalPlace(*_place(at, f"{file}: rallyPoints.points[{k}]"), "home") for k, at in rally),
-        home=None if home is None else GlobalPlace(*_place(home, f"{file}: mission.plannedHomePosition"), "sea"),
+        home=home,
         fence_return=None if back is None else _place(back, f"{file}: geoFence.breachReturn")[:2],
         left_out=tuple(left_out),
     )
@@ -212,7 +214,7 @@ def write(
     """The plan as a file's text.
 
     autopilot, vehicle_type: MAV_AUTOPILOT and MAV_TYPE of which the vehicle is; 0 is generic. home_deg_m: where the
-    plan has no home.
+    plan has no home: QGroundControl opens no file without one, and zeros are read as a home that is not known.
     """
     return json.dumps(_written(plan, autopilot, vehicle_type, home_deg_m), indent=4) + "\n"
 

@@ -161,6 +161,12 @@ def test_plans_go_to_files_from_which_they_read_equal(missions: Missions, site: 
     for sysid in (11, 21, 1):
         same = missions("diff", str(folder / f"vehicle-{sysid}.plan"), sysids=(sysid,))
         assert (same.returncode, same.stdout) == (0, f"vehicle {sysid}: no difference\n"), same.stderr
+    homes = [
+        json.loads((folder / f"vehicle-{sysid}.plan").read_text())["mission"]["plannedHomePosition"] for sysid in OURS
+    ]
+    assert homes == [pytest.approx([LAT_DEG, LON_DEG, 488.0], abs=1e-3)] * len(OURS)
+    no_home = gcs("mission", "show", str(folder / "vehicle-21.plan")).stdout
+    assert "home: not known" in no_home
     one, way_points = tmp_path / "one.plan", tmp_path / "mission.txt"
     assert missions("get", "--out", str(one), sysids=(11,)).stdout.endswith(f", in {one}\n")
     assert json.loads(one.read_text())["mission"]["items"][1]["command"] == SPEED

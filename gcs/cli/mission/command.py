@@ -30,6 +30,8 @@ AT_ONCE = 32
 """Vehicles whose plans are under way at the same time: each has one question open, so that a radio is not flooded."""
 NAMED = 5
 """Differences of one plan that are named; the others are counted."""
+HOME_WITHIN_S = 3.0
+"""[choice] So long vehicles are asked for their homes: one that has none yet does not say it."""
 READ = frozenset({"read", "unsupported"})
 """Ends of a reading by which it is known what a vehicle has."""
 Found = Mapping[int, Mapping[str, "PlanWriting"]]
@@ -102,7 +104,7 @@ def get(out: Path | None, parts: tuple[str, ...], as_json: bool, **options: Any)
     with fleet_at(**options) as fleet:
         paths = {} if out is None else _paths(out, sorted(fleet.profiles), parts)
         found = _converse(fleet, {s: dict.fromkeys(parts or PARTS) for s in fleet.profiles}, options["station"])
-        plans = {sysid: _plan(fleet, sysid, clients) for sysid, clients in found.items()}
+        plans = _with_homes(fleet, {sysid: _plan(fleet, sysid, clients) for sysid, clients in found.items()}, paths)
     status = _complain(found, READ)
     paths = {s: path for s, path in paths.items() if all(one.outcome in READ for one in found[s].values())}
     for sysid, path in paths.items():
@@ -267,6 +269,24 @@ def _plan(fleet: FleetClient, sysid: int, clients: Mapping[str, PlanClient]) -> 
     from gcs.mavlink.plans.items import plan_of
 
     return plan_of({client.kind: client.found or () for client in clients.values()}, fleet.profiles[sysid].plans)
+
+
+def _with_homes(
+    fleet: FleetClient, plans: Mapping[int, MissionPlan], written: Collection[int]
+) -> dict[int, MissionPlan]:
+    """Plans with the homes that vehicles give of themselves, where home is not among their items. Only those that have
+    something, or whose plans are `written`, are asked."""
+    from gcs.missions.items import GlobalPlace
+    from gcs.telemetry.place_claims import is_place
+
+    asked = [s for s, plan in plans.items() if plan.home is None and (plan.mission or plan.rally or s in written)]
+    found = dict(plans)
+    for sysid, messages in fleet.request(["HOME_POSITION"], HOME_WITHIN_S, asked).items():
+        home = messages.get("HOME_POSITION")
+        if home is not None and is_place(home.latitude, home.longitude):
+            place = GlobalPlace(home.latitude / 1e7, home.longitude / 1e7, home.altitude / 1e3, "sea")
+            found[sysid] = found[sysid]._replace(home=place)
+    return found
 
 
 def _paths(out: Path, sysids: Sequence[int], parts: Sequence[str]) -> dict[int, Path]:

@@ -147,6 +147,8 @@ def lines(name: str, plan: MissionPlan) -> Iterator[str]:
     yield f"{name}: {', '.join(counts) or ('nothing' if plan.empty else 'nothing that is known here')}"
     if plan.home is not None:
         yield f"home: {_place(plan.home)}"
+    elif plan.mission or plan.rally:
+        yield "home: not known"
     if plan.mission:
         yield _ROW.format("", "command", "latitude", "longitude", "height", "parameters").rstrip()
     for number, item in enumerate(plan.mission, plan.first):

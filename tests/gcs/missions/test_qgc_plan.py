@@ -237,3 +237,9 @@ def test_any_bytes_are_read_or_refused_by_a_sentence(noise: bytes, at: int, cut:
     content = json.dumps(SITE).encode()
     with contextlib.suppress(MissionFileError):
         assert isinstance(read(content[:at] + noise + content[at + cut :], "site.plan"), MissionPlan)
+
+
+def test_zeros_stand_for_a_home_that_is_not_known() -> None:
+    written = json.loads(qgc_plan.write(MissionPlan()))
+    assert written["mission"]["plannedHomePosition"] == [0.0, 0.0, 0.0]  # QGroundControl opens no file without it
+    assert read(json.dumps(written).encode(), "a.plan").home is None

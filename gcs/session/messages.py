@@ -227,7 +227,7 @@ def states_of(
 
 
 def ordered_and_down(supervisor: Supervisor, view: VehicleView) -> tuple[autopilots.End | None, bool]:
-    """What a vehicle is wanted to fly instead of the plan, and whether it is down, as `health_issues` takes them."""
+    """Mode that is wanted of a vehicle instead of the plan, and whether it is down, as `health_issues` takes them."""
     arming = supervisor.arming[view.sysid]
     ordered = arming.ordered or ("land" if view.sysid in supervisor.grounded else None)
     lost = view.sysid in supervisor.goal_watch.lost and not view.flying

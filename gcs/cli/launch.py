@@ -38,7 +38,7 @@ def _checked_address(ctx: click.Context, param: click.Parameter, value: str | No
     help="All vehicles are there: they speak to a udpout; at any other address gcs stands between as a router.  "
     "[default: each listens at a port of its own]",
 )
-@out_option("Keep parameters and logs in this new folder.")
+@out_option("Keep parameters, and what vehicles print, in this new folder.")
 @click.option("--json", "as_json", is_flag=True, help="The vehicles' addresses as one line of JSON.")
 @TRUST
 @click.option("--until-eof", is_flag=True, help="End them when standard input closes, as when the caller dies.")

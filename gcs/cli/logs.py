@@ -32,7 +32,8 @@ DRAW_EVERY_S, LINE_EVERY_S = 0.25, 5.0
 def logs() -> None:
     """Logs that vehicles wrote themselves, of every vehicle at an address at once, whatever its autopilot.
 
-    ArduPilot sends its logs only while it is disarmed. A vehicle of ours has one: its truth, so far.
+    ArduPilot sends its logs only while it is disarmed. A vehicle of ours has one if it was started with --truth: its
+    truth, so far; those of `gcs launch` have none.
 
     \b
     Examples:

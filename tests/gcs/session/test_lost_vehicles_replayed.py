@@ -11,6 +11,7 @@ from sessions import fly, small
 from gcs.recording.session_folder import read
 from gcs.report.watched import Watched
 from gcs.session.replay import Replay
+from gcs.session.timeline import Moments
 
 
 def seen_at(replay: Replay, t_s: float) -> dict[int, dict[str, Any]]:
@@ -31,6 +32,17 @@ def test_a_vehicle_whose_motor_failed_is_no_vehicle_that_is_well(tmp_path: Path)
     killed.advance(15.0, math.inf)
     broken = [part["text"] for part in killed.snapshot(speed=None)["goal"]["broken"]]
     assert any(text.startswith("lost: ") for text in broken)
+
+
+def test_orders_do_not_hide_a_loss_but_a_landing_by_order_after_it_rejoined_is_none() -> None:
+    moments = Moments()
+    moments.take(4.0, {"kind": "violation", "part": "lost", "at_s": 4.0, "sysids": [1]})
+    orders = [(6.0, "hold", {1}), (8.0, "rejoin", {1}), (20.0, "hold", {1}), (30.0, "land", set())]
+    assert (moments.lost(3.0), moments.lost(5.0)) == (set(), {1})
+    for t_s, command, lost in orders:
+        moments.take(t_s, {"kind": "operator", "taken": True, "sysid": 1, "command": command})
+        assert moments.lost(t_s + 1.0) == lost
+    assert moments.lost(25.0) == {1}
 
 
 def test_a_recording_that_ends_inside_a_set_point_says_so(tmp_path: Path) -> None:

@@ -104,7 +104,7 @@ def health_issues(
 ) -> list[HealthIssue]:
     """Everything that is wrong with a vehicle, worst first; [] when it is well.
 
-    `down`: it was lost and does not fly, or flies no more though nobody has ordered that. `ordered`: what an operator
+    `down`: it was lost and does not fly, or flies no more without an order for it. `ordered`: what an operator
     or the schedule wants it to fly, which is no surprise. `unanswered_s`: wall time for which the session has stood
     still for its answer.
     """

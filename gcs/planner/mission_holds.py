@@ -254,10 +254,10 @@ def _without_pocket(one: OnMission, way: FloatArray, others: Sequence[Other], se
     """(k, 3) its way, up to the next sharp corner where another is between the legs: it has to come out of there
     first."""
     corner = int(_corner_m(one, separation_m) / ALONG_M) + 1
-    within2 = (POCKET * separation_m) ** 2
+    near_m = POCKET * separation_m
     for other in others if corner < len(way) else ():
         place = np.array([other.p_ned])
-        if max(_least2(way[:corner], place), _least2(way[corner:], place)) < within2:
+        if max(_least2(way[:corner], place), _least2(way[corner:], place)) < near_m * near_m:
             return way[:corner]
     return way
 

@@ -44,7 +44,7 @@ commanded, and moves its home's altitude, from which the height is reported, whi
 ON_THE_WAY = frozenset({FlightMode.TAKEOFF, FlightMode.HOLD})
 """Modes from which offboard is asked for, of one that flies already when it is met."""
 SHOWS_WITHIN_S = 2.5
-"""An order to hold shows in a HEARTBEAT, of which one a second comes, within so long."""
+"""An order shows in a HEARTBEAT, of which one a second comes, within so long."""
 LATE_S, STALE_S = 0.3, 1.0
 """Autopilots leave offboard soon after the last set point (0.5 s by what plan B sets, and a period of ours is part of
 that): a session that stood still for longer, or a link that was silent for longer, may have been why."""
@@ -72,7 +72,7 @@ class ExternalArmingSequence(ArmingSequence):
         self._silent = False
         self._took_off = self._climbs = self._on_its_way = False
         self._reads = 0
-        self._decided_s = self._starved_s = self._takeoff_s = self._hold_asked_s = -math.inf
+        self._decided_s = self._starved_s = self._takeoff_s = self._hold_asked_s = self._turned_s = -math.inf
 
     @property
     def sends_set_points(self) -> bool:
@@ -160,8 +160,9 @@ class ExternalArmingSequence(ArmingSequence):
             return Stage.FLY
         if stage is Stage.OFFBOARD:
             return Stage.YIELDED if view.mode in THEIRS and not self.rejoining else Stage.OFFBOARD
-        if self.rejoining or (stage is Stage.MISSION and view.mode in ON_MISSION):  # it was to step aside, or is done
-            return Stage.OFFBOARD
+        shows = self._now_s - self._turned_s <= SHOWS_WITHIN_S  # what was ordered last may be seen only now
+        if self.rejoining or ((stage is Stage.MISSION or shows) and view.mode in ON_MISSION):
+            return Stage.OFFBOARD  # it was to step aside, or is done
         starved = self._now_s - self._starved_s <= BLAMED_S
         return Stage.OFFBOARD if starved and stage is Stage.FLY and view.mode is FlightMode.HOLD else Stage.YIELDED
 
@@ -182,7 +183,7 @@ class ExternalArmingSequence(ArmingSequence):
     def go_on_mission(self, mission: Mission) -> None:
         """As `ArmingSequence.go_on_mission`."""
         super().go_on_mission(mission)
-        self._on_its_way = True
+        self._on_its_way, self._turned_s = True, self._now_s
 
     def _before_flight(self, view: VehicleView) -> Stage:
         if view.p_ned is None or view.last_received_s < 0.0:

@@ -409,6 +409,21 @@ def test_one_that_is_to_step_aside_is_brought_back_to_set_points() -> None:
     play(made, (6.1, UP, [SET_MODE], None), (7.0, FLYING, [], Stage.FLY))
 
 
+def test_one_whose_mission_ends_as_it_goes_on_is_led_again_and_is_no_pilots() -> None:
+    """The last item was reached 0.1 s after it went on, before a HEARTBEAT said that it was no more led."""
+    made = flown()
+    made.go_on_mission("fly")
+    assert steered(made, 10.0, 10.1) == [PX4.mission[0]]
+    made.go_on_mission("")
+    steered(made, 10.1, 10.2)
+    assert steered(made, 10.2, 12.0, UP) == [SET_MODE]
+    assert made.stage is Stage.OFFBOARD
+    steered(made, 12.0, 14.0)
+    assert made.stage is Stage.FLY
+    made.decide(UP, 14.0)
+    assert made.stage is Stage.YIELDED
+
+
 @pytest.mark.parametrize("mode", [FlightMode.HOLD, FlightMode.MANUAL, FlightMode.RETURN])
 def test_a_pilot_who_takes_it_from_its_mission_has_it(mode: FlightMode) -> None:
     made = on_mission()

@@ -118,7 +118,7 @@ class Moments:
         return held
 
     def lost(self, t_s: float) -> set[int]:
-        """Vehicles that had been lost by a time, but for those that rejoined since and were ordered to land then."""
+        """Vehicles lost by a time, without those that rejoined and were then ordered to land."""
         lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
         ordered = self.ordered(t_s)
         rejoined = {

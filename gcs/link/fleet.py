@@ -86,9 +86,7 @@ class FleetLink:
             self._external.stand_in()
             idle()
 
-        yield from self._fleet.answers(wait)
-        unawaited = self.unawaited()
-        yield list(unawaited), list(unawaited.values())
+        return self._fleet.answers(wait)
 
     def unawaited(self) -> dict[Key, list[Frame]]:
         return {key: frames for key, frames in self._external.collect().items() if key not in self._given_up}

@@ -83,7 +83,7 @@ class TickLink(Protocol):
         """Send what has been granted and not been sent yet."""
 
     def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
-        """Every vehicle's frames of the tick, when those that live on the session's clock are whole or before."""
+        """Frames of the tick of each vehicle that lives on the session's clock, when all are whole or before."""
 
     def unawaited(self) -> Mapping[Key, list[Frame]]:
         """Frames that have come since the last call from vehicles for which no tick waits."""

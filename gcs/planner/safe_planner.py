@@ -148,7 +148,7 @@ class SafePlanner(TickPlanner):
         columns = snapshot.columns
         self._late = period_s > (LATE_PERIODS - 0.5) * self._scenario.clock.period_s
         self._link_age.receive(columns.age_s, period_s)
-        self._spread_m = self._spreads.of(snapshot, period_s, late=self._late)
+        self._spread_m = self._spreads.of(snapshot, late=self._late)
         self._follow(request, columns)
         if request.approaches and self._scenario.planner.vehicles_repel:
             request = request._replace(stand_off_m=self._stand_off_m(request))

@@ -233,8 +233,7 @@ class SessionProcess:
         end_ms = round(1e3 * self._scenario.goal.duration_s)
         while supervisor.time_ms < end_ms and self._link.joined:
             self._await_program()
-            periods = pace.next(self._scenario.clock.period_s)
-            supervisor.tick(self._watch, periods)
+            supervisor.tick(self._watch, lambda: pace.next(self._scenario.clock.period_s))
             if supervisor.preflight.under_way and self._external_link is not None:
                 self._old_parameters.keep(supervisor.preflight.before())
                 self._old_plans.keep(supervisor.preflight.plans_before(), supervisor.snapshot.vehicle)

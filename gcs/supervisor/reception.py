@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from gcs.link.link import Answers, Key
@@ -50,12 +50,12 @@ class Reception:
         self.quality = LinkQuality(self.gaps)
         self.inspection = MessageInspector()
 
-    def receive(self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0) -> Received:
+    def receive(self, answers: Iterable[Answers], now_s: float, late_s: Callable[[], float] = lambda: 0.0) -> Received:
         """Let the radio deliver what came, and the fleet read it, each vehicle's as it comes.
 
         Nothing that is read of one depends on another, so whose answer came first shows nowhere: what is given back is
         in order of system id, as are the texts, acknowledgements and facts that the fleet keeps. A tick that comes
-        late_s after its time finds what external vehicles have said until then.
+        late_s after its time, asked when answers are in, finds what external vehicles have said until then.
         """
         received_from: dict[Key, Sequence[Frame]] = {}
         together: tuple[Sequence[Key], AnswerRuns] | None = None
@@ -77,7 +77,7 @@ class Reception:
         else:
             received_from |= zip(*together, strict=True) if together is not None else ()
             in_order = sorted(received_from.items())
-            of_late = self._external if late_s else ()
+            of_late = self._external if late_s() else ()
             arrived = [raw for key, received in in_order if key[0] not in of_late for raw in raws_of(received)]
             late = [raw for key, received in in_order if key[0] in of_late for raw in raws_of(received)]
             delivered = {key[0]: received for key, received in in_order}
@@ -93,7 +93,9 @@ class Reception:
         """Whether nothing stands between what vehicles send and what reads it by compiled code."""
         return self._peer_radio is None and self._radio.clear and self._watched is None
 
-    def _receive_from(self, sysid: int, frames: Sequence[Frame], now_s: float, late_s: float) -> Sequence[Frame]:
+    def _receive_from(
+        self, sysid: int, frames: Sequence[Frame], now_s: float, late_s: Callable[[], float]
+    ) -> Sequence[Frame]:
         """Let the radio deliver one vehicle's frames, and the fleet read them; those that came through."""
         received = self._sent[sysid] = frames
         exempt = 0
@@ -105,7 +107,7 @@ class Reception:
             received = [*self._radio.apply(sysid, "in", now_s, impaired), *grants]
             exempt = len(grants)  # they are never lost, and say nothing of the radio
         self.gaps.feed_all(received)
-        self._fleet.ingest_all(received, now_s + late_s if sysid in self._external else now_s)
+        self._fleet.ingest_all(received, now_s + late_s() if sysid in self._external else now_s)
         if self._watched is not None:
             for frame in received:
                 if frame.msgid == _DEBUG_FLOAT_ARRAY:

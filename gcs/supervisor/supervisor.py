@@ -8,7 +8,7 @@ What the tick at T decides leaves with the grant up to T + period, and is flown 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -170,11 +170,14 @@ class Supervisor:
         self._grant_all((), self.snapshot, {}, recording)
         self._record(recording)
 
-    def tick(self, idle: Callable[[], None], periods: int = 1) -> None:
-        """Collect the answers to the last grant, decide, and send the next one, of so many periods."""
-        self._periods = periods
+    def tick(self, idle: Callable[[], None], periods: Callable[[], int] = lambda: 1) -> None:
+        """Collect the answers to the last grant, decide, and send the next one.
+
+        `periods`, asked when the answers are in: how many the next grant is of. More than one: what vehicles on the
+        wall clock say now is of so much later.
+        """
         now_s = self.time_s
-        received = self._receive(self.link.answers(idle), now_s, self._late_ms / 1e3)
+        received = self._receive(self._answers(idle, periods), now_s, lambda: self._late_ms / 1e3)
         self._receive_acknowledgements(now_s)
         if self._forwarder is not None:
             self._receive_forwarded(self._forwarder, now_s)
@@ -211,7 +214,7 @@ class Supervisor:
 
     def finish(self, idle: Callable[[], None]) -> None:
         """Collect and record the answers to the last grant; nothing is decided any more."""
-        received = self._receive(self.link.answers(idle), self.time_s)
+        received = self._receive(self._answers(idle, lambda: 1), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
         broken = self._watch_goal(self.snapshot, self._partners)
         self._record(TickRecord(self.time_ms, received.frames, [], self._new_records() + broken))
@@ -360,7 +363,15 @@ class Supervisor:
 
     # in
 
-    def _receive(self, answers: Iterable[Answers], now_s: float, late_s: float = 0.0) -> Received:
+    def _answers(self, idle: Callable[[], None], periods: Callable[[], int]) -> Iterator[Answers]:
+        """Every vehicle's frames of the tick, those last for which it does not wait."""
+        yield from self.link.answers(idle)
+        self._periods = periods()
+        unawaited = self.link.unawaited()
+        if unawaited:
+            yield list(unawaited), list(unawaited.values())
+
+    def _receive(self, answers: Iterable[Answers], now_s: float, late_s: Callable[[], float] = lambda: 0.0) -> Received:
         """Pass what came to all its readers."""
         for sysid in self.link.pop_relinked() if self.externals.rules else ():
             self.gaps.forget(sysid)

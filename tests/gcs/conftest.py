@@ -120,6 +120,9 @@ class ScriptedLink:
         for key, frames in reversed(answers.items()):
             yield [key], [frames]
 
+    def unawaited(self) -> dict[Key, list[Frame]]:
+        return {}
+
     def sent(self, name: str, key: Key | None = None) -> list[tuple[int, Any]]:
         """(grant, fields) of every message of a name that the supervisor itself sent."""
         return [

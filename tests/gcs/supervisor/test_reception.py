@@ -23,7 +23,7 @@ def test_an_external_vehicles_frames_are_as_late_as_the_tick(late_s: float) -> N
     reception = Reception(fleet, Radios(Impairment()), None, {EXTERNAL})
     raws = {sysid: codec.encode("HEARTBEAT", 0, sysid, 1, **BEAT) for sysid in (OURS, EXTERNAL)}
     answers = [([(sysid, 1)], [codec.split(raw).frames]) for sysid, raw in raws.items()]
-    received = reception.receive(answers, 10.0, late_s)
+    received = reception.receive(answers, 10.0, lambda: late_s)
     assert set(received.by_system) == {OURS, EXTERNAL}
     if late_s:
         assert (received.frames, received.late_frames) == ([raws[OURS]], [raws[EXTERNAL]])

@@ -33,18 +33,26 @@ class Flight:
         (frame,) = codec.split(bytes(message(**empty).pack(mav.MAVLink(None, 3, 1)))).frames
         self.fleet.ingest(frame, self.now_s)
 
-    def tick(self, north_m: float = 0.0, v_north_m_s: float = 0.0, *, armed: bool = True, late: bool = False) -> float:
-        self.now_s = round(self.now_s + 0.1, 1)
+    def tick(
+        self,
+        north_m: float = 0.0,
+        v_north_m_s: float = 0.0,
+        *,
+        armed: bool = True,
+        late: bool = False,
+        after_s: float = 0.1,
+    ) -> float:
+        self.now_s = round(self.now_s + after_s, 1)
         self.says("HEARTBEAT", type=2, autopilot=12, base_mode=0x81 if armed else 1, custom_mode=6 << 16)
         self.says("EXTENDED_SYS_STATE", landed_state=2 if armed else 1)
         t_ms = round(1e3 * self.now_s)
         self.says("LOCAL_POSITION_NED", time_boot_ms=t_ms, x=north_m, vx=v_north_m_s, z=-5.0)
-        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s), 0.1, late=late)
+        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s), late=late)
         return float(spread_m)
 
     def tick_in_silence(self) -> float:
         self.now_s = round(self.now_s + 0.1, 1)
-        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s), 0.1)
+        (spread_m,) = self.spreads.of(self.fleet.snapshot(self.now_s))
         return float(spread_m)
 
     def issues(self) -> list[str]:
@@ -117,3 +125,15 @@ def test_a_place_dated_by_a_clock_of_its_own_or_in_a_late_tick_has_not_jumped() 
     assert flight.tick(0.2 + 1.4, 2.0) == 0.0  # 0.5 s at 2 m/s, and JUMP_M
     assert flight.tick(0.4 + 1.4 + 1.6, 2.0) == pytest.approx(1.6, abs=1e-6)
     assert flight.tick(40.0, 2.0, late=True) == pytest.approx(1.6, abs=1e-6)
+
+
+def test_after_a_stop_of_the_station_nothing_has_jumped() -> None:
+    """It flies 2.3 s with 2 m/s meanwhile; the session catches up by ticks a second apart, which follow at once."""
+    flight = Flight()
+    assert flight.tick(0.0, 2.0) == 0.0
+    assert flight.tick(4.6, 2.0, late=True) == 0.0
+    for after_s in (1.0, 1.0):
+        assert flight.tick(4.61, 2.0, late=True, after_s=after_s) == 0.0
+    assert flight.tick(4.8, 2.0, after_s=0.3) == 0.0
+    assert flight.tick(5.2, 2.0, after_s=0.2) == 0.0
+    assert flight.tick(5.4 + 1.0, 2.0) == pytest.approx(1.0, abs=1e-6)  # from here on a jump is one again

@@ -87,20 +87,20 @@ class Spreads:
         self._clock_s = np.where(external, CLOCK_S, 0.0)
         self._reported_m, self._fix_lost_s = self._usual_m.copy(), np.full(n, math.inf)
         self._number = -1
-        self._time_s, self._dated = 0.0, True
+        self._time_s, self._late_s = 0.0, -math.inf
         self._p_ned, self._v_ned, self._age_s = np.full((n, 3), np.nan), np.zeros((n, 3)), np.zeros(n)
         self._jump_ned = np.zeros((n, 3))
 
     def of(self, snapshot: FleetSnapshot, *, late: bool = False) -> Floats:
-        """(n,), m, now. Between a tick that comes `late` and those beside it no place jumps: its reports are not dated
-        well enough."""
+        """(n,), m, now. In a tick that comes `late`, and from a report of such a tick to the next one, no place jumps:
+        reports are not dated well enough there."""
         columns, age_s = snapshot.columns, np.minimum(snapshot.columns.age_s, LONG_S)
         for sysid in columns.changed_since(self._number):
             row, view = columns.row[sysid], snapshot.vehicle(sysid)
             self._reported_m[row] = elementary.hypot(float(self._usual_m[row]), self._factor * view.worse_m)
             self._fix_lost_s[row] = view.fix_lost_s if view.flying else math.inf
         self._number = columns.number
-        self._follow_jumps(snapshot.time_s, columns.p_ned, columns.v_ned, age_s, columns.flying, dated=not late)
+        self._follow_jumps(snapshot.time_s, columns.p_ned, columns.v_ned, age_s, columns.flying, late)
         off = self._jump_ned
         jumped_m = np.minimum(np.sqrt((off * off).sum(axis=1)), MOST_JUMP_M)
         lost_s = snapshot.time_s - self._fix_lost_s
@@ -109,7 +109,7 @@ class Spreads:
         return spreads_m
 
     def _follow_jumps(
-        self, time_s: float, p_ned: Floats, v_ned: Floats, age_s: Floats, flying: NDArray[np.bool_], *, dated: bool
+        self, time_s: float, p_ned: Floats, v_ned: Floats, age_s: Floats, flying: NDArray[np.bool_], late: bool
     ) -> None:
         """Add up the jumps of each flight: one that jumps back is where it was. Which of two places is true is not
         known."""
@@ -118,9 +118,11 @@ class Spreads:
         moved_ned = p_ned - self._p_ned - mean_ned * after_s[:, np.newaxis]
         allowed_m = JUMP_M + 0.25 * self._a_max_m_s2 * after_s * after_s
         allowed_m += self._clock_s * np.sqrt((mean_ned * mean_ned).sum(axis=1))
-        if dated and self._dated:
+        if late:
+            self._late_s = time_s
+        else:
             jumped = (moved_ned * moved_ned).sum(axis=1) > allowed_m * allowed_m  # never by NaN
+            jumped &= self._time_s - self._age_s > self._late_s
             self._jump_ned[jumped] += moved_ned[jumped]
         self._jump_ned[~flying] = 0.0
-        self._time_s, self._dated = time_s, dated
-        self._p_ned, self._v_ned, self._age_s = p_ned, v_ned, age_s
+        self._time_s, self._p_ned, self._v_ned, self._age_s = time_s, p_ned, v_ned, age_s

@@ -364,7 +364,7 @@ class Supervisor:
     # in
 
     def _answers(self, idle: Callable[[], None], periods: Callable[[], int]) -> Iterator[Answers]:
-        """Every vehicle's frames of the tick, those last for which it does not wait."""
+        """Frames of the vehicles for which the tick waits; then of the others, with the pace asked in between."""
         yield from self.link.answers(idle)
         self._periods = periods()
         unawaited = self.link.unawaited()

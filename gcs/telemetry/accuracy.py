@@ -92,8 +92,8 @@ class Spreads:
         self._jump_ned = np.zeros((n, 3))
 
     def of(self, snapshot: FleetSnapshot, *, late: bool = False) -> Floats:
-        """(n,), m, now. In a tick that comes `late`, and from a report of such a tick to the next one, no place jumps:
-        reports are not dated well enough there."""
+        """(n,), m, now. A report that is read in a tick that comes `late` is not dated well enough: neither from the
+        report before it nor to the one after it does a place jump."""
         columns, age_s = snapshot.columns, np.minimum(snapshot.columns.age_s, LONG_S)
         for sysid in columns.changed_since(self._number):
             row, view = columns.row[sysid], snapshot.vehicle(sysid)

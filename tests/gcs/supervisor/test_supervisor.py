@@ -22,6 +22,19 @@ def test_the_first_grant_is_time_zero_and_every_tick_grants_one_period_more(scri
         assert last.time_unix_usec == session.supervisor.epoch_us + 1000 * t_ms
 
 
+def test_how_late_a_tick_is_is_asked_once_its_answers_are_in(scripted: Any) -> None:
+    session = scripted()
+    answered: list[int] = []
+
+    def periods() -> int:
+        answered.append(len(session.link.answered))
+        return 3
+
+    session.supervisor.tick(lambda: None, periods)
+    assert answered == [1]
+    assert session.supervisor.time_ms == 300
+
+
 def test_bundles_go_out_in_order_of_system_id(scripted: Any) -> None:
     session = scripted()
     session.fly(2)

@@ -119,7 +119,9 @@ def pytest_itemcollected(item: pytest.Item) -> None:
 @pytest.fixture
 def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
     """The table of the campaign that the mark `campaign` names; fails with the rows that are not as expected."""
-    from gcs.campaign.python import Campaign  # noqa: PLC0415 - what takes long
+    from gcs.campaign.cluster import EngineError  # noqa: PLC0415 - what takes long
+    from gcs.campaign.python import Campaign  # noqa: PLC0415 - the same
+    from gcs.scenario.document import ScenarioError  # noqa: PLC0415 - the same
     from gcs.scenario.parts.trust import TrustError  # noqa: PLC0415 - the same
 
     given = _arguments(request.node.get_closest_marker("campaign"), _CAMPAIGN)
@@ -127,9 +129,11 @@ def campaign(request: pytest.FixtureRequest, tmp_path: Path) -> Any:
         pytest.fail("the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)", pytrace=False)
     try:
         flown = Campaign(given.pop("what"), out=tmp_path / "campaign", **given)
+        table = flown.fly()
     except TrustError as error:
         pytest.fail(f"the campaign does not fly: {error} in its mark", pytrace=False)
-    table = flown.fly()
+    except (ScenarioError, EngineError) as error:
+        pytest.fail(f"the campaign does not fly: {error}", pytrace=False)
     if failures := flown.failures:
         listed = [
             *failures[:MOST_LISTED],

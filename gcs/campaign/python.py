@@ -34,7 +34,7 @@ class Campaign:
 
     trust: let it use the code, programs, key files and addresses that it and its scenario name, which is remembered
     until they change, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError where it
-    cannot be flown, EngineError for a scheduler without TLS.
+    cannot be flown, EngineError for a scheduler without TLS and for fewer than one worker.
     """
 
     def __init__(
@@ -50,6 +50,8 @@ class Campaign:
     ) -> None:
         if scheduler is not None:
             check_scheduler(scheduler)
+        if workers is not None and workers < 1:
+            raise EngineError(f"workers is {workers}, but a campaign needs at least 1; None: one per core")
         beside: list[Path] = []
         if isinstance(campaign, Mapping):
             loaded = file.from_data(dict(campaign))

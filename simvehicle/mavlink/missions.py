@@ -7,7 +7,7 @@ import contextlib
 from collections.abc import Iterable, Iterator, Sequence
 
 from simvehicle.autopilot.mission import Leg
-from simvehicle.autopilot.modes import Severity
+from simvehicle.autopilot.modes import Mode, Severity
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.context import Call, ServiceContext
@@ -71,7 +71,7 @@ class Planning:
             case mav.MAVLINK_MSG_ID_MISSION_COUNT:
                 _send(protocol.count(content, peer, channel, now_s))
             case mav.MAVLINK_MSG_ID_MISSION_ITEM_INT | mav.MAVLINK_MSG_ID_MISSION_ITEM:
-                if content.current == GUIDED_ITEM:
+                if content.current == GUIDED_ITEM and self._context.vehicle.identity.guided:
                     _send([Post(channel, self._go_there(call))])
                 else:
                     _send(protocol.item(content, peer, channel, now_s))
@@ -119,10 +119,14 @@ class Planning:
             connection.streams.hasten("MISSION_CURRENT", self._context.vehicle.time_ms)
 
     def _go_there(self, call: Call) -> object:
-        """A waypoint to fly to at once, as ArduPilot's ground stations send it in GUIDED."""
+        """A waypoint to fly to at once, as ArduPilot's ground stations send it in GUIDED; refused in other modes, as
+        ArduCopter does."""
         vehicle = self._context.vehicle
+        spoken = vehicle.identity.spoken
         result = mav.MAV_MISSION_ACCEPTED
         try:
+            if spoken[vehicle.mode] != spoken[Mode.GUIDED]:
+                raise PlanError("not in guided mode", mav.MAV_MISSION_ERROR)
             (leg,) = _legs(vehicle, [item_from(call.content)], item_0_is_home=False)
             place = leg.place
             if place.north_m is None or place.east_m is None or place.height_m is None:

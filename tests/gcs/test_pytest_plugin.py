@@ -75,6 +75,10 @@ MARKS = {
     "trust, seed, scheduler",
     "campaign(what='policies', sessions=1.5)": "the mark campaign has 1.5 for sessions, which is to be a whole number",
     "campaign(20)": "the mark campaign has 20 for what, which is to be a campaign's file, a shipped name or plain data",
+    "campaign('policies', sessions=-1)": "the campaign does not fly: policies: sessions must be greater than or equal "
+    "to 1, not -1",
+    "campaign('policies', workers=0)": "the campaign does not fly: workers is 0, but a campaign needs at least 1",
+    "campaign('policies', scheduler='nohost')": "the campaign does not fly: nohost is no address of a scheduler",
     "campaign(sessions=20)": "the fixture campaign needs @pytest.mark.campaign(FILE, sessions=N)",
 }
 

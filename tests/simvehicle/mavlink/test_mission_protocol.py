@@ -264,6 +264,26 @@ def test_guided_item_is_flown_to_at_once(vehicle_bench: Any) -> None:
     assert bench.vehicle.mission is None
 
 
+def test_guided_item_changes_no_mode(vehicle_bench: Any) -> None:
+    """ArduCopter 4.6, ModeAuto::do_guided: only in guided mode."""
+    bench = vehicle_bench(autopilot="ardupilot").in_air_guided()
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 6.0) == ACCEPTED
+    there = waypoint(bench, 20.0, 10.0, 3.0)
+    there.current = 2
+    assert answer(bench.send(there)).type == mav.MAV_MISSION_ERROR
+    assert bench.vehicle.mode == "return"
+
+
+def test_guided_item_is_none_to_a_px4(vehicle_bench: Any) -> None:
+    bench = vehicle_bench().in_air()
+    before_ned = bench.vehicle.p_ned
+    there = waypoint(bench, 20.0, 10.0, 3.0)
+    there.current = 2
+    assert [m.get_type() for m in bench.send(there)] == []
+    bench.fly(2.0)
+    assert bench.vehicle.p_ned == pytest.approx(before_ned, abs=0.2)
+
+
 def test_hole_in_a_sequence_is_asked_for_again_and_the_old_mission_stays(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     upload(bench, [waypoint(bench, 1.0, 0.0, 2.0)])

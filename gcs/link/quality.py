@@ -9,7 +9,6 @@ import math
 from collections import deque
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcs.mavlink import frame_runs
 from gcs.mavlink.datagram import AnswerRuns
@@ -52,23 +51,25 @@ class LinkQuality:
         frame_runs.add_frames(runs.rows, self._received)
         if now_s >= self._due_s and len(runs):
             sysids = runs.rows[:, SYSID]
-            self._sample(sysids, now_s)
+            for sysid in sysids[now_s - self._sampled_s[sysids] >= SAMPLE_EVERY_S - _ROUNDING_S].tolist():
+                self._sample(sysid, now_s)
             self._due_s = float(self._sampled_s[sysids].min()) + SAMPLE_EVERY_S - _ROUNDING_S
 
     def count(self, sysid: int, frames: int, now_s: float) -> None:
         """Count frames of a vehicle that were delivered at `now_s`."""
         self._received[sysid] += frames
         if now_s - self._sampled_s[sysid] >= SAMPLE_EVERY_S - _ROUNDING_S:
-            self._sample(np.array([sysid]), now_s)
+            self._sample(sysid, now_s)
 
-    def _sample(self, sysids: NDArray[np.int64], now_s: float) -> None:
-        for sysid in sysids[now_s - self._sampled_s[sysids] >= SAMPLE_EVERY_S - _ROUNDING_S].tolist():
-            samples = self._samples.setdefault(sysid, deque([(0.0, 0, 0)]))
-            if now_s - samples[-1][0] >= SAMPLE_EVERY_S - _ROUNDING_S:
-                samples.append((now_s, int(self._received[sysid]), self.lost(sysid)))
-                while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
-                    samples.popleft()
-            self._sampled_s[sysid] = samples[-1][0]
+    def _sample(self, sysid: int, now_s: float) -> None:
+        samples = self._samples.get(sysid)
+        if samples is None:
+            samples = self._samples[sysid] = deque([(0.0, 0, 0)])
+        if now_s - samples[-1][0] >= SAMPLE_EVERY_S - _ROUNDING_S:
+            samples.append((now_s, int(self._received[sysid]), self.lost(sysid)))
+            while now_s - samples[1][0] >= WINDOW_S - _ROUNDING_S:
+                samples.popleft()
+        self._sampled_s[sysid] = samples[-1][0]
 
     def begin(self, now_s: float) -> None:
         """Count lost frames from `now_s` on."""

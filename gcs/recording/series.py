@@ -308,9 +308,12 @@ def _kept(
     """Energy in the battery in J after each report that counts, other messages taken between them as they came."""
     armed, speaks = False, profile or GENERIC
     left_j, done = [], 0
-    for t_s, place, kind, content in (*between, (math.inf, math.inf, "end", None)):
-        start, end = (int(np.searchsorted(reports.t_s, t_s, side=side)) for side in ("left", "right"))
-        end = start + int(np.searchsorted(places[start:end], place))
+    every = *between, (math.inf, math.inf, "end", None)
+    at = np.array([(t_s, place) for t_s, place, *_ in every])
+    order = np.lexsort((np.append(at[:, 1], places), np.append(at[:, 0], reports.t_s)))
+    ends = np.flatnonzero(order < len(every)) - np.arange(len(every))
+    """number of reports before each of the others"""
+    for (t_s, _, kind, content), end in zip(every, ends.tolist(), strict=True):
         if end > done:
             left_j.append(account.reports(reports.take(slice(done, end)), armed=armed))
             done = end

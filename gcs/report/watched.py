@@ -18,7 +18,7 @@ from gcs.recording.session_folder import Recorded
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import Health
+from gcs.telemetry.health import NO_ISSUES, Health
 
 EVERY_S = 0.5
 MOST_LOOKS = 100_000
@@ -85,7 +85,9 @@ class Watched:
             self._counted = next(self._link, None)
         self.events += [event for event in observer.pop_events(t_s) if event.kind in KINDS]
         for sysid, found in observer.health(t_s).items():
-            known = self.health.setdefault(sysid, [(0.0, Health())])
+            known = self.health.get(sysid)
+            if known is None:
+                known = self.health[sysid] = [(0.0, NO_ISSUES)]
             if found != known[-1][1]:
                 known.append((t_s, found))
 
@@ -101,9 +103,12 @@ def _moments(recorded: Recorded) -> Moments:
 def _link(recorded: Recorded) -> Iterator[tuple[float, int, int, int]]:
     """(end of a bin in s, system id, frames received in it that may be lost, and lost) in order of time."""
     own = {one.sysid for one in recorded.scenario.vehicles.launched} if recorded.scenario is not None else set()
+    bins = {}
+    for sysid, received in recorded.traffic_count.items():
+        counted = received - recorded.traffic_exempt[sysid][: len(received)] if sysid in own else received
+        bins[sysid] = counted.tolist(), recorded.traffic_lost[sysid].tolist()
     for k in range(max(map(len, recorded.traffic_count.values()), default=0)):
-        for sysid, received in recorded.traffic_count.items():
-            if k < len(received):
-                at_s = min((k + 1.0) * recorded.traffic_bin_s, recorded.end_s)
-                exempt = int(recorded.traffic_exempt[sysid][k]) if sysid in own else 0
-                yield at_s, sysid, int(received[k]) - exempt, int(recorded.traffic_lost[sysid][k])
+        at_s = min((k + 1.0) * recorded.traffic_bin_s, recorded.end_s)
+        for sysid, (counted, lost) in bins.items():
+            if k < len(counted):
+                yield at_s, sysid, counted[k], lost[k]

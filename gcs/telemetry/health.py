@@ -80,6 +80,9 @@ class Health(NamedTuple):
     """these three as of `Worst`"""
 
 
+NO_ISSUES = Health()
+
+
 class State(StrEnum):
     """A vehicle's part in the refuelling."""
 
@@ -196,6 +199,8 @@ def worst(found: Iterable[HealthIssue]) -> Worst:
 
 def health(found: Collection[HealthIssue]) -> Health:
     """All issues of a vehicle together."""
+    if not found:
+        return NO_ISSUES
     return Health(tuple(issue.text for issue in found), severity(found), *worst(found))
 
 

@@ -107,7 +107,7 @@ class DecisionLines:
 
     def __iter__(self) -> Iterator[dict[str, Any]]:
         for lines in self._blocks():
-            for record, line in self._decoded(_RECORDS, lines):
+            for record, line in self._decoded(_RECORDS, self._without_refused(lines)):
                 t_s = record.get("t_s")
                 if isinstance(record.get("kind"), str) and isinstance(t_s, int | float) and not isinstance(t_s, bool):
                     yield record
@@ -116,12 +116,15 @@ class DecisionLines:
 
     def blocks(self, *, set_points: bool = True) -> Iterator[tuple[NDArray[np.float64], list[DecisionLine]]]:
         """(n, COLUMNS) numbers of set points, none where they are not wanted; and the other decisions' lines."""
-        for lines in self._blocks(typed=True):
-            own = [line for line in lines if line.startswith(_BEGIN) and (set_points or line is self._last)]
-            points = [point for point, _ in self._decoded(_POINTS, own)]
+        for lines in self._blocks():
+            # No set point of ours is long, and the types of its numbers refuse what cannot be read.
+            own = [line for line in lines if line.startswith(_BEGIN) and len(line) <= MOST_OPENED]
+            rest = [line for line in lines if len(line) > MOST_OPENED or not line.startswith(_BEGIN)]
+            wanted = own if set_points else [line for line in own[-1:] if line is self._last]
+            points = [point for point, _ in self._decoded(_POINTS, wanted)]
             points = points if set_points else []
             others = []
-            for head, line in self._decoded(_HEADS, [line for line in lines if not line.startswith(_BEGIN)]):
+            for head, line in self._decoded(_HEADS, self._without_refused(rest)):
                 if head.kind != "set_point":
                     others.append(DecisionLine(head.t_s, head.kind, head.giver, line))
                 elif set_points:  # by another writer
@@ -132,24 +135,27 @@ class DecisionLines:
             rows[:, T_S] = [point.t_s for point in points]
             yield rows, others
 
-    def _blocks(self, *, typed: bool = False) -> Iterator[list[bytes]]:
-        """Lines that can be read; `typed`: short set points are left to the types of their numbers."""
+    def _blocks(self) -> Iterator[list[bytes]]:
+        """All lines; some may be empty."""
         self.broken, self.cut, done = 0, False, 0
         with rotation.open_parts(self._path) as file:
             size = max(rotation.size(self._path), 1)
             while block := file.read(BLOCK_BYTES) + file.readline():
                 done += len(block)
-                lines = [line for line in block.split(b"\n") if line]
-                self._last = lines[-1] if lines and not block.endswith(b"\n") else None
-                suspects = lines
-                if typed:
-                    suspects = [line for line in lines if len(line) > MOST_OPENED or not line.startswith(_BEGIN)]
-                refused = {line for line in suspects if _is_refused(line)}
-                for line in lines if refused else ():
-                    if line in refused:
-                        self._pass_over(line)
-                yield [line for line in lines if line not in refused] if refused else lines
+                lines = block.split(b"\n")
+                self._last = lines[-1] if lines[-1] else None
+                yield lines
                 self._progress(min(done / size, 1.0))
+
+    def _without_refused(self, lines: Sequence[bytes]) -> list[bytes]:
+        """The lines that can be read and are not empty."""
+        read = []
+        for line in lines:
+            if _is_refused(line):
+                self._pass_over(line)
+            elif line:
+                read.append(line)
+        return read
 
     def _decoded(self, decoder: msgspec.json.Decoder[Any], lines: Sequence[bytes]) -> Iterator[tuple[Any, bytes]]:
         """Values of each line; those without such a value are passed over."""

@@ -10,6 +10,7 @@ import math
 import os
 import re
 import stat
+import sys
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -225,6 +226,8 @@ def shown(value: Any) -> str:
         return "a block of keys" if isinstance(value, dict) else "a list"
     if not isinstance(value, int | float):  # of a program, which sets keys
         return f"the class {value.__name__}" if isinstance(value, type) else f"a Python {type(value).__name__}"
+    if isinstance(value, int) and abs(value) > sys.float_info.max:
+        return "a whole number of more than 300 digits"
     if not math.isfinite(value):
         return ".nan" if math.isnan(value) else ".inf" if value > 0 else "-.inf"
     return str(value) if abs(value) < 1e15 else f"{value:g}"

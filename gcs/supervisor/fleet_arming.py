@@ -12,6 +12,7 @@ from typing import NamedTuple, Self
 
 from gcs.mavlink.autopilots import End
 from gcs.supervisor.arming import ArmingSequence, Stage
+from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.columns import FleetColumns
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import VehicleView
@@ -99,7 +100,8 @@ def stage_event(view: VehicleView, arming: ArmingSequence, before: Stage, now_s:
     before: the stage that the sequence has left.
     """
     if arming.stage is Stage.DOWN and view.alive:
-        why = arming.left_out or "Lands, and takes no more part"
+        does = "Lands" if view.mode in GOING_DOWN else "Is down"
+        why = arming.left_out or f"{does}, and takes no more part"
         return Event(now_s, view.sysid, "warning", why, "session" if arming.left_out else "decision")
     if arming.stage is Stage.YIELDED:
         pilot, back = "Its failsafe" if view.failsafe else "A pilot or another station", view.profile.offboard_name

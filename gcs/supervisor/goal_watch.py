@@ -231,11 +231,18 @@ class GoalWatch:
         elif view.flying and by_itself:
             self._leaves_hold.add(view.sysid)
         if view.alive and arming.stage is Stage.DOWN and (by_itself or arming.left_out):
-            return "left out" if arming.left_out else "landed by itself"
+            return "left out" if arming.left_out else self._how_down(view)
         if view.alive and view.landed and view.sysid in self._leaves_hold:
             return "landed by itself"
         empty = view.battery_reported and view.energy_source != "none" and view.remaining_j <= 0.0
         return "its battery is empty" if empty and (arming.ordered is None or view.flying) else ""
+
+    def _how_down(self, view: VehicleView) -> str:
+        """How a vehicle came out of our hands that takes no more part."""
+        if view.flying:
+            return f"its failsafe flies it ({view.mode_name})"
+        fell = self._flew[self._rows[view.sysid]] and view.mode not in GOING_DOWN
+        return "crashed, or disarmed in flight" if fell else "landed by itself"
 
     def lose(self, sysid: int, t_s: float, why: str) -> None:
         """Count a vehicle as lost, or the traffic, 255; what it was lost by first stays."""

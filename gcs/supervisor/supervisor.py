@@ -304,12 +304,15 @@ class Supervisor:
         views = self.fleet.snapshot(self.time_s).vehicles
         return {view.label: view.p_now_ned() for view in views if view.alive and view.p_ned is not None}
 
-    def inject(self, fault: Fault) -> None:
-        """Let a fault happen that the scenario does not have."""
+    def inject(self, fault: Fault) -> OperatorReply:
+        """Let a fault happen that the scenario does not have, or say that its vehicle is dead."""
+        if fault.sysid is not None and not (view := self.snapshot.vehicle(fault.sysid)).alive:
+            return OperatorReply(False, f"The fault is refused: {view.label} is dead.")
         one = self.faults.add(fault)
         self.script.injected(self.time_s, one)
         if self._impaired:
             self._radios.add(one, self.scenario)
+        return OperatorReply(True, f"The fault {fault.fault} begins at {fault.at_s:g} s.")
 
     def note(self, command: str, answer: OperatorReply) -> None:
         """Report and record a command that the session's clock has carried out."""
@@ -329,7 +332,9 @@ class Supervisor:
 
     def _inject_faults(self, now_s: float) -> None:
         """Let those begin and end whose time has come; in lockstep it is the same tick in every session."""
-        begin, end = self.faults.step(now_s)
+        columns = self.snapshot.columns
+        dead = {sysid for sysid, alive in zip(columns.sysids, columns.alive.tolist(), strict=True) if not alive}
+        begin, end = self.faults.step(now_s, dead)
         for one in begin:
             self._begin_fault(one)
         for one in (*begin, *end):

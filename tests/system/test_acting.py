@@ -148,10 +148,13 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
                 {"fault": "tanker_out", "sysid": 201, "for_s": 2.0},
                 {"fault": "battery", "sysid": 1, "share": 0.1},
                 {"fault": "gps_jump", "sysid": 101, "jump_m": [1.0, 2.0], "for_s": 3.0},
+                {"fault": "motor", "sysid": 2, "at_s": 9.5},  # it is dead by then
             ):
                 session.inject(fault_of(**fault))
             while (snapshot := session.step()).time_s < 10.0:
                 pass
+            with pytest.raises(gcs.SessionError, match=r"^The fault is refused: pursuer 2 is dead\.$"):
+                session.inject(fault_of(fault="motor", sysid=2))
             truth = session.truth
         digests.append(session.summary.digest)
     assert digests[0] == digests[1]
@@ -162,6 +165,7 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
     assert np.linalg.norm(snapshot.p_ned[2] - truth.p_ned[2]) > 1.0  # it reports, and flies by, another place
     told = [(line["fault"], line["number"]) for line in decisions(session.folder, "fault") if line["state"] == "begins"]
     assert sorted(number for _, number in told) == [1, 2, 3, 4, 5, 6]
+    assert [one.fault for one in session.summary.faults if one.sysid == 2] == ["kill"]
     again = run_gcs("replay", str(session.folder), "--decide")
     assert (again.returncode, again.stdout.endswith("agree\n")) == (0, True)
 
@@ -219,6 +223,15 @@ def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
         ):
             with pytest.raises(gcs.SessionError, match=sentence):
                 session.inject(fault)  # type: ignore[arg-type]
+        for key, value in (("at_s", math.nan), ("for_s", math.inf), ("at_s", 10**400), ("jump_m", [0.0, math.nan])):
+            with pytest.raises(ValueError, match=f"^{key} of a fault must be a finite number, not"):
+                session.inject({"fault": "gps_jump", "sysid": 1, "for_s": 1.0, "jump_m": [1.0, 1.0], key: value})
+        for wrong in (
+            lambda: session.step({1: ((10**400, 0, -3), (0, 0, 0))}),
+            lambda: session.command(1, "MAV_CMD_DO_CHANGE_SPEED", 10**400),
+        ):
+            with pytest.raises(ValueError, match=r"three numbers|float32"):
+                wrong()
         with pytest.raises(gcs.SessionError, match=r"^Pursuer 1 flies by the plan already\.$"):
             session.command(1, "rejoin")
     assert not decisions(session.folder, "steered", "command", "inject")

@@ -110,3 +110,15 @@ def test_the_report_draws_the_faults(flown: Outcome) -> None:
     assert any(
         "Injected fault, not survived: the process of target 101 is killed" in one.text for one in found.problems
     )
+
+
+def test_a_crash_and_a_landing_by_failsafe_are_named_apart(tmp_path: Path) -> None:
+    faults = [{"fault": "motor", "sysid": 1, "at_s": 9.0}, {"fault": "gps_off", "sysid": 101, "at_s": 12.0}]
+    outcome = fly(small(goal={"duration_s": 14.0, "refuelled_at_least": 0}, faults=faults), tmp_path, "--plain")
+    texts = [(m.get_srcSystem(), m.text) for _, m in outcome.messages("STATUSTEXT")]
+    assert (1, "Crashed, disarmed") in texts
+    (lost,) = (part for part in outcome.summary["goal"] if part["part"] == "lost")
+    assert ": crashed, or disarmed in flight" in lost["reached"]
+    assert ": its failsafe flies it (Land)" in lost["reached"]
+    assert "landed by itself" not in lost["reached"]
+    assert "Is down, and takes no more part" in outcome.stdout

@@ -87,7 +87,7 @@ def move(scenario: Scenario, kind: Kind, which: Any, at_m: Any) -> Change:
     one = bodies(scenario, kind)[place]
     try:
         wanted = [float(number) for number in np.asarray(at_m, np.float64).ravel()]
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         wanted = []
     if len(wanted) not in (2, 3) or not all(map(math.isfinite, wanted)):
         raise ValueError(f"{at_m!r:.60} is no place: give (n, e, d) in m, or (n, e) to keep the height")
@@ -111,7 +111,7 @@ def new_path(
         raise ValueError(f"vehicle {sysid} is no target: only targets fly paths")
     try:
         points = np.asarray(path_m, np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError("path_m is a list of places (n, e, d) in m, such as [(0, 0, -5), (10, 0, -5)]")

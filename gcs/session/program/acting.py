@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import operator
 import struct
+import sys
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
@@ -40,7 +41,7 @@ def checked_set_points(set_points: Mapping[int, ArrayLike], sysids: Collection[i
         )
     try:
         numbers = np.array(list(set_points.values()), dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         numbers = np.empty(0)
     if set_points and (numbers.shape != (len(set_points), 2, 3) or not np.all(np.abs(numbers) <= FARTHEST)):
         for sysid, pair in set_points.items():
@@ -53,7 +54,7 @@ def _check_pair(sysid: int, pair: ArrayLike) -> None:
     what = f"the set point of vehicle {sysid}"
     try:
         numbers = np.asarray(pair, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{what} is not (p_ned, v_ned) of three numbers each") from None
     if numbers.shape != (2, 3):
         raise ValueError(f"{what} has the shape {numbers.shape}, not (2, 3): (p_ned, v_ned) of three numbers each")
@@ -107,7 +108,7 @@ def _param(name: str, index: int, value: Any) -> float | None:
     except (TypeError, ValueError):
         raise ValueError(f"parameter {index} of {name} is {value!r:.40}, and not a number") from None
     except OverflowError:
-        raise ValueError(f"parameter {index} of {name} is {value:g}, more than its float32 holds") from None
+        raise ValueError(f"parameter {index} of {name} is {value!r:.40}, more than its float32 holds") from None
     if math.isinf(number):
         raise ValueError(f"parameter {index} of {name} is infinite; NaN leaves it unset")
     return None if math.isnan(number) else number
@@ -127,7 +128,8 @@ def _listed(sysids: Collection[int]) -> str:
 def keys_of(fault: Fault | Mapping[str, Any], sysids: Collection[int]) -> Any:
     """The keys of a fault; of what is none, how it is written, for the session's refusal.
 
-    Raises ValueError where it names a vehicle that is not there.
+    Raises ValueError where it names a vehicle that is not there, and for numbers that are not finite: a message to the
+    session cannot hold them.
     """
     if isinstance(fault, Fault):
         fault = fault.model_dump(mode="json", exclude_unset=True)
@@ -135,4 +137,8 @@ def keys_of(fault: Fault | Mapping[str, Any], sysids: Collection[int]) -> Any:
         return repr(fault)
     if fault.get("sysid") is not None:
         known(fault["sysid"], sysids)
+    for key, value in fault.items():
+        for number in value if isinstance(value, Sequence | np.ndarray) else (value,):
+            if isinstance(number, int | float) and not abs(number) <= sys.float_info.max:
+                raise ValueError(f"{key} of a fault must be a finite number, not {number!r:.40}")
     return dict(fault)

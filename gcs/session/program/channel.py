@@ -124,5 +124,4 @@ def _inject(content: Any, supervisor: Supervisor, blocks: Iterable[Sequence[int]
         if len(together) > 1:
             text = f"vehicle {fault.sysid} shares its process with others: {fault.fault} needs vehicles_per_process: 1"
             return OperatorReply(False, f"The fault is refused: {text}.")
-    supervisor.inject(fault)
-    return OperatorReply(True, f"The fault {fault.fault} begins at {fault.at_s:g} s.")
+    return supervisor.inject(fault)

@@ -112,7 +112,7 @@ def test_only_an_order_that_explains_a_landing_keeps_it_from_counting_as_a_loss(
         return why[-2], why[-1]
 
     falls, landed, empty = ["its failsafe flies it (Land)"], ["landed by itself"], ["its battery is empty"]
-    assert lost(None, left_j=40.0)[1] == landed
+    assert lost(None, left_j=40.0) == (falls, falls)
     assert lost("hold", left_j=40.0) == (falls, landed)
     assert lost("return", left_j=40.0) == lost("land", left_j=40.0) == ([], [])
     assert lost("hold", left_j=0.0) == lost("return", left_j=0.0) == lost("land", left_j=0.0) == (empty, empty)

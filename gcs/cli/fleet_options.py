@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from gcs.cli.options import STATION_OPTION, Refused, connect_option, connecting, key_file_option
+from gcs.cli.options import SECONDS, STATION_OPTION, Refused, connect_option, connecting, key_file_option
 from gcs.scenario.endpoint import Endpoint
 from skytender.exit import NOT_DONE
 
@@ -47,7 +47,7 @@ def of_the_fleet(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--wait",
             "within",
-            type=click.FloatRange(0.1),
+            type=SECONDS,
             default=10.0,
             show_default=True,
             help="Seconds to find the vehicles.",
@@ -86,7 +86,9 @@ def fleet_at(
         if not fleet.find(sysids, within):
             missing = sorted(set(sysids) - fleet.profiles.keys())
             who = f"vehicle {', '.join(map(str, missing))}" if missing else "any vehicle"
-            why = fleet.listener.silence or "is it running, and is that its address?"
+            refused = {sysid: why for sysid, why in fleet.not_understood.items() if not sysids or sysid in sysids}
+            why = "; ".join(f"messages of vehicle {sysid} came and were refused: {w}" for sysid, w in refused.items())
+            why = why or fleet.listener.silence or "is it running, and is that its address?"
             raise Refused(f"no HEARTBEAT of {who} came within {within:g} s at {connect.text}: {why}")
         yield fleet
         for sysid in sorted(fleet.doubled.keys() & fleet.profiles.keys()):

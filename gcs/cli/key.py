@@ -10,7 +10,7 @@ from pathlib import Path
 import click
 
 from gcs.cli.fleet_options import FIND_WITHIN_S, fleet_at
-from gcs.cli.options import STATION_OPTION, Refused, connect_option, key_file_option
+from gcs.cli.options import SECONDS, STATION_OPTION, Refused, connect_option, key_file_option
 from gcs.scenario.endpoint import Endpoint
 from skytender.exit import NOT_DONE
 
@@ -69,7 +69,7 @@ def new(file: Path, passphrase: bool) -> int:
 @click.option(
     "--trust", is_flag=True, help="Send it over a radio or a network too: any listener there has the key then."
 )
-@click.option("--wait", "within", type=click.FloatRange(0.1), default=FIND_WITHIN_S, show_default=True,
+@click.option("--wait", "within", type=SECONDS, default=FIND_WITHIN_S, show_default=True,
               help="Seconds to find the vehicle.")  # fmt: skip
 @STATION_OPTION
 def send(

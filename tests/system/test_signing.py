@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commands import gcs
 from ports import free_port
 from pymavlink.dialects.v20 import common as mav
 from sessions import fly, small
@@ -87,7 +88,10 @@ def test_who_has_not_the_key_flies_nothing_and_is_told_why_on_both_sides(
     with strangers(tmp_path / "more", vehicle("--connect", f"udpout:127.0.0.1:{spoken}", "--key-file", str(own))):
         (tmp_path / "again").mkdir()
         refused = fly(scenario(f"udpin:127.0.0.1:{spoken}", key, found_within_s=10.0), tmp_path / "again")
+        given = ("--key-file", str(key)) if key else ()
+        asked = gcs("params", "get", "COM_DL_LOSS_T", "--connect", f"udpin:127.0.0.1:{spoken}", *given, "--wait", "3")
     assert f"messages of pursuer 7 came and were refused: {why}" in refused.stderr
+    assert (asked.returncode, f"messages of vehicle 7 came and were refused: {why}" in asked.stderr) == (2, True)
 
 
 @contextmanager

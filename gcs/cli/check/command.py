@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from gcs.cli.options import STATION_OPTION, connect_option, connecting, key_file_option
+from gcs.cli.options import SECONDS, STATION_OPTION, connect_option, connecting, key_file_option
 from gcs.cli.trust import TRUST
 from gcs.scenario.endpoint import ONLY_ONCE, Endpoint
 from skytender.exit import BAD_INPUT, NOT_DONE
@@ -41,12 +41,10 @@ PEER_NAMES = {"mavsdk": "MAVSDK", "qgroundcontrol": "QGroundControl", "mavproxy"
 @click.option(
     "--arm", is_flag=True, help="Also change the mode, arm and disarm, and take control. Propellers off first."
 )
-@click.option(
-    "--wait", "within", type=click.FloatRange(0.1), default=10.0, show_default=True, help="Seconds to find the vehicle."
-)
+@click.option("--wait", "within", type=SECONDS, default=10.0, show_default=True, help="Seconds to find the vehicle.")
 @click.option(
     "--wait-ready",
-    type=click.FloatRange(0.1),
+    type=SECONDS,
     metavar="SECONDS",
     help="At first wait so long until its pre-arm checks pass, as after its start.",
 )

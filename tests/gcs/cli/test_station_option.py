@@ -108,3 +108,11 @@ def test_an_id_that_is_none_is_refused(wrong: str) -> None:
 def test_a_scenario_has_its_own(tmp_path: Path) -> None:
     refused = gcs("check", str(tmp_path / "field.yaml"), "--station", "245")
     assert "--station is for a check without a scenario" in refused.stderr
+
+
+@pytest.mark.parametrize("seconds", ["nan", "inf"])
+def test_waiting_is_for_a_finite_time(seconds: str) -> None:
+    for command, *_ in {words[0]: words for words in COMMANDS}.values():
+        asked = {"params": ("get", "RTL_ALT"), "mission": ("get",), "logs": ("list",)}.get(command, ())
+        refused = gcs(command, *asked, "--wait", seconds)
+        assert (refused.returncode, f"{seconds} is not a finite number." in refused.stderr) == (2, True), refused.stderr

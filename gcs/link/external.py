@@ -343,7 +343,7 @@ class ExternalLink:
             boot_s = codec.fields(frame).time_boot_ms / 1e3 if own and frame.msgid in CLOCKS else None
             text = peer.answered(link, frame, now_s) if own and frame.msgid == TIMESYNC else ""
             if self._kept and boot_s is not None:
-                text = peer.judge(link, boot_s, self._now_s(), now_s)
+                text = peer.judge(link, frame.msgid, boot_s, self._now_s(), now_s)
             if text:
                 self._changes.append((frame.sysid, text))
             if link.late_s:

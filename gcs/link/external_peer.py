@@ -161,12 +161,17 @@ class ExternalPeer:
             link.offset_s = self.clock.offset_s
         return link.find_late(0.0) if takes_s < LATE_S else ""
 
-    def judge(self, link: PeerLink, boot_s: float, t_s: float, now_s: float) -> str:
+    def judge(self, link: PeerLink, msgid: int, boot_s: float, t_s: float, now_s: float) -> str:
         """Judge by the autopilot's time in a message that came at `t_s` of the session whether the link delivers late;
         words where that has changed, else none."""
+        outrun = any(one is not link and one.fresh(now_s) for one in self.links)
+        if not outrun and self.clock.begins_anew(msgid, boot_s):
+            # A link brings what it is sent in its order: this is another boot, and questions to the last one are open.
+            for one in self.links:
+                one.offset_s, one.trips = None, RoundTrips()
+            return link.find_late(0.0)
         offset_s = self.clock.offset_s if link.offset_s is None else link.offset_s
         behind_s = 0.0 if offset_s is None else t_s - boot_s - offset_s
-        outrun = any(one is not link and one.fresh(now_s) for one in self.links)
         return link.find_late(link.trips.late_s(behind_s, now_s, outrun=outrun))
 
     def choose(self, now_s: float) -> str:

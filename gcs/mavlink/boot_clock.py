@@ -28,13 +28,17 @@ class BootClock:
         self._window_began_s = -math.inf
         self._newest_boot_s: dict[int, float] = {}
 
-    def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
-        """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew.
+    def begins_anew(self, msgid: int, boot_s: float) -> bool:
+        """Whether a message `msgid` that says `boot_s` is of another boot than those before.
 
         Messages are compared with others of their kind: a vehicle may fill in the time of one and leave another's 0.
         """
+        return boot_s < self._newest_boot_s.get(msgid, -math.inf) - REBOOT_S
+
+    def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
+        """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew."""
         newest_s = self._newest_boot_s.get(msgid, -math.inf)
-        rebooted = boot_s < newest_s - REBOOT_S
+        rebooted = self.begins_anew(msgid, boot_s)
         if rebooted:
             self._newest_boot_s.clear()
             self._least_s = self._least_before_s = math.inf

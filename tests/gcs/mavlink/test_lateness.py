@@ -30,7 +30,7 @@ class Air:
         self.peer = ExternalPeer((1, 1), made, made[0])
         self.delay_s: list[Callable[[float], float]] = [lambda _: 0.05] * links
         self.vehicle = mav.MAVLink(None, srcSystem=1, srcComponent=1)
-        self.answers, self.stood_s = answers, 0.0
+        self.answers, self.stood_s, self.is_off = answers, 0.0, False
         self.now_s, self.asked = 0.0, 0
         self.taken: list[float] = []
         """how old each place was that was taken"""
@@ -45,10 +45,13 @@ class Air:
             place = bytes(mav.MAVLink_local_position_ned_message(boot_ms, 1, 2, 3, 0, 0, 0).pack(self.vehicle))
             for k, link in enumerate(self.peer.links):
                 delay_s = self.delay_s[k](self.now_s)
-                self._down[k].append((self.now_s + delay_s, self.now_s, place))
+                if not self.is_off:
+                    self._down[k].append((self.now_s + delay_s, self.now_s, place))
                 if (question := link.trips.ask(self.now_s)) is not None:
                     self.asked += 1
                     self._up[k].append((self.now_s + delay_s, question.values[1]))
+                if self.is_off:
+                    self._up[k].clear()
                 while self.answers and self._up[k] and self._up[k][0][0] <= self.now_s:
                     stamp = self._up[k].popleft()[1]
                     answer = mav.MAVLink_timesync_message(1000 * boot_ms, stamp).pack(self.vehicle)
@@ -61,7 +64,7 @@ class Air:
         text = self.peer.answered(link, frame, self.now_s) if frame.msgid == TIMESYNC else ""
         if frame.msgid in CLOCKS:
             boot_s = codec.fields(frame).time_boot_ms / 1e3
-            text = self.peer.judge(link, boot_s, self.now_s, self.now_s)
+            text = self.peer.judge(link, frame.msgid, boot_s, self.now_s, self.now_s)
             if not link.late_s:
                 link.received_s = self.now_s
                 self.peer.clock.feed(frame.msgid, boot_s, self.now_s)
@@ -99,6 +102,17 @@ def test_a_simulation_that_stood_still_is_in_time_as_soon_as_its_answers_are() -
     taken = len(air.taken)
     air.run(22.0)
     assert (air.said, len(air.taken)) == ([], taken + 20)
+
+
+def test_a_vehicle_that_boots_anew_is_in_time_though_it_left_questions_open() -> None:
+    air = Air()
+    air.run(20.0)
+    air.is_off = True
+    air.run(23.0)
+    air.is_off, air.stood_s, taken = False, BOOTED_S + 22.0, len(air.taken)
+    air.run(26.0)
+    assert (air.said, len(air.taken)) == ([], taken + 29)  # the last one is on its way
+    assert air.peer.clock.offset_s == pytest.approx(22.05, abs=STEP_S)
 
 
 def test_without_timesync_a_single_link_is_believed_as_it_comes() -> None:

@@ -39,6 +39,10 @@ class SessionProblem:
     text: str
 
 
+NOT_ENDED = "not ended"
+"""Why a service ended that was under way when the session did."""
+
+
 class ServiceFinding(ServedRow):
     """One refuelling, with why it ended."""
 
@@ -117,7 +121,7 @@ class Findings:
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
-                ServiceFinding(**s.model_dump(), reason="not ended")
+                ServiceFinding(**s.model_dump(), reason=NOT_ENDED)
                 for s in self.summary.refuelling
                 if (s.receiver, s.tanker, s.decided_at_s) not in ended
             ]
@@ -125,7 +129,7 @@ class Findings:
             for d in self.recorded.decisions:
                 if d["kind"] == "decided" and (d["receiver"], d["tanker"], d["t_s"]) not in ended:
                     pair = d["receiver"], d["tanker"], d.get("base"), d["by"], d["t_s"]
-                    found.append(ServiceFinding(*pair, None, None, None, 0.0, "not ended", d["bids"]))
+                    found.append(ServiceFinding(*pair, None, None, None, 0.0, NOT_ENDED, d["bids"]))
         return sorted(found, key=lambda service: service.decided_at_s)
 
     @cached_property
@@ -310,7 +314,7 @@ class Findings:
                 "warn", f"Refuelling of {few(who)} was interrupted ({_times(len(broken), broken[0]['t_s'])})."
             )
         for s in self.services:
-            if s.energy_j <= 0 and s.reason != "not ended":
+            if s.energy_j <= 0 and s.reason != NOT_ENDED:
                 when = f"decided at {s.decided_at_s:.1f} s"
                 yield SessionProblem(
                     "warn", f"Refuelling of {s.receiver} by {s.giver} moved no energy: {s.reason} ({when})."

@@ -22,7 +22,7 @@ from gcs.recording.importing import opened
 from gcs.recording.session_folder import read, read_recording
 from gcs.report import tables
 from gcs.report.charts import Charts
-from gcs.report.findings import Findings
+from gcs.report.findings import NOT_ENDED, Findings
 from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
@@ -247,8 +247,10 @@ def _cards(found: Findings) -> str:
         cards.append(("lowest battery", f"{lowest[whose]:.0f} %", f"vehicle {whose}"))
     if found.services:
         moved = sum(s.energy_j for s in found.services)
-        done = sum(s.energy_j > 0 for s in found.services)
-        cards.append(("refuellings", str(done), f"{moved / 1e3:.1f} kJ moved"))
+        ended = [s for s in found.services if s.reason != NOT_ENDED]
+        under_way = f", {len(found.services) - len(ended)} not ended" if len(ended) < len(found.services) else ""
+        done = sum(s.energy_j > 0 for s in ended)
+        cards.append(("refuellings", str(done), f"{moved / 1e3:.1f} kJ moved{under_way}"))
     if summary is not None:
         cards.append(("frames lost", str(summary.link.lost), f"of {summary.link.received} received"))
     items = "".join(

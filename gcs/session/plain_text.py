@@ -149,7 +149,10 @@ def farewell(summary: Mapping[str, Any] | None, outcome: str | None, folder: Pat
         if lost := _losses(summary):
             lines.append(f"lost: {clean(lost)}")
         done = [r for r in summary["refuelling"] if r["energy_j"] > 0]
-        order = [f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']})" for r in done]
+        order = [
+            f"{r['receiver']} {_giver(r)} ({r['energy_j']:.0f} J, {r['by']}{', not ended' * (r['end_s'] is None)})"
+            for r in done
+        ]
         lines += _listed("refuelled: ", order or ["none"])
         lines += [_closest(summary, name) for name in ("separation", "clearance", "traffic")]
         lines = [line for line in lines if line]

@@ -221,11 +221,16 @@ def test_the_farewell_says_what_the_session_amounts_to() -> None:
         "digest: sha256:ab",
         "session: sessions/x",
     ]
+    (service,) = SUMMARY["refuelling"]
+    unended = {**SUMMARY, "refuelling": [{**service, "end_s": None}]}
+    assert "refuelled: 5 by 201 (9000 J, competition, not ended)" in farewell(unended, "met", Path("x"))
     assert farewell(None, None, Path("x")) == ["outcome: none", "session: x"]
 
 
 def test_a_long_farewell_needs_no_line_of_more_than_80_columns_and_leaves_nobody_out() -> None:
-    done = [{"receiver": i, "tanker": 201, "energy_j": 12000 + i, "by": "competition"} for i in range(1, 10)]
+    done = [
+        {"receiver": i, "tanker": 201, "end_s": 9.0, "energy_j": 12000 + i, "by": "competition"} for i in range(1, 10)
+    ]
     lines = farewell({**SUMMARY, "refuelling": done}, "met", Path("x"))
     assert max(map(len, lines)) <= 80
     told = " ".join(line.strip() for line in lines).partition("refuelled: ")[2].partition(" minimum")[0]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from gcs.recording.session_folder import Recorded
 from gcs.recording.summary import Summary
 from gcs.report import page
 from gcs.report.findings import Findings, few
+from gcs.report.page import text
 from gcs.scenario.model import Scenario
 
 
@@ -116,6 +118,17 @@ def test_services_that_moved_nothing_and_broke_off_are_told() -> None:
     assert ("bad", "vehicle 2 has died (9.5 s)") in told
     assert ("warn", "Refuelling of 2 was interrupted (at 7.0 s).") in told
     assert ("warn", "Refuelling of 2 by tanker 201 moved no energy: too far (decided at 5.0 s).") in told
+
+
+def test_a_service_that_the_end_cut_is_no_refuelling_of_the_page(tmp_path: Path) -> None:
+    steps = {"tanker": 201, "by": "unopposed", "decided_at_s": 5.0, "joined_at_s": 8.0, "start_s": 8.0, "bids": {}}
+    cut = {"receiver": 2, "end_s": None, "energy_j": 2200.0, **steps}
+    ended = {"t_s": 9.0, "kind": "served", "receiver": 1, "end_s": 9.0, "energy_j": 800, "reason": "full", **steps}
+    (tmp_path / "scenario.yaml").touch()
+    shown = text(
+        Findings(replace(found(decisions=[ended], summary=summary(refuelling=[cut])).recorded, folder=tmp_path))
+    )
+    assert "<dt>refuellings</dt><dd>1<small>3.0 kJ moved, 1 not ended</small></dd>" in shown
 
 
 def test_an_operators_orders_stand_where_the_flight_is_to_be_reproduced(tmp_path: Path) -> None:

@@ -206,7 +206,7 @@ class FaultInjector:
 
     def _record(self, one: Injection, state: str, now_s: float) -> dict[str, Any]:
         what = self._what(one)
-        text = f"Fault: {what}" if state == "begins" else f"Fault over: {what}"
+        text = f"Fault: {what}" if state == "begins" else f"Fault over ({what})"
         if state == "begins" and math.isfinite(one.end_s):
             text += f", for {one.end_s - one.begin_s:g} s"
         about = {"fault": one.fault.fault, "number": one.number, "state": state}

@@ -30,6 +30,7 @@ TAKEN: dict[str, tuple[End, str]] = {
 }
 OUT_MISSION = "on its mission"
 OUT_TAKEN, OUT_SKIPPED = "taken by the operator", "skipped by the operator"
+OUT_RELEASED = "taken by another ground station"
 
 
 class OperatorReply(NamedTuple):
@@ -127,7 +128,7 @@ class Operator:
         if self._arming[view.sysid].released:
             return OperatorReply(False, f"{_name(view)} is another ground station's already.")
         self._arming[view.sysid].release()
-        self._schedule.out[view.sysid] = OUT_TAKEN
+        self._schedule.out[view.sysid] = OUT_RELEASED
         return OperatorReply(True, f"{_name(view)} is another ground station's until it rejoins.")
 
     def _rejoin(self, view: VehicleView, command: str) -> OperatorReply:

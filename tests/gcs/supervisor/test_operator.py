@@ -58,6 +58,7 @@ def test_who_was_released_is_the_operators_by_an_order_and_may_be_released_again
     assert (arming.ordered, arming.released) == ("hold", False)
     assert taken(session, "release", sysid=1)
     assert (arming.ordered, arming.released) == (None, True)
+    assert session.supervisor.schedule.out == {1: "taken by another ground station"}
 
 
 def test_who_rejoins_gets_set_points_again(session: Any) -> None:

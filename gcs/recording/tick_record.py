@@ -125,8 +125,9 @@ def event_of(record: Mapping[str, Any]) -> Event:
         level: Level = "warning" if record["state"] == "begins" else "info"
         return Event(t_s, int(record["sysid"]), level, str(record["text"]), "fault")
     if kind == "operator":
-        level = "info" if record.get("taken") else "warning"
-        return Event(t_s, int(record.get("sysid", 0)), level, f"Operator: {record.get('text', '')}", "operator")
+        level, refused = ("info", "") if record.get("taken") else ("warning", f"{record.get('command')} refused: ")
+        text = f"Operator: {refused}{record.get('text', '')}"
+        return Event(t_s, int(record.get("sysid", 0)), level, text, "operator")
     if kind == "command":
         text = f"A program sends it MAV_CMD_{command_name(int(record['mav_cmd']))}"
         return Event(t_s, int(record["sysid"]), "info", text, "operator")

@@ -17,6 +17,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
+from gcs.recording.tick_record import event_of
 from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
@@ -73,18 +74,16 @@ class Operator:
     ) -> Event:
         """Record an operator's command, also one that another part carries out; the event of it."""
         named = {"sysid": sysid, "target": target}
-        self._records.append(
-            {
-                "t_s": t_s,
-                "kind": "operator",
-                "command": command,
-                **{key: value for key, value in named.items() if value is not None},
-                "taken": answer.taken,
-                "text": answer.text,
-            }
-        )
-        known = sysid if sysid in self._arming else 0
-        return Event(t_s, known or 0, "info" if answer.taken else "warning", f"Operator: {answer.text}", "operator")
+        record = {
+            "t_s": t_s,
+            "kind": "operator",
+            "command": command,
+            **{key: value for key, value in named.items() if value is not None},
+            "taken": answer.taken,
+            "text": answer.text,
+        }
+        self._records.append(record)
+        return event_of(record if sysid in self._arming else {**record, "sysid": 0})
 
     def pop_records(self) -> list[dict[str, Any]]:
         """The commands since the last call, as decisions."""

@@ -208,7 +208,8 @@ def test_every_order_is_recorded_taken_or_not(session: Session) -> None:
         (reply["ok"], reply["text"]) for name, reply in session.replies.items() if name not in unrecorded
     ]
     told = [e["text"] for e in session.events if e["kind"] == "operator"]
-    assert told == [f"Operator: {d['text']}" for d in orders if d["command"] != "stop"]
+    refused = {True: "", False: "{command} refused: "}
+    assert told == [f"Operator: {refused[d['taken']].format(**d)}{d['text']}" for d in orders if d["command"] != "stop"]
 
 
 def test_what_is_inspected_is_told_with_its_rate_and_nothing_else(session: Session) -> None:

@@ -53,7 +53,11 @@ def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
     [
         ({"kind": "death", "sysid": 3, "text": "Killed"}, "critical", "Killed"),
         ({"kind": "operator", "sysid": 3, "taken": True, "text": "Holds"}, "info", "Operator: Holds"),
-        ({"kind": "operator", "sysid": 3, "taken": False, "text": "No"}, "warning", "Operator: No"),
+        (
+            {"kind": "operator", "sysid": 3, "command": "hold", "taken": False, "text": "No"},
+            "warning",
+            "Operator: hold refused: No",
+        ),
         ({"kind": "of a later version", "sysid": 3}, "info", "of a later version"),
     ],
 )

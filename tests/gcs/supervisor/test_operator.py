@@ -24,7 +24,8 @@ def taken(session: Any, command: str, **keys: Any) -> bool:
     answer = session.supervisor.obey({"command": command, **keys})
     assert answer.text.endswith(".")
     assert session.supervisor.events[-1].kind == "operator"
-    assert session.supervisor.events[-1].text == f"Operator: {answer.text}"
+    refused = "" if answer.taken else f"{command} refused: "
+    assert session.supervisor.events[-1].text == f"Operator: {refused}{answer.text}"
     return bool(answer.taken)
 
 

@@ -23,12 +23,16 @@ NOT_IN_CONTROL: int = mav.MAV_RESULT_NOT_IN_CONTROL
 
 
 class VehicleCommand(NamedTuple):
-    """One command: id, params 1..4, then x, y, z as params 5..7 (degrees for global frames), and its sender."""
+    """One command: id, params 1..4, then x, y, z as params 5..7 (degrees for global frames), and its sender.
+
+    `framed`: whether it names its frame, as COMMAND_INT does; COMMAND_LONG is taken as global.
+    """
 
     command: int
     params: tuple[float, ...]
     frame: int
     sender: tuple[int, int]
+    framed: bool
 
     @property
     def altitude_is_relative(self) -> bool:
@@ -56,12 +60,12 @@ def request_from(content: Any, sender: tuple[int, int]) -> VehicleCommand:
     first = (content.param1, content.param2, content.param3, content.param4)
     if hasattr(content, "param7"):
         last = (content.param5, content.param6, content.param7)
-        return VehicleCommand(content.command, first + last, mav.MAV_FRAME_GLOBAL, sender)
+        return VehicleCommand(content.command, first + last, mav.MAV_FRAME_GLOBAL, sender, framed=False)
     scale = 1.0
     if content.command in _WITH_A_PLACE:
         scale = 1e-4 if content.frame in _LOCAL_FRAMES else 1e-7
     x, y = (math.nan if number == _UNSET_INT else number * scale for number in (content.x, content.y))
-    return VehicleCommand(content.command, (*first, x, y, content.z), content.frame, sender)
+    return VehicleCommand(content.command, (*first, x, y, content.z), content.frame, sender, framed=True)
 
 
 def transfer_order(request: VehicleCommand) -> TransferOrder | None:

@@ -62,11 +62,13 @@ def arm(context: ServiceContext, request: VehicleCommand, connection: Connection
 
 
 def take_off(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    vehicle = context.vehicle
+    vehicle, identity = context.vehicle, context.vehicle.identity
+    if identity.strict_takeoff and request.framed and request.frame != mav.MAV_FRAME_GLOBAL_RELATIVE_ALT:
+        return DENIED
     height_m = request.value(7, 0.0)
     if height_m == 0.0:
         height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
-    elif not (vehicle.identity.takeoff_altitude_is_relative or request.altitude_is_relative):
+    elif not (identity.takeoff_altitude_is_relative or request.altitude_is_relative):
         height_m -= vehicle.frame.to_global(*vehicle.home_ned)[2]
     if not 0.0 < height_m < 1e4:
         return DENIED

@@ -102,7 +102,8 @@ def test_take_off_altitude_means_what_the_identity_says(
 ) -> None:
     bench = vehicle_bench(autopilot=autopilot)
     bench.arm()
-    how: dict[str, Any] = {"place": (0, 0, param7)} if kind == "int" else {}
+    frame = mav.MAV_FRAME_GLOBAL_RELATIVE_ALT if autopilot == "ardupilot" else mav.MAV_FRAME_GLOBAL
+    how: dict[str, Any] = {"place": (0, 0, param7), "frame": frame} if kind == "int" else {}
     params = [] if kind == "int" else [0.0] * 6 + [param7]
     result = bench.result(mav.MAV_CMD_NAV_TAKEOFF, *params, **how)
     if height_m is None:
@@ -123,6 +124,16 @@ def test_take_off_in_a_relative_frame_is_relative_for_px4_too(vehicle_bench: Any
     assert bench.result(mav.MAV_CMD_NAV_TAKEOFF, place=place, frame=mav.MAV_FRAME_GLOBAL_RELATIVE_ALT) == ACCEPTED
     bench.fly(15.0)
     assert -bench.vehicle.p_ned[2] == pytest.approx(4.0, abs=0.1)
+
+
+@pytest.mark.parametrize("frame", [0, 1, 2, 4, 5, 6, 10, 11, 12, 21])
+def test_an_ardupilot_denies_a_take_off_in_another_frame(vehicle_bench: Any, frame: int) -> None:
+    """ArduCopter's handle_MAV_CMD_NAV_TAKEOFF: anything but MAV_FRAME_GLOBAL_RELATIVE_ALT is MAV_RESULT_DENIED."""
+    bench = vehicle_bench(autopilot="ardupilot")
+    bench.arm()
+    assert bench.result(mav.MAV_CMD_NAV_TAKEOFF, place=(0, 0, 498.0), frame=frame) == DENIED
+    bench.fly(3.0)
+    assert (bench.vehicle.mode, bench.vehicle.landed) == ("hold", True)
 
 
 def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None:

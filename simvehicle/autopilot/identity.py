@@ -29,8 +29,8 @@ class Identity:
 
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
-    flown. `strict_takeoff`: MAV_CMD_NAV_TAKEOFF is taken as ArduCopter takes it, as COMMAND_INT in
-    MAV_FRAME_GLOBAL_RELATIVE_ALT alone.
+    flown. `strict_takeoff`: MAV_CMD_NAV_TAKEOFF is taken as ArduCopter takes it: on the ground alone,
+    upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT.
     """
 
     autopilot: int

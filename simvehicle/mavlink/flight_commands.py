@@ -6,6 +6,7 @@ import math
 
 from simvehicle.autopilot.modes import Mode, Severity, Trigger
 from simvehicle.autopilot.vectors import Vec3
+from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.commands import (
     ACCEPTED,
     DENIED,
@@ -66,6 +67,8 @@ def take_off(context: ServiceContext, request: VehicleCommand, connection: Conne
     if identity.strict_takeoff and request.framed and request.frame != mav.MAV_FRAME_GLOBAL_RELATIVE_ALT:
         return DENIED
     height_m = request.value(7, 0.0)
+    if identity.strict_takeoff and not _may_leave_ground(vehicle, request.params[6]):
+        return FAILED
     if height_m == 0.0:
         height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
     elif not (identity.takeoff_altitude_is_relative or request.altitude_is_relative):
@@ -73,6 +76,13 @@ def take_off(context: ServiceContext, request: VehicleCommand, connection: Conne
     if not 0.0 < height_m < 1e4:
         return DENIED
     return _result(vehicle.take_off(height_m))
+
+
+def _may_leave_ground(vehicle: Vehicle, height_m: float) -> bool:
+    """Whether a vehicle waits on the ground for its take-off, to above where it is; a height that is not given (NaN)
+    is."""
+    waits = vehicle.armed and vehicle.landed and vehicle.mode is not Mode.TAKEOFF
+    return waits and not height_m <= vehicle.home_ned[2] - vehicle.p_ned[2]
 
 
 def triggers(event: Trigger) -> CommandHandler:

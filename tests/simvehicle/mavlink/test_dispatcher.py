@@ -15,7 +15,7 @@ from simvehicle.autopilot.mission import Kind, Leg, Place
 from simvehicle.mavlink.dispatcher import COMMANDS
 from simvehicle.mavlink.telemetry import TELEMETRY
 
-ACCEPTED, TEMPORARILY_REJECTED, DENIED, UNSUPPORTED = 0, 1, 2, 3
+ACCEPTED, TEMPORARILY_REJECTED, DENIED, UNSUPPORTED, FAILED = 0, 1, 2, 3, 4
 NAN = math.nan
 AIRBORNE = Start(p_ned=(0.0, 0.0, -5.0), airborne=True)
 HOME_AMSL = 488.0
@@ -88,7 +88,6 @@ def test_arming_parameter_that_is_neither_0_nor_1_is_denied(vehicle_bench: Any, 
         ("px4", 4.0, None),
         ("px4", HOME_AMSL, None),
         ("ardupilot", NAN, 2.5),
-        ("ardupilot", 0.0, 2.5),
         ("ardupilot", 4.0, 4.0),
         ("generic", NAN, 2.5),
         ("generic", 4.0, 4.0),
@@ -134,6 +133,33 @@ def test_an_ardupilot_denies_a_take_off_in_another_frame(vehicle_bench: Any, fra
     assert bench.result(mav.MAV_CMD_NAV_TAKEOFF, place=(0, 0, 498.0), frame=frame) == DENIED
     bench.fly(3.0)
     assert (bench.vehicle.mode, bench.vehicle.landed) == ("hold", True)
+
+
+def test_an_ardupilot_takes_off_once_and_upwards(vehicle_bench: Any) -> None:
+    """ArduCopter's do_user_takeoff: not unless armed, not again before it has landed, and not to below where it is."""
+    bench = vehicle_bench(autopilot="ardupilot")
+
+    def take_off(height_m: float) -> int:
+        return int(bench.result(mav.MAV_CMD_NAV_TAKEOFF, *[0.0] * 6, height_m))
+
+    assert take_off(3.0) == FAILED
+    bench.arm()
+    assert take_off(0.0) == take_off(-4.0) == FAILED
+    assert bench.vehicle.mode == "hold"
+    assert take_off(3.0) == ACCEPTED
+    assert take_off(5.0) == FAILED
+    bench.fly(20.0, until=lambda b: b.vehicle.mode == "guided")
+    for mode in (4.0, 5.0):
+        assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, mode) == ACCEPTED
+        before = bench.vehicle.mode
+        assert take_off(8.0) == FAILED
+        assert bench.vehicle.mode == before
+    bench.fly(3.0)
+    assert -bench.vehicle.p_ned[2] == pytest.approx(3.0, abs=0.1)
+    bench.result(mav.MAV_CMD_NAV_LAND)
+    bench.fly(20.0, until=lambda b: not b.vehicle.armed)
+    bench.arm()
+    assert take_off(3.0) == ACCEPTED
 
 
 def test_reposition_flies_to_the_place_in_each_frame(vehicle_bench: Any) -> None:

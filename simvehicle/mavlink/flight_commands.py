@@ -26,6 +26,7 @@ FORCE_ARM = (21196, 2989)
 FASTEST_M_S = 1e3
 FARTHEST_M = 1e6
 _PRESENT_ITEM = -1.0
+_CUSTOM_MODE = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
 _CHANGE_MODE = mav.MAV_DO_REPOSITION_FLAGS_CHANGE_MODE
 _RELATIVE_YAW = mav.MAV_DO_REPOSITION_FLAGS_RELATIVE_YAW
 _REPOSITION_FLAGS = _CHANGE_MODE | _RELATIVE_YAW
@@ -161,7 +162,7 @@ def set_home(context: ServiceContext, request: VehicleCommand, connection: Conne
 
 def set_mode(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     main, sub = request.whole(2), request.whole(3)
-    if not (0 <= main <= 255 and 0 <= sub <= 255):
+    if not request.whole(1) & _CUSTOM_MODE or not (0 <= main <= 255 and 0 <= sub <= 255):
         return DENIED
     return enter_custom(context, main << 16 | sub << 24 if context.vehicle.identity.modes_packed else main)
 
@@ -177,7 +178,8 @@ def set_standard_mode(context: ServiceContext, request: VehicleCommand, connecti
 
 def set_mode_message(context: ServiceContext, call: Call) -> None:
     """SET_MODE has no acknowledgement: the next HEARTBEAT is the answer."""
-    enter_custom(context, call.content.custom_mode)
+    if call.content.base_mode & _CUSTOM_MODE:
+        enter_custom(context, call.content.custom_mode)
 
 
 def enter_custom(context: ServiceContext, custom_mode: int) -> int:

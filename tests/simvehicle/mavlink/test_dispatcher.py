@@ -304,6 +304,22 @@ def test_mode_number_means_what_the_identity_says(
         assert heartbeat.custom_mode == custom_mode
 
 
+@pytest.mark.parametrize(("autopilot", "land"), [("px4", (4, 6)), ("generic", (4, 6)), ("ardupilot", (9, 0))])
+@pytest.mark.parametrize("base_mode", [0, 4, 128, 220])
+def test_a_mode_whose_number_is_not_said_to_be_custom_is_not_entered(
+    vehicle_bench: Any, autopilot: str, land: tuple[int, int], base_mode: int
+) -> None:
+    """MAV_MODE_FLAG_CUSTOM_MODE_ENABLED (1) says that the other numbers count; ArduPilot denies what lacks it."""
+    bench = vehicle_bench(autopilot=autopilot)
+    main, sub = land
+    packed = main if autopilot == "ardupilot" else main << 16 | sub << 24
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, base_mode, main, sub) == DENIED
+    assert bench.send(mav.MAVLink_set_mode_message(1, base_mode, packed)) == []
+    assert bench.vehicle.mode == "hold"
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, base_mode | 1, main, sub) == ACCEPTED
+    assert bench.vehicle.mode == "land"
+
+
 def test_every_answered_request_message_is_followed_by_the_message(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     sent_by_request = set()

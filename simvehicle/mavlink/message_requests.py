@@ -26,10 +26,11 @@ DATA_STREAMS: dict[int, tuple[str, ...]] = {
 
 
 def set_interval(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    interval_us = request.value(2, 0.0)
-    if not math.isfinite(interval_us):
+    msgid, interval_us = request.whole(1, -1), request.value(2, 0.0)
+    stops_heartbeat = msgid == mav.MAVLINK_MSG_ID_HEARTBEAT and interval_us < 0.0
+    if stops_heartbeat or not math.isfinite(interval_us):
         return DENIED
-    known = connection.streams.set_interval(request.whole(1, -1), interval_us, context.vehicle.time_ms)
+    known = connection.streams.set_interval(msgid, interval_us, context.vehicle.time_ms)
     return ACCEPTED if known else UNSUPPORTED
 
 

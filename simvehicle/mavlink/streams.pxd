@@ -6,6 +6,7 @@ cpdef enum:
     SLOWEST_MS = 2_000_000  # MESSAGE_INTERVAL holds intervals in 32 bits of µs
 
 cdef class StreamSchedule:
+    cdef public long long tick_ms
     cdef long long[STREAMS] _default_ms
     cdef long long[STREAMS] _interval_ms
     cdef long long[STREAMS] _due_ms

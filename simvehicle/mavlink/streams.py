@@ -9,7 +9,6 @@ from cython.cimports.simvehicle.mavlink.streams import FASTEST_MS, SLOWEST_MS
 from cython.cimports.simvehicle.mavlink.telemetry import STREAMS
 
 from simvehicle.mavlink.telemetry import TELEMETRY
-from skytender import mavlink as mav
 
 _PLACE = {stream.key: k for k, stream in enumerate(TELEMETRY)}
 
@@ -17,11 +16,14 @@ _PLACE = {stream.key: k for k, stream in enumerate(TELEMETRY)}
 class StreamSchedule:
     """The schedule of one connection; times are ms since boot."""
 
+    tick_ms: int
+    """time from one look at it to the next, where that is fixed: no stream comes faster"""
     _default_ms: Any
     _interval_ms: Any
     _due_ms: Any
 
     def __init__(self) -> None:
+        self.tick_ms = 0
         for k in range(STREAMS):
             self._default_ms[k] = self._interval_ms[k] = _interval_ms(TELEMETRY[k].rate_hz)
             self._due_ms[k] = 0
@@ -52,8 +54,7 @@ class StreamSchedule:
                 interval_ms = self._default_ms[k]
             else:
                 interval_ms = round(min(max(interval_us / 1e3, FASTEST_MS), SLOWEST_MS))
-            if msgid != mav.MAVLINK_MSG_ID_HEARTBEAT or interval_ms:
-                self._interval_ms[k], self._due_ms[k] = interval_ms, now_ms
+            self._interval_ms[k], self._due_ms[k] = interval_ms, now_ms
         return known
 
     def set_rate(self, key: str, rate_hz: float, now_ms: int) -> None:
@@ -67,10 +68,12 @@ class StreamSchedule:
         self._default_ms[k] = self._interval_ms[k] = _interval_ms(rate_hz)
 
     def interval_us(self, msgid: int) -> int | None:
-        """MESSAGE_INTERVAL of a message: -1 when it is not sent; None where the vehicle has no such stream."""
+        """MESSAGE_INTERVAL of a message, as it is sent: -1 when it is not; None where the vehicle has no such
+        stream."""
         for k in range(STREAMS):
             if TELEMETRY[k].msgid == msgid:
-                return 1000 * self._interval_ms[k] or -1
+                interval_ms = cython.cast(cython.longlong, self._interval_ms[k])
+                return 1000 * max(interval_ms, self.tick_ms) if interval_ms else -1
         return None
 
 

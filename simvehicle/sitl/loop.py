@@ -24,8 +24,10 @@ class ConnectedUnit(NamedTuple):
 def run_free(seats: Sequence[ConnectedUnit], *, stop: Callable[[], bool] = lambda: False) -> None:
     """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, never dropped."""
     start_s = time.monotonic()
-    for unit, *_ in seats:
+    for unit, _, plain in seats:
         unit.start_clock(0, time.time_ns() // 1000)
+        for link in plain:
+            link.connection.streams.tick_ms = FREE_TICK_MS
     now_ms = 0
     while not stop():
         wait_ms = now_ms + FREE_TICK_MS - 1e3 * (time.monotonic() - start_s)

@@ -14,6 +14,7 @@ cdef class Granted:
     cdef double _patience_s
     cdef double _last_received_s
     cdef bint _started
+    cdef long long _time_ms
 
     cdef receive(self, list frames, double now_s, list answers)
     cdef _apply(self, Bundle bundle)

@@ -49,6 +49,7 @@ class Granted:
     _patience_s: float
     _last_received_s: float
     _started: bool
+    _time_ms: int
 
     def __init__(
         self, unit: Unit, connection: Connection, plain: Sequence[PlainLink], secret: int | None, shared: bool
@@ -59,6 +60,7 @@ class Granted:
         self._patience_s = SILENCE_S if secret is None else math.inf
         self._last_received_s = 0.0
         self._started = False
+        self._time_ms = 0
 
     def look(self, now_s: float, link: SupervisedLink) -> bool:
         """Say hello until the first bundle has come; False once the supervisor has been silent for too long.
@@ -90,6 +92,10 @@ class Granted:
         if not self._started:
             self._started = True
             unit.start_clock(bundle.time_ms, bundle.unix_us)
+        elif bundle.time_ms - self._time_ms != self.connection.streams.tick_ms:
+            for connection in (self.connection, *(link.connection for link in self._plain)):
+                connection.streams.tick_ms = bundle.time_ms - self._time_ms
+        self._time_ms = bundle.time_ms
         for frame in bundle.frames:
             unit.receive(frame, self.connection)
         for other in self._plain:

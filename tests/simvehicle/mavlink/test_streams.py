@@ -57,8 +57,10 @@ def test_default_of_a_silent_stream_is_silence(vehicle_bench: Any) -> None:
 
 def test_heartbeat_cannot_be_stopped(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
-    bench.command(SET, mav.MAVLINK_MSG_ID_HEARTBEAT, -1.0)
+    assert bench.result(SET, mav.MAVLINK_MSG_ID_HEARTBEAT, -1.0) == DENIED
     assert count(bench)["HEARTBEAT"] == 10
+    assert bench.result(SET, mav.MAVLINK_MSG_ID_HEARTBEAT, 200_000.0) == ACCEPTED
+    assert count(bench)["HEARTBEAT"] == 50
 
 
 @pytest.mark.parametrize("interval_us", [math.nan, math.inf, -math.inf])
@@ -93,6 +95,15 @@ def test_interval_is_told(vehicle_bench: Any) -> None:
         for asked in ((GET,), (mav.MAV_CMD_REQUEST_MESSAGE, mav.MAVLINK_MSG_ID_MESSAGE_INTERVAL)):
             ack, told = bench.command(*asked, ATTITUDE)
             assert (ack.result, told.message_id, told.interval_us) == (ACCEPTED, ATTITUDE, told_us)
+
+
+def test_no_interval_is_told_that_is_shorter_than_a_tick(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    bench.connection.streams.tick_ms = 100
+    for interval_us, told_us, sent in ((4e3, 100_000, 100), (1e5, 100_000, 100), (2e5, 200_000, 50), (-1.0, -1, 0)):
+        assert bench.result(SET, ATTITUDE, interval_us) == ACCEPTED
+        assert bench.command(GET, ATTITUDE)[1].interval_us == told_us
+        assert count(bench)["ATTITUDE"] == sent
 
 
 def test_each_connection_has_its_own_rates_and_numbers(vehicle_bench: Any) -> None:

@@ -12,7 +12,7 @@ from simvehicle.mavlink.codec import message
 from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl import supervised
 from simvehicle.sitl.link import SupervisedLink, parse_address
-from simvehicle.sitl.loop import ConnectedUnit
+from simvehicle.sitl.loop import ConnectedUnit, run_free
 from simvehicle.sitl.unit import Unit
 from skytender import exit
 
@@ -104,6 +104,34 @@ def test_a_vehicle_of_a_fork_server_waits_for_a_suspended_supervisor(monkeypatch
             with pytest.raises(Enough):
                 supervised.run_supervised([ConnectedUnit(unit, Connection(1), ())], link, 1, clock)
     assert unit.advanced_ms == [0, 100]
+
+
+class Idle:
+    """A plain link on which nothing comes."""
+
+    def __init__(self) -> None:
+        self.connection = Connection(1)
+
+    def receive(self) -> list[Any]:
+        return []
+
+    def flush(self) -> None:
+        pass
+
+
+def test_streams_know_how_often_they_are_looked_at() -> None:
+    """At each grant, 100 ms apart here, and 50 times a second on the wall clock."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
+        supervisor.bind(("127.0.0.1", 0))
+        with SupervisedLink(parse_address(f"udpout:127.0.0.1:{supervisor.getsockname()[1]}")) as link:
+            clock, own, plain = Clock(), Connection(1), Idle()
+            unit = Slow(clock, supervisor)
+            unit.grant(0, link.socket.getsockname())
+            with pytest.raises(SystemExit):
+                supervised.run_supervised([ConnectedUnit(unit, own, (plain,))], link, clock=clock)
+            assert own.streams.tick_ms == plain.connection.streams.tick_ms == 100
+            run_free([ConnectedUnit(unit, None, (plain,))], stop=lambda: True)
+            assert plain.connection.streams.tick_ms == 20
 
 
 def test_a_hello_carries_the_secret_of_the_fork_server() -> None:

@@ -30,7 +30,8 @@ class Identity:
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
     flown. `strict_takeoff`: MAV_CMD_NAV_TAKEOFF is taken as ArduCopter takes it: on the ground alone,
-    upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT.
+    upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT. `version`: one that the autopilot has
+    had, new enough for QGroundControl.
     """
 
     autopilot: int
@@ -43,6 +44,7 @@ class Identity:
     guided: bool
     item_0_is_home: bool
     capabilities: int
+    version: tuple[int, int, int]
     available: tuple[AvailableMode, ...]
 
     def standard_mode(self, mode: Mode) -> int:
@@ -53,6 +55,7 @@ class Identity:
 _COMMON_CAPABILITIES = (
     mav.MAV_PROTOCOL_CAPABILITY_MAVLINK2
     | mav.MAV_PROTOCOL_CAPABILITY_COMMAND_INT
+    | mav.MAV_PROTOCOL_CAPABILITY_FTP
     | mav.MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
     | mav.MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT
     | mav.MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT
@@ -124,6 +127,7 @@ _PX4 = Identity(
     guided=False,
     item_0_is_home=False,
     capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE,
+    version=(1, 15, 0),
     available=_PX4_AVAILABLE,
 )
 
@@ -140,6 +144,7 @@ IDENTITIES: dict[str, Identity] = {
         guided=True,
         item_0_is_home=True,
         capabilities=_COMMON_CAPABILITIES | mav.MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_C_CAST,
+        version=(4, 6, 2),
         available=_ARDUCOPTER_AVAILABLE,
     ),
     "generic": replace(_PX4, autopilot=mav.MAV_AUTOPILOT_GENERIC, takeoff_altitude_is_relative=True),

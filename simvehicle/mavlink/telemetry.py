@@ -127,8 +127,9 @@ def message_of(vehicle: Any, key: str) -> Any:
 
 
 def autopilot_version(vehicle: Any, sysid: int) -> Any:
-    """AUTOPILOT_VERSION: version 1.15.0 of a development build, which QGroundControl accepts as new enough."""
-    version = 1 << 24 | 15 << 16 | 0 << 8 | mavlink.FIRMWARE_VERSION_TYPE_DEV
+    """AUTOPILOT_VERSION: the identity's version, of a development build."""
+    major, minor, patch = vehicle.identity.version
+    version = major << 24 | minor << 16 | patch << 8 | mavlink.FIRMWARE_VERSION_TYPE_DEV
     return message("AUTOPILOT_VERSION")(
         capabilities=vehicle.identity.capabilities,
         flight_sw_version=version,

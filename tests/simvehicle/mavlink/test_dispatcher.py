@@ -341,7 +341,7 @@ def test_home_and_version_have_commands_of_their_own(vehicle_bench: Any) -> None
     answers = bench.command(mav.MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES, 1.0)
     assert kinds(answers) == ["COMMAND_ACK", "AUTOPILOT_VERSION"]
     assert answers[1].uid == 7
-    for flag in ("MAVLINK2", "COMMAND_INT", "SET_POSITION_TARGET_LOCAL_NED", "PARAM_ENCODE_BYTEWISE"):
+    for flag in ("MAVLINK2", "COMMAND_INT", "SET_POSITION_TARGET_LOCAL_NED", "PARAM_ENCODE_BYTEWISE", "FTP"):
         assert answers[1].capabilities & getattr(mav, f"MAV_PROTOCOL_CAPABILITY_{flag}")
 
 

@@ -55,9 +55,8 @@ def test_connect_sequence_of_a_ground_station_is_answered_completely(vehicle_ben
     bench = vehicle_bench()
     (ack, version) = bench.command(mav.MAV_CMD_REQUEST_MESSAGE, float(mav.MAVLINK_MSG_ID_AUTOPILOT_VERSION))
     assert (ack.result, version.get_type()) == (ACCEPTED, "AUTOPILOT_VERSION")
-    for bit in ("MISSION_INT", "MISSION_FENCE", "MISSION_RALLY", "COMMAND_INT", "MAVLINK2"):
+    for bit in ("MISSION_INT", "MISSION_FENCE", "MISSION_RALLY", "COMMAND_INT", "MAVLINK2", "FTP"):
         assert version.capabilities & getattr(mav, f"MAV_PROTOCOL_CAPABILITY_{bit}")
-    assert not version.capabilities & mav.MAV_PROTOCOL_CAPABILITY_FTP
     for msgid, result in ((300, UNSUPPORTED), (397, ACCEPTED), (395, UNSUPPORTED)):
         assert bench.result(mav.MAV_CMD_REQUEST_MESSAGE, float(msgid)) == result
     assert bench.result(mav.MAV_CMD_REQUEST_PROTOCOL_VERSION, 1.0) == UNSUPPORTED

@@ -131,9 +131,14 @@ def test_no_state_is_too_great_for_its_telemetry(vehicle_bench: Any, wild: dict[
         told(s, stream.key)
 
 
-def test_version_is_new_enough_and_of_no_release(vehicle_bench: Any) -> None:
-    told = autopilot_version(flying(vehicle_bench), 9)
+@pytest.mark.parametrize(
+    ("autopilot", "number"), [("px4", (1, 15, 0)), ("generic", (1, 15, 0)), ("ardupilot", (4, 6, 2))]
+)
+def test_version_is_one_of_the_autopilots_and_of_no_release(
+    vehicle_bench: Any, autopilot: str, number: tuple[int, int, int]
+) -> None:
+    told = autopilot_version(vehicle_bench(autopilot=autopilot).vehicle, 9)
     version = told.flight_sw_version
-    assert (version >> 24, version >> 16 & 255) >= (1, 4)
+    assert (version >> 24, version >> 16 & 255, version >> 8 & 255) == number
     assert version & 255 != mav.FIRMWARE_VERSION_TYPE_OFFICIAL
-    assert told.capabilities == IDENTITIES["px4"].capabilities
+    assert told.capabilities == IDENTITIES[autopilot].capabilities

@@ -5,6 +5,7 @@ Positions NED, m; times s from the start; energies J; powers W.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal, TypeVar
 
@@ -76,6 +77,24 @@ class Instance(Struct, forbid_unknown_fields=True):
     receivers: list[BenchmarkReceiver]
     tankers: list[BenchmarkTanker]
     bases: list[BenchmarkBase]
+
+    def __post_init__(self) -> None:
+        """Raises ValueError, with the place, where two things have one name, or a path runs back or jumps."""
+        named: dict[int | str, str] = {}
+        names: list[tuple[str, str, int | str]] = [
+            *((f"receivers[{k}]", "id", one.id) for k, one in enumerate(self.receivers)),
+            *((f"tankers[{k}]", "id", one.id) for k, one in enumerate(self.tankers)),
+            *((f"bases[{k}]", "name", one.name) for k, one in enumerate(self.bases)),
+        ]
+        for here, key, name in names:
+            if name in named:
+                raise ValueError(f"{here} has the {key} {name} of {named[name]}")
+            named[name] = here
+        for k, one in enumerate(self.receivers):
+            for corner, ((t0, *p0), (t1, *p1)) in enumerate(pairwise(one.path), 1):
+                if t1 < t0 or (t1 == t0 and p1 != p0):
+                    before = f"not later than the corner before ({t0:g} s)"
+                    raise ValueError(f"receivers[{k}].path[{corner}] is at {t1:g} s, {before}")
 
 
 class ScheduledService(Struct, forbid_unknown_fields=True, omit_defaults=True):

@@ -4,7 +4,8 @@ It shares no code with what makes schedules, needs Python alone, and runs by its
 
     python verifier.py INSTANCE.json SCHEDULE.json
 
-The rules stand in docs/refuelling-benchmark.md#rules. SI, NED.
+Exit status 0: it can be carried out; 1: it cannot; 2: a file is none of the format. The rules and the format stand in
+docs/refuelling-benchmark.md. SI, NED.
 """
 
 from __future__ import annotations
@@ -18,6 +19,29 @@ from typing import Any
 
 TOLERANCE = 1e-6
 """Of times in s, places in m and, times the capacity, of energies in J: schedules are made of rounded numbers."""
+MOST = sys.float_info.max
+NUMBER, POSITIVE, NOT_NEGATIVE, TEXT = "number", "number above 0", "number from 0 on", "text"
+WHOLE, ID = "whole number", "whole number from 1 to 254"
+BOUNDS = {NUMBER: (-MOST, MOST), POSITIVE: (5e-324, MOST), NOT_NEGATIVE: (0, MOST), ID: (1, 254)}
+VEHICLE = {"id": ID, "speed_m_s": POSITIVE, "capacity_j": POSITIVE, "energy_j": NOT_NEGATIVE, "power_w": NOT_NEGATIVE}
+SHAPES: dict[str, Any] = {
+    "instance": {
+        "format": TEXT, "name": TEXT, "kind": TEXT, "tightness": NUMBER, "seed": WHOLE, "horizon_s": POSITIVE,
+        "setup_s": NOT_NEGATIVE, "rate_w": POSITIVE,
+        "receivers": [VEHICLE | {"path": [(NUMBER,) * 4], "lands_at_j": NOT_NEGATIVE}],
+        "tankers": [VEHICLE | {"position_m": (NUMBER,) * 3, "reserve_j": NOT_NEGATIVE}],
+        "bases": [{"name": TEXT, "position_m": (NUMBER,) * 3, "stock_j": NOT_NEGATIVE, "rate_w": POSITIVE}],
+    },
+    "schedule": {
+        "format": TEXT, "instance": TEXT,
+        "services": [
+            {"start_s": NUMBER, "end_s": NUMBER, "energy_j": NUMBER, "receiver": WHOLE, "tanker": WHOLE, "base": TEXT,
+             "leave_s": NUMBER, "back_s": NUMBER},
+        ],
+    },
+}  # fmt: skip
+OPTIONAL = ("receiver", "tanker", "base", "leave_s", "back_s")
+"""Of a service."""
 
 
 def place(path: Any, t_s: float) -> list[float]:
@@ -73,8 +97,12 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
         if len(named) != 2 or any(one not in them for one, them in named):
             problems.append(f"{what} needs two of receiver, tanker and base, each of the instance")
             continue
-        begin_s, back_s = (service["leave_s"], service["back_s"]) if tanker is None else (start_s, end_s)
-        if not 0.0 <= begin_s <= start_s <= end_s <= back_s or end_s > horizon_s + TOLERANCE or energy_j < 0.0:
+        begin_s, back_s = (service.get(key) for key in ("leave_s", "back_s")) if tanker is None else (start_s, end_s)
+        if begin_s is None or back_s is None:
+            problems.append(f"{what} of a receiver at a base needs leave_s and back_s")
+            continue
+        in_order = 0.0 <= begin_s <= start_s <= end_s <= min(back_s, horizon_s + TOLERANCE)
+        if not (in_order and back_s < inf and 0.0 <= energy_j < inf):  # so that it is true of NaN too
             problems.append(f"{what} has times or an energy that cannot be")
             continue
         rate_w = instance["rate_w"] if base is None else bases[base]["rate_w"]
@@ -144,7 +172,78 @@ def verify(instance: Any, schedule: Any) -> dict[str, Any]:
             "delivered_j": delivered_j, "way_m": way_m, "idle_s": idle_s}  # fmt: skip
 
 
-if __name__ == "__main__":
-    verdict = verify(*(json.loads(Path(name).read_text(encoding="utf-8")) for name in sys.argv[1:3]))
+def check(one: Any, shape: Any, where: str = "") -> None:
+    """Raises ValueError, with the place, for a part of a file that the format does not have."""
+    if isinstance(shape, str):
+        kinds = {TEXT: (str,), WHOLE: (int,), ID: (int,)}.get(shape, (int, float))
+        if type(one) not in kinds or (shape in BOUNDS and not BOUNDS[shape][0] <= one <= BOUNDS[shape][1]):
+            raise ValueError(f"{where} is no {shape}")
+    elif isinstance(shape, dict):
+        if not isinstance(one, dict):
+            raise ValueError(f"{where or 'it'} is no object")
+        for key in (*shape, *one):
+            inner = f"{where}.{key}".lstrip(".")
+            if key not in shape or (key not in one and key not in OPTIONAL):
+                raise ValueError(f"{inner} is {'missing' if key in shape else 'unknown'}")
+            if key not in OPTIONAL or one.get(key) is not None:
+                check(one[key], shape[key], inner)
+    else:
+        if not isinstance(one, list) or (isinstance(shape, tuple) and len(one) != len(shape)):
+            raise ValueError(f"{where} is no array{f' of {len(shape)}' if isinstance(shape, tuple) else ''}")
+        for k, part in enumerate(one):
+            check(part, shape[0], f"{where}[{k}]")
+
+
+def check_instance(instance: Any) -> None:
+    """Raises ValueError, with the place, where two things have one name, or a path is none."""
+    named: dict[Any, str] = {}
+    for group in ("receivers", "tankers", "bases"):
+        for k, one in enumerate(instance[group]):
+            name, here = one.get("id", one.get("name")), f"{group}[{k}]"
+            if name in named:
+                raise ValueError(f"{here} has the {'id' if 'id' in one else 'name'} {name} of {named[name]}")
+            named[name] = here
+    for k, one in enumerate(instance["receivers"]):
+        if not one["path"]:
+            raise ValueError(f"receivers[{k}].path has no corner")
+        for corner, ((t0, *p0), (t1, *p1)) in enumerate(pairwise(one["path"]), 1):
+            if t1 < t0 or (t1 == t0 and p1 != p0):
+                before = f"not later than the corner before ({t0:g} s)"
+                raise ValueError(f"receivers[{k}].path[{corner}] is at {t1:g} s, {before}")
+
+
+def read(name: str, kind: str) -> Any:
+    """The instance or schedule in a file. Raises ValueError."""
+    try:
+        one = json.loads(Path(name).read_text(encoding="utf-8"))
+        check(one, SHAPES[kind])
+        if one["format"] != f"skytender-refuelling-{kind}/1":
+            raise ValueError(f"format is not skytender-refuelling-{kind}/1")
+        if kind == "instance":
+            check_instance(one)
+    except OSError as error:
+        raise ValueError(f"{name}: {error.strerror}") from None
+    except ValueError as error:
+        raise ValueError(f"{name} is no {kind} (docs/refuelling-benchmark.md#format): {error}") from None
+    return one
+
+
+def main(names: list[str]) -> int:
+    """Print the verdict of two files; the exit status."""
+    try:
+        if len(names) != 2:
+            raise ValueError("it needs two files: verifier.py INSTANCE SCHEDULE")
+        instance, schedule = read(names[0], "instance"), read(names[1], "schedule")
+        if schedule["instance"] != instance["name"]:
+            of, name = schedule["instance"], instance["name"]
+            raise ValueError(f"{names[1]} is a schedule of {of!r}, and {names[0]} is {name!r}")
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        return 2
+    verdict = verify(instance, schedule)
     print(json.dumps(verdict, indent=1))
-    sys.exit(0 if verdict["feasible"] else 1)
+    return 0 if verdict["feasible"] else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

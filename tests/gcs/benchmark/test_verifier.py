@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import copy
 import json
+import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -13,8 +15,10 @@ from typing import Any
 import pytest
 
 from gcs.benchmark import verifier
+from gcs.cli.main import run_argv
 
 INSTANCE: dict[str, Any] = {
+    "format": "skytender-refuelling-instance/1", "name": "one", "kind": "by hand", "tightness": 0.0, "seed": 1,
     "horizon_s": 100.0, "setup_s": 2.0, "rate_w": 1000.0,
     "receivers": [
         # 1 m/s north; 3,000 J above what it lands at are gone after 30 s at 100 W
@@ -32,6 +36,12 @@ INSTANCE: dict[str, Any] = {
 def service(**changed: Any) -> dict[str, Any]:
     """The tanker meets the receiver at 10 s, 10 m north, and gives 8,000 J until 20 s: 22.4 m of way take 4.5 s."""
     return {"receiver": 1, "tanker": 9, "start_s": 10.0, "end_s": 20.0, "energy_j": 8_000.0} | changed
+
+
+def stop(**changed: Any) -> dict[str, Any]:
+    """The receiver leaves 10 m north at 10 s, stands at the base there for 4 s, and is 20 m north again at 20 s."""
+    times = {"leave_s": 10.0, "start_s": 10.0, "end_s": 14.0, "back_s": 20.0}
+    return {"receiver": 1, "base": "pad", "energy_j": 4_000.0} | times | changed
 
 
 def verdict(*services: dict[str, Any], **changed: Any) -> dict[str, Any]:
@@ -68,6 +78,12 @@ def test_too_little_is_lost_later() -> None:
         ([service(receiver=9, tanker=1)], "each of the instance"),
         ([service(end_s=9.0)], "that cannot be"),
         ([service(end_s=101.0)], "that cannot be"),
+        ([service(energy_j=math.nan)], "that cannot be"),
+        ([service(start_s=math.nan)], "that cannot be"),
+        ([service(end_s=math.inf)], "that cannot be"),
+        ([stop(back_s=math.inf)], "that cannot be"),
+        ([stop(leave_s=None)], "service 0 of a receiver at a base needs leave_s and back_s"),
+        ([stop(back_s=None)], "service 0 of a receiver at a base needs leave_s and back_s"),
     ],
 )
 def test_what_cannot_be_carried_out_is_named(services: list[dict[str, Any]], problem: str) -> None:
@@ -94,13 +110,11 @@ def test_a_tanker_keeps_its_reserve() -> None:
 
 
 def test_a_receiver_at_a_base_flies_there_and_back() -> None:
-    """It leaves 10 m north at 10 s, stands there for 4 s, and is 16 m north again at 17 s: 6 m in 3 s."""
-    stop = {"receiver": 1, "base": "pad", "leave_s": 10.0, "start_s": 10.0, "end_s": 14.0, "back_s": 20.0}
-    found = verdict(stop | {"energy_j": 4_000.0})
+    found = verdict(stop())
     assert found["feasible"]  # drawn for 96 s, 4,000 J are left of the 1,000, less 9,600, and 4,000 more: 60.0 s + 4 s
     assert found["lost"] == [{"receiver": 1, "at_s": 74.0}]
-    assert "cannot fly between its path and pad" in verdict(stop | {"energy_j": 4_000.0, "back_s": 15.0})["problems"][0]
-    assert verdict(stop | {"energy_j": 4_000.0}, bases=[INSTANCE["bases"][0] | {"stock_j": 3_000.0}])["problems"] == [
+    assert "cannot fly between its path and pad" in verdict(stop(back_s=15.0))["problems"][0]
+    assert verdict(stop(), bases=[INSTANCE["bases"][0] | {"stock_j": 3_000.0}])["problems"] == [
         "pad gives 1000 J more than it has"
     ]
 
@@ -116,7 +130,7 @@ def imported(path: Path) -> set[str]:
 def test_it_shares_no_code_with_what_makes_schedules() -> None:
     """It imports from Python alone, and of all other modules only those that judge call it."""
     own = Path(verifier.__file__)
-    assert len(own.read_text(encoding="utf-8").splitlines()) <= 150
+    assert len(own.read_text(encoding="utf-8").splitlines()) <= 250
     assert {name.split(".")[0] for name in imported(own)} <= sys.stdlib_module_names
     root = own.parents[1]
     users = {
@@ -129,12 +143,89 @@ def test_it_shares_no_code_with_what_makes_schedules() -> None:
         assert "gcs.benchmark.verifier.verify" in imported(own.with_name(f"{judge}.py"))
 
 
+def alone(folder: Path, instance: str, schedule: str) -> tuple[int, str, str]:
+    """Exit status and what is printed, of the verifier run by itself on two files with such content."""
+    for name, content in (("i.json", instance), ("s.json", schedule)):
+        (folder / name).write_text(content, encoding="utf-8")
+    program = [sys.executable, "-I", verifier.__file__, "i.json", "s.json"]
+    done = subprocess.run(program, capture_output=True, text=True, check=False, cwd=folder)
+    return done.returncode, done.stdout, done.stderr
+
+
+def as_file(*services: dict[str, Any]) -> str:
+    return json.dumps({"format": "skytender-refuelling-schedule/1", "instance": "one", "services": services})
+
+
 def test_it_runs_by_itself(tmp_path: Path) -> None:
-    for name, content in (("i", INSTANCE), ("s", {"services": [service(start_s=3.0)]})):
-        (tmp_path / name).write_text(json.dumps(content))
-    done = subprocess.run(
-        [sys.executable, "-I", verifier.__file__, tmp_path / "i", tmp_path / "s"],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 1
-    assert json.loads(done.stdout)["feasible"] is False
+    status, out, _ = alone(tmp_path, json.dumps(INSTANCE), as_file(service(start_s=3.0)))
+    assert (status, json.loads(out)["feasible"]) == (1, False)
+    status, out, _ = alone(tmp_path, json.dumps(INSTANCE), as_file(service(leave_s=None)))
+    assert (status, json.loads(out)["lost"]) == (0, [])
+
+
+def changed(group: str, **values: Any) -> str:
+    """The instance with the first of a group changed."""
+    first, *others = INSTANCE[group]
+    return json.dumps(INSTANCE | {group: [first | values, *others]})
+
+
+GIVEN = json.dumps(INSTANCE)
+BACK = "receivers[0].path[1] is at 1 s, not later than the corner before (2 s)"
+JUMP = "receivers[0].path[1] is at 2 s, not later than the corner before (2 s)"
+
+
+@pytest.mark.parametrize(
+    ("instance", "sentence"),
+    [
+        (json.dumps(INSTANCE | {"receivers": 2 * INSTANCE["receivers"]}), "receivers[1] has the id 1 of receivers[0]"),
+        (changed("tankers", id=1), "tankers[0] has the id 1 of receivers[0]"),
+        (json.dumps(INSTANCE | {"bases": 2 * INSTANCE["bases"]}), "bases[1] has the name pad of bases[0]"),
+        (changed("receivers", path=[[2.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]]), BACK),
+        (changed("receivers", path=[[2.0, 0.0, 0.0, 0.0], [2.0, 9.0, 0.0, 0.0]]), JUMP),
+    ],
+)
+def test_names_and_paths_that_are_none_are_refused_by_both_programs_in_one_sentence(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], instance: str, sentence: str
+) -> None:
+    expected = f"i.json is no instance (docs/refuelling-benchmark.md#format): {sentence}\n"
+    assert alone(tmp_path, instance, as_file()) == (2, "", expected)
+    for command in (
+        ["verify", str(tmp_path / "i.json"), str(tmp_path / "s.json")],
+        ["solve", str(tmp_path / "i.json")],
+    ):
+        assert run_argv(["benchmark", *command]) == 2
+        assert capsys.readouterr().err == f"gcs: {tmp_path}/{expected}"
+
+
+def test_a_path_may_name_a_corner_twice(tmp_path: Path) -> None:
+    corner = [0.0, 0.0, 0.0, -5.0]
+    assert alone(tmp_path, changed("receivers", path=[corner, corner]), as_file())[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("instance", "schedule", "sentence"),
+    [
+        (GIVEN, as_file(service(energy_j=math.nan)), "no schedule .*: services[0].energy_j is no number"),
+        (GIVEN, as_file(service(end_s="20")), "no schedule .*: services[0].end_s is no number"),
+        (GIVEN, as_file(service(end=20.0)), "no schedule .*: services[0].end is unknown"),
+        (GIVEN, as_file({"receiver": 1}), "no schedule .*: services[0].start_s is missing"),
+        (GIVEN, "[]", "no schedule .*: it is no object"),
+        (GIVEN, "", "no schedule .*: Expecting value"),
+        (GIVEN, GIVEN, "no schedule .*: instance is missing"),
+        (json.dumps(INSTANCE | {"name": "two"}), as_file(), "s.json is a schedule of 'one', and .*i.json is 'two'"),
+        (json.dumps(INSTANCE | {"horizon_s": math.inf}), as_file(), "no instance .*: horizon_s is no number above 0"),
+        (GIVEN.replace("100.0", "1e999", 1), as_file(), "no instance .*: horizon_s is no number above 0"),
+        (changed("receivers", id=1.0), as_file(), "no instance .*: receivers[0].id is no whole number from 1 to 254"),
+        (changed("receivers", path=[]), as_file(), "no instance .*: receivers[0].path has no corner"),
+        (changed("receivers", path=[[0.0, 1.0]]), as_file(), "no instance .*: receivers[0].path[0] is no array of 4"),
+        (changed("tankers", energy_j=-1.0), as_file(), "no instance .*: tankers[0].energy_j is no number from 0 on"),
+    ],
+)  # fmt: skip
+def test_a_file_that_is_none_is_refused_by_both_programs(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], instance: str, schedule: str, sentence: str
+) -> None:
+    status, out, err = alone(tmp_path, instance, schedule)
+    assert (status, out) == (2, "")
+    assert re.search(sentence.replace("[", r"\["), err), err
+    assert run_argv(["benchmark", "verify", str(tmp_path / "i.json"), str(tmp_path / "s.json")]) == 2
+    assert re.search(sentence.partition(" .*: ")[0], capsys.readouterr().err)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from gcs.benchmark.format import Instance
+from gcs.benchmark.format import FormatError, Instance
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -18,22 +18,27 @@ STEP_S = 0.1
 MEETS_LATER_S = 0.03
 """A meeting is put later by so much: samples of a path cut its corners, by half a step where it turns back."""
 ITERATIONS = 12
+LEAST_W = 1e-6
+"""A receiver that draws nothing is taken to draw so much: energies are times here."""
+MOST_SAMPLES = 10_000_000
+"""[choice] Of all receivers' paths: 240 MB."""
 
 
 class Arrays:
-    """n receivers, m tankers, k bases; tankers come before bases where both are givers."""
+    """n receivers, m tankers, k bases; tankers come before bases where both are givers. Raises FormatError for an
+    instance that lasts too long."""
 
     def __init__(self, instance: Instance) -> None:
         receivers, tankers, bases = instance.receivers, instance.tankers, instance.bases
         self.instance = instance
         self.horizon_s, self.setup_s, self.rate_w = instance.horizon_s, instance.setup_s, instance.rate_w
         self.n, self.m, self.k = len(receivers), len(tankers), len(bases)
-        self.power_w = _of([one.power_w for one in receivers])
+        self.power_w = np.maximum(_of([one.power_w for one in receivers]), LEAST_W)
         self.capacity_j = _of([one.capacity_j for one in receivers])
         self.energy_j = _of([one.energy_j for one in receivers])
         self.holds_j = self.capacity_j - _of([one.lands_at_j for one in receivers])
         """(n,) above the charge at which it is lost"""
-        self.lands_s = (self.energy_j - self.capacity_j + self.holds_j) / self.power_w
+        self.lands_s = np.maximum(self.energy_j - self.capacity_j + self.holds_j, 0.0) / self.power_w
         """(n,) without a service"""
         self.off_path_m_s = _of([one.speed_m_s for one in receivers])
         self.speed_m_s = _of([one.speed_m_s for one in tankers])
@@ -45,12 +50,15 @@ class Arrays:
         self.base_ned = _of([one.position_m for one in bases]).reshape(-1, 3)
         self.stock_j = _of([one.stock_j for one in bases])
         self.base_rate_w = _of([one.rate_w for one in bases])
-        latest_s = max(self.horizon_s, *(one.path[-1][0] for one in receivers))
+        latest_s = max([self.horizon_s, *(one.path[-1][0] for one in receivers)])
+        if (longest_s := MOST_SAMPLES * STEP_S / max(self.n, 1)) < latest_s:
+            most = f"{longest_s:.0f} s of {self.n} receivers at most"
+            raise FormatError(f"{instance.name} lasts {latest_s:g} s, and a search takes {most}")
         times = np.arange(0.0, latest_s + 2.0 * STEP_S, STEP_S)
         self._samples = len(times)
-        self._places = np.concatenate([_sampled(_of(one.path), times) for one in receivers])
+        self._places = _of([_sampled(_of(one.path), times) for one in receivers]).reshape(-1, 3)
         legs = np.diff(self._places.reshape(self.n, self._samples, 3), axis=1)
-        self.fastest_m_s = float(np.sqrt(np.square(legs).sum(axis=2)).max()) / STEP_S
+        self.fastest_m_s = float(np.sqrt(np.square(legs).sum(axis=2)).max(initial=0.0)) / STEP_S
         """of any receiver on its path"""
 
     def at(self, receiver: ArrayLike, time_s: ArrayLike) -> Floats:

@@ -118,7 +118,7 @@ def text(results: Mapping[str, Sequence[Result]]) -> list[str]:
         lines.append(
             (
                 method, f"{100 * some.value:.0f} %", f"{100 * some.low:.0f} to {100 * some.high:.0f} %",
-                f"{lost.value:.2f}", _span(lost), f"{gap.value:.2f}", _span(gap),
+                f"{lost.value:.2f}", _span(lost), f"{gap.value:.2f}" if proven else "-", _span(gap),
                 f"{np.mean([one.delivered_j for one, _ in each]) / 1e3:.0f}",
                 f"{np.mean([one.way_m for one, _ in each]):.0f}", f"{np.mean([one.cpu_s for one, _ in each]):.2f}",
             )

@@ -97,11 +97,13 @@ def _corners(places: Sequence[Vec3], speed_m_s: float) -> list[Corner]:
 def document_of(instance: Instance) -> dict[str, Any]:
     """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept.
 
-    Where there are bases, vehicles start on the ground below, as they land there. Raises FormatError for receivers that
-    are lost at different shares of their capacity: a scenario has one.
+    Where there are bases, vehicles start on the ground below, as they land there. Raises FormatError where there is no
+    vehicle, and for receivers that are lost at different shares of their capacity: a scenario has one.
     """
+    if not instance.receivers and not instance.tankers:
+        raise FormatError(f"{instance.name} has no receiver and no tanker; a session needs a vehicle")
     lands_at = [one.lands_at_j / one.capacity_j for one in instance.receivers]
-    if max(lands_at) - min(lands_at) > ALIKE:
+    if lands_at and max(lands_at) - min(lands_at) > ALIKE:
         raise FormatError(
             f"{instance.name}: receivers are lost at {100.0 * min(lands_at):.1f} to {100.0 * max(lands_at):.1f} % of "
             "their capacity; a scenario has one share for all (refuelling.lands_at)"
@@ -143,7 +145,7 @@ def document_of(instance: Instance) -> dict[str, Any]:
         "competition": {"need_from": 0.0},
         "refuelling": {
             "rate_w": instance.rate_w, "hold_s": max(instance.setup_s - MEETS_S, 0.0),
-            "lands_at": lands_at[0],
+            **({"lands_at": lands_at[0]} if lands_at else {}),
         },
         **({"bases": bases} if bases else {}),
     }  # fmt: skip

@@ -42,6 +42,7 @@ class DispatchedFlight:
         self.lands_s, self.busy_s = arrays.lands_s.copy(), np.zeros(arrays.n)
         self.free_s, self.place_ned, self.spare_j = np.zeros(arrays.m), arrays.start_ned.copy(), arrays.spare_j.copy()
         self.base_free_s, self.stock_j = np.zeros(arrays.k), arrays.stock_j.copy()
+        self._little_j = LOADS_BELOW * float(arrays.capacity_j.sum()) / max(arrays.n, 1)
         self.services: list[ScheduledService] = []
         self.free: list[int] = []
         self.waiting: list[int] = []
@@ -135,7 +136,7 @@ class DispatchedFlight:
     def _load(self) -> None:
         """Free tankers with little left load at the base that they are soonest done at."""
         arrays = self.arrays
-        for t in np.flatnonzero((self.free_s <= self.now_s) & (self.spare_j < LOADS_BELOW * arrays.capacity_j.mean())):
+        for t in np.flatnonzero((self.free_s <= self.now_s) & (self.spare_j < self._little_j)):
             best: tuple[float, int, float, float] | None = None
             for b in range(arrays.k):
                 way_s = elementary.distance(arrays.base_ned[b], self.place_ned[t]) / arrays.speed_m_s[t] + 1e-3
@@ -144,7 +145,7 @@ class DispatchedFlight:
                 most_j = min(arrays.tanker_holds_j[t] - held_j, self.stock_j[b], LOADS_S * arrays.base_rate_w[b])
                 energy_j = float(most_j) - MARGIN_J
                 end_s = start_s + arrays.setup_s + energy_j / float(arrays.base_rate_w[b])
-                useful = energy_j > LOADS_BELOW * arrays.capacity_j.mean() and end_s < arrays.horizon_s
+                useful = energy_j > self._little_j and end_s < arrays.horizon_s
                 if useful and (best is None or end_s < best[0]):
                     best = (end_s, b, start_s, energy_j)
             if best is None:

@@ -22,11 +22,9 @@ SPEED_OVER_S = 0.1
 
 class _Own:
     def __init__(self, arrays: Arrays) -> None:
-        first = arrays.instance.receivers[0]
+        shares = [one.lands_at_j / one.capacity_j for one in arrays.instance.receivers]
         self.competition = CompetitionRules(need_from=1.0 - WANTS_FROM)
-        self.refuelling = RefuellingRules(
-            rate_w=arrays.rate_w, until=FULL, lands_at=first.lands_at_j / first.capacity_j
-        )
+        self.refuelling = RefuellingRules(rate_w=arrays.rate_w, until=FULL, lands_at=shares[0] if shares else 0.0)
         self.times = ServiceTimes(arrays.setup_s, 1.0, 0.0)
         self._arrays = arrays
 

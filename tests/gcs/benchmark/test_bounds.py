@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from gcs.benchmark import beam, bounds, format, gaps
+from gcs.benchmark import beam, bounds, compare, format, gaps
 from gcs.benchmark.arrays import Arrays
 from gcs.benchmark.format import Instance, Schedule, ScheduledService, plain
 from gcs.benchmark.generator import instance, instances
@@ -236,3 +236,40 @@ def test_where_no_schedule_can_be_carried_out_that_is_the_result(
     assert capsys.readouterr().out.splitlines()[1:] == [
         f"{method} made no schedule that can be carried out of tankers-000" for method in ("beam_search", "hungarian")
     ]
+
+
+def test_an_instance_without_receivers_loses_none_of_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    one = instance("bases", 0)
+    one.name, one.receivers = "unlike", []
+    (path := tmp_path / "unlike.json").write_bytes(format.raw(one))
+    assert run_argv(["benchmark", "solve", str(path)]) == 0
+    assert "unlike: lost 0 of 0, proven" in capsys.readouterr().out
+    assert run_argv(["benchmark", "compare", "--instances", str(tmp_path), "--seconds", "0.2"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()
+    assert head.split()[:7] == ["method", "loses", "some", "95", "%", "lost", "95"]
+    assert len(rows) == len(compare.METHODS)
+    for row in rows:  # loses some, of which an interval, lost, gap: nothing is proven of it
+        assert row.split()[1:11] == ["0", "%", "0", "to", "79", "%", "0.00", "-", "-", "-"]
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("kind", ["tankers", "bases"])
+def test_receivers_that_draw_nothing_are_lost_if_they_hold_too_little_at_the_start(kind: str) -> None:
+    one = instance(kind, 0)
+    for receiver, share in zip(one.receivers, (2.0, 2.0, 2.0, 0.5), strict=True):
+        receiver.power_w, receiver.energy_j = 0.0, share * receiver.lands_at_j
+    gap, schedule = solve(one, 0.5)
+    assert (gap.upper, schedule.services) == (1, [])
+    assert gap.lower <= 1
+    assert [compare.run(method, one, 0.2).lost for method in ("optimal", "hungarian", "greedy_nearest")] == [1, 1, 1]
+
+
+def test_an_instance_that_lasts_too_long_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    one = instance("tankers", 0)
+    one.horizon_s = 1e9
+    (path := tmp_path / "long.json").write_bytes(format.raw(one))
+    for command in (["solve", str(path)], ["compare", "--instances", str(tmp_path)]):
+        assert run_argv(["benchmark", *command]) == 2
+        assert capsys.readouterr().err == (
+            "gcs: tankers-000 lasts 1e+09 s, and a search takes 250000 s of 4 receivers at most\n"
+        )

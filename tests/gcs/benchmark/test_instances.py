@@ -138,3 +138,19 @@ def test_receivers_that_are_lost_at_different_shares_make_no_scenario() -> None:
     one.receivers[1].lands_at_j *= 2.0
     with pytest.raises(format.FormatError, match=r"tankers-000: receivers are lost at 5\.0 to 10\.0 % of their"):
         document_of(one)
+
+
+def test_what_has_no_receiver_becomes_a_scenario_of_tankers_and_what_has_no_vehicle_none(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    one = instance("tankers", 0)
+    one.receivers = []
+    path, scenario = tmp_path / "one.json", tmp_path / "scenario.yaml"
+    path.write_bytes(format.raw(one))
+    assert run_argv(["benchmark", "scenario", str(path)]) == 0
+    scenario.write_text(capsys.readouterr().out)
+    assert instance_of(load(scenario)).tankers == one.tankers
+    one.tankers = []
+    path.write_bytes(format.raw(one))
+    assert run_argv(["benchmark", "scenario", str(path)]) == 2
+    assert capsys.readouterr().err == "gcs: tankers-000 has no receiver and no tanker; a session needs a vehicle\n"

@@ -13,8 +13,10 @@ from typing import Any
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from gcs.mavlink.autopilots import profile_of
+from gcs.recording.pursuit_held import pursued
 from gcs.recording.series import GAP_S, Floats, Series, Track, by_vehicle, held
 from gcs.recording.tick_record import event_of, is_event
 from gcs.report.findings import Findings
@@ -57,8 +59,9 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         # With many vehicles attitudes are too small to see, and the page would be twice as large.
         shown = () if turns is None else ((2, "heading"),) if many else ((2, "heading"), (0, "roll"), (1, "pitch"))
         angles = {} if turns is None else {name: pack.column(_angle(turns[i], t_s)) for i, name in shown}
-        places = [pack.column(column) for column in _places(track, t_s).T]
-        vehicles.append({"sysid": sysid, "p": places, **angles})
+        places, age_s = _known(track, t_s)
+        packed = {"p": [pack.column(column) for column in places.T], "age": pack.column(age_s)}
+        vehicles.append({"sysid": sysid, **packed, **angles})
     traffic = [
         {"callsign": name, "p": [pack.column(column) for column in _places(track, t_s).T]}
         for name, track in found.traffic.items()
@@ -70,6 +73,7 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "session": _session(found),
         "vehicles": vehicles,
         "traffic": traffic,
+        "targets": _targets(found),
         "words": _words(found),
         "health": _health(found),
         "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
@@ -80,27 +84,57 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
     }
 
 
+def _silences(reported_s: Floats, t_s: Floats) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
+    """(k,) whether each time lies in a silence between two reports, and (k,) the place of the last report by then."""
+    latest = np.maximum(np.searchsorted(reported_s, t_s, side="right") - 1, 0)
+    next_one = np.minimum(latest + 1, len(reported_s) - 1)
+    return reported_s[next_one] - reported_s[latest] > GAP_S, latest
+
+
 def _places(track: Track, t_s: Floats) -> Floats:
-    """(k, 3) where a vehicle was, straight on between its reports; NaN in silences."""
-    if not len(track.t_s):
-        return np.full((len(t_s), 3), np.nan)
-    places = np.column_stack([np.interp(t_s, track.t_s, axis) for axis in track.p_ned.T])
-    after = np.clip(np.searchsorted(track.t_s, t_s), 1, max(len(track.t_s) - 1, 1))
-    gap_s = track.t_s[np.minimum(after, len(track.t_s) - 1)] - track.t_s[after - 1]
-    outside = (t_s < track.t_s[0] - GAP_S) | (t_s > track.t_s[-1] + GAP_S)
-    inside = (t_s >= track.t_s[0]) & (t_s <= track.t_s[-1])
-    places[outside | (inside & (gap_s > GAP_S))] = np.nan
+    """(k, 3) where an aircraft was, straight on between its reports; NaN in silences."""
+    places, _ = _known(track, t_s)
+    if len(track.t_s):
+        silent, _ = _silences(track.t_s, t_s)
+        places[silent | (t_s > track.t_s[-1] + GAP_S)] = np.nan
     return places
 
 
+def _known(track: Track, t_s: Floats) -> tuple[Floats, Floats]:
+    """(k, 3) where a vehicle was as far as is known, straight on between its reports and in silences where it was last,
+    and (k,) how old its last report is, in s to one decimal; NaN before the first."""
+    if not len(track.t_s):
+        return np.full((len(t_s), 3), np.nan), np.full(len(t_s), np.nan)
+    silent, latest = _silences(track.t_s, t_s)
+    places = np.column_stack([np.interp(t_s, track.t_s, axis) for axis in track.p_ned.T])
+    places[silent] = track.p_ned[latest[silent]]
+    age_s: Floats = np.maximum(t_s - track.t_s[latest], 0.0).round(1)
+    before = t_s < track.t_s[0] - GAP_S
+    places[before], age_s[before] = np.nan, np.nan
+    return places, age_s
+
+
 def _angle(series: Series, t_s: Floats) -> Floats:
-    """(k,) an angle in rad, between -π and π."""
+    """(k,) an angle in rad, between -π and π, in silences the last that is known."""
     known = np.isfinite(series.values)
     if not known.any():
         return np.full(len(t_s), np.nan)
-    turned = np.interp(t_s, series.t_s[known], np.unwrap(series.values[known]))
+    reported_s, values = series.t_s[known], series.values[known]
+    silent, latest = _silences(reported_s, t_s)
+    turned = np.interp(t_s, reported_s, np.unwrap(values))
+    turned[silent] = values[latest[silent]]
     wrapped: Floats = np.arctan2(np.sin(turned), np.cos(turned))
     return wrapped
+
+
+def _targets(found: Findings) -> dict[str, list[list[float]]]:
+    """By system id of a pursuer: [time, system id of its target or 0] where that changes."""
+    t_s = found.nearness.separation.t_s
+    return {
+        str(sysid): [[float(t_s[k]), int(targets[k])] for k in np.flatnonzero(np.r_[True, np.diff(targets) != 0])]
+        for sysid, targets in pursued(found.recorded, t_s).items()
+        if len(targets)
+    }
 
 
 def _session(found: Findings) -> dict[str, Any]:

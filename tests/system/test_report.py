@@ -6,6 +6,7 @@ import base64
 import gzip
 import io
 import json
+import math
 import re
 import shutil
 from collections.abc import Iterator
@@ -24,6 +25,7 @@ from web import Watched, until
 
 from gcs.cli.main import run_argv
 from gcs.cli.report import after_run
+from gcs.session.replay import Replay
 
 # Of every figure: whether it shows, where, and how many lines or bars it holds, and what stands beside its axes.
 FIGURES = """[...document.querySelectorAll('.plot')].map((plot) => {
@@ -197,6 +199,33 @@ def test_a_session_that_is_blind_until_its_end_is_shown_so(tmp_path: Path, brows
     expect(shown.locator(".strip li.silent")).to_be_hidden()
     assert watched.wrong == []
     shown.close()
+
+
+def test_a_silent_and_a_dead_vehicle_are_shown_as_a_replay_shows_them(tmp_path: Path, browser: Browser) -> None:
+    """Where they were last, with their last values and the age of these; 101 is heard again at 17 s."""
+    faults = [{"fault": "blackout", "sysid": 101, "at_s": 9, "for_s": 8}, {"fault": "kill", "sysid": 1, "at_s": 12}]
+    folder = fly_apart(small(faults=faults, goal={"duration_s": 20.0}), tmp_path, "--plain", report=True).folder
+    replay = Replay(folder)
+    watched = Watched(browser, height=900)
+    watched.report((folder / "report.html").resolve().as_uri())
+    page = watched.page
+    close = {"height_m": 0.05, "speed_m_s": 0.05, "heading_rad": 0.02, "battery": 0.005, "age_s": 0.15, "target_m": 0.1}
+    conditions = {101: {13.5: "silent", 16.5: "silent"}, 1: {16.5: "dead", 19.5: "dead"}}
+    for t_s in (5.0, 13.5, 16.5, 19.5):
+        replay.advance(t_s, math.inf)
+        told = {row["sysid"]: row for row in replay.snapshot(speed=None)["vehicles"]}
+        page.evaluate(f"skytender.player.seek({t_s})")
+        until(page, f"skytender.current.t_s === {t_s}")
+        assert {place["sysid"] for place in page.evaluate("skytender.places")} == {1, 101, 201}
+        for row in page.evaluate("skytender.current.vehicles"):
+            wanted = told[row["sysid"]]
+            assert row["p_ned"] == pytest.approx(wanted["p_ned"], abs=0.05), (t_s, row)
+            for name, within in close.items():
+                assert row[name] == pytest.approx(wanted[name], abs=within), (t_s, row["sysid"], name)
+            expected = conditions.get(row["sysid"], {}).get(t_s)
+            assert expected is None or row["condition"] == wanted["condition"] == expected
+    assert watched.wrong == []
+    page.close()
 
 
 def test_a_vehicle_can_be_left_out_of_every_figure(shown: Watched) -> None:

@@ -9,10 +9,11 @@
 /** @typedef {import("./messages").ServedRow} ServedRow */
 
 export const CHANNELS = /** @type {const} */ ([
-  "n", "e", "d", "heading", "roll", "pitch", "speed", "height", "battery", "power", "target", "v", "lost",
+  "n", "e", "d", "heading", "roll", "pitch", "speed", "height", "battery", "power", "target", "v", "lost", "age",
 ]);
 /** @typedef {typeof CHANNELS[number]} Channel */
 const TURNS = new Set(["heading", "roll", "pitch"]);
+const GAP_S = 2; // silence longer than this is a gap in a path, as in the report's figures
 const MOST_SAMPLES = 4000;
 const MOST_NUMBERS = 6e6; // of all columns together: 24 MB
 const FIRST_SPACING_S = 0.09;
@@ -24,7 +25,7 @@ function numbersOf(row) {
   const [n, e, d] = row.p_ned ?? [NaN, NaN, NaN];
   const battery = row.battery === null ? NaN : 100 * row.battery;
   return [n, e, d, row.heading_rad, row.roll_rad, row.pitch_rad, row.speed_m_s, row.height_m ?? NaN, battery,
-    row.power_w ?? NaN, row.target_m ?? NaN, row.v ?? NaN, row.lost];
+    row.power_w ?? NaN, row.target_m ?? NaN, row.v ?? NaN, row.lost, row.age_s ?? NaN];
 }
 
 /** Everything of a vehicle that is no number over time; kept where it changes. */
@@ -67,6 +68,9 @@ export function last(times, t_s, count = times.length) {
   }
   return low - 1;
 }
+
+/** Whether a vehicle's path has a gap at a sample: its place is not known, or one from long before. @param {Record<Channel, Float32Array>} columns @param {number} k */
+export const unseen = (columns, k) => Number.isNaN(columns.n[k]) || columns.age[k] > GAP_S;
 
 export class Flight {
   /** @type {SessionLine | null} */
@@ -260,7 +264,7 @@ export class Flight {
         ...this.words.get(sysid)?.at(t_s),
         p_ned: at.n === null ? null : [at.n, at.e, at.d], v_ned: [0, 0, 0], speed_m_s: at.speed ?? 0, height_m: at.height,
         heading_rad: at.heading ?? 0, roll_rad: at.roll ?? 0, pitch_rad: at.pitch ?? 0, aim_ned: null, margin_m: null,
-        age_s: 0, heard_s: null, lost: at.lost ?? 0, lost_share: null, target_m: at.target, battery,
+        age_s: at.age, heard_s: null, lost: at.lost ?? 0, lost_share: null, target_m: at.target, battery,
         remaining_j: battery !== null && capacity_j !== null ? battery * capacity_j : null, power_w: at.power,
         endurance_s: null, energy_source: "", v: at.v, tau: null,
       }));

@@ -3,7 +3,7 @@
 import { nearest } from "./box.js";
 import { drawNorth } from "./compass.js";
 import { fit, number } from "./elements.js";
-import { last } from "./flight.js";
+import { last, unseen } from "./flight.js";
 import { plane, sized } from "./graphics.js";
 import { colourOf, dashOf, look } from "./look.js";
 import { drawSign } from "./signs.js";
@@ -305,7 +305,7 @@ export class MapView {
       context.lineWidth = lit ? 2.4 : 1.4;
       context.setLineDash(many ? [] : dashOf(sysid));
       const from = lit || !many ? 0 : recent;
-      this.#line(context, columns.e, columns.n, from, count, Math.max(Math.floor((count - from) / (lit || !many ? 2000 : TRAIL_POINTS)), 1), X, Y);
+      this.#line(context, columns.e, columns.n, (k) => unseen(columns, k), from, count, Math.max(Math.floor((count - from) / (lit || !many ? 2000 : TRAIL_POINTS)), 1), X, Y);
       const k = columns.n.findIndex((value) => !Number.isNaN(value));
       if (!starts || k < 0 || k >= count) continue;
       context.setLineDash([]);
@@ -316,17 +316,17 @@ export class MapView {
     context.globalAlpha = 0.9;
     context.strokeStyle = soft;
     context.setLineDash([2, 4]);
-    for (const [n, e] of flight.traffic.values()) this.#line(context, e, n, 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
+    for (const [n, e] of flight.traffic.values()) this.#line(context, e, n, (k) => Number.isNaN(n[k]), 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
     context.setLineDash([]);
     context.globalAlpha = 1;
   }
 
-  /** @param {CanvasRenderingContext2D} context @param {Float32Array} e @param {Float32Array} n @param {number} from @param {number} count @param {number} step @param {Axis} X @param {Axis} Y */
-  #line(context, e, n, from, count, step, X, Y) {
+  /** @param {CanvasRenderingContext2D} context @param {Float32Array} e @param {Float32Array} n @param {(k: number) => boolean} gap @param {number} from @param {number} count @param {number} step @param {Axis} X @param {Axis} Y */
+  #line(context, e, n, gap, from, count, step, X, Y) {
     context.beginPath();
     let drawn = false;
     for (let k = from; k < count; k = k + step < count || k === count - 1 ? k + step : count - 1) {
-      if (Number.isNaN(n[k])) {
+      if (gap(k)) {
         drawn = false;
         continue;
       }
@@ -426,7 +426,7 @@ export class MapView {
     context.strokeStyle = soft;
     context.lineWidth = 1.2;
     context.setLineDash([5, 3]);
-    if (paths) for (const { e, n } of ghost.columns.values()) this.#line(context, e, n, 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
+    if (paths) for (const columns of ghost.columns.values()) this.#line(context, columns.e, columns.n, (k) => unseen(columns, k), 0, count, Math.max(Math.floor(count / 500), 1), X, Y);
     context.setLineDash([]);
     context.font = "11px system-ui, sans-serif";
     for (const row of ghost.at(until_s)?.vehicles ?? []) {

@@ -13,8 +13,8 @@ import { linkedTime } from "./timeline.js";
 /** @typedef {import("./charts.js").Figure & {kind: "time"}} TimeFigure */
 /**
  * @typedef {{count: number, end_s: number, session: import("./messages").SessionLine,
- *   vehicles: {sysid: number, p: Packed[], heading?: Packed, roll?: Packed, pitch?: Packed}[],
- *   traffic: {callsign: string, p: Packed[]}[], words: Record<string, [number, string, boolean, boolean][]>,
+ *   vehicles: {sysid: number, p: Packed[], age: Packed, heading?: Packed, roll?: Packed, pitch?: Packed}[],
+ *   traffic: {callsign: string, p: Packed[]}[], targets: Record<string, [number, number][]>, words: Record<string, [number, string, boolean, boolean][]>,
  *   health: {rows: Partial<import("./messages").VehicleRow>[], of: Record<string, [number, number][]>},
  *   events: import("./messages").EventRow[], history: import("./messages").ServedRow[], threshold: number,
  *   goal: import("./messages").GoalStateRow, solids?: import("./messages").ObstacleRow[],
@@ -351,7 +351,9 @@ function fillFlight(flight, model, told, column) {
   flight.share = new Float32Array(told.count).fill(NaN);
   /** @param {string} figure @param {number} panel @returns {Map<number, any>} */
   const lines = (figure, panel) => new Map((model.figures[figure]?.panels[panel]?.lines ?? []).map((/** @type {any} */ one) => [one.id, one]));
-  const sources = { battery: lines("battery", 0), speed: lines("motion", 0), target: lines("target", 0), v: lines("contest", 0) };
+  // What a message said last holds until the next one; a speed is drawn as its place is, straight on.
+  const sources = { battery: lines("battery", 0), v: lines("contest", 0), lost: lines("link", 1) };
+  const speeds = lines("motion", 0);
   const share = model.figures.contest?.panels[1]?.own[0];
   if (share) flight.share = sampled(share, flight.t_s);
   for (const one of told.vehicles) {
@@ -360,15 +362,19 @@ function fillFlight(flight, model, told, column) {
     [columns.n, columns.e, columns.d] = one.p.map(column);
     columns.height = columns.d.map((/** @type {number} */ d) => -d);
     for (const name of /** @type {const} */ (["heading", "roll", "pitch"])) columns[name] = one[name] ? column(one[name]) : new Float32Array(told.count);
+    columns.age = column(one.age);
     for (const [name, from] of Object.entries(sources)) {
       const source = from.get(one.sysid);
-      columns[name] = source ? (name === "v" ? held(source, flight.t_s) : sampled(source, flight.t_s)) : null;
+      columns[name] = source ? held(source, flight.t_s) : null;
     }
+    const speed = speeds.get(one.sysid);
+    columns.speed = speed ? kept(sampled(speed, flight.t_s)) : null;
     const none = new Float32Array(told.count).fill(NaN);
     for (const name of CHANNELS) columns[name] ??= none;
     flight.columns.set(one.sysid, columns);
     flight.words.set(one.sysid, wordsOf(told, String(one.sysid)));
   }
+  for (const [sysid, spans] of Object.entries(told.targets)) toTarget(flight, Number(sysid), spans);
   for (const one of told.traffic) flight.traffic.set(one.callsign, one.p.map(column));
   flight.newest = /** @type {import("./messages").SnapshotMessage} */ ({
     type: "snapshot", t_s: told.end_s, duration_s: told.session.duration_s, speed: null, phase: "ended", vehicles: [], traffic: [],
@@ -376,6 +382,17 @@ function fillFlight(flight, model, told, column) {
     refuelled: told.history.length, goal: told.goal, inspected: {}, events: [],
   });
   flight.version += 1;
+}
+
+/** Distances of a pursuer to its target, by where both are shown. @param {Flight} flight @param {number} sysid @param {[number, number][]} spans time and target, where it changes */
+function toTarget(flight, sysid, spans) {
+  const own = flight.columns.get(sysid);
+  if (!own) return;
+  const times = spans.map(([t_s]) => t_s);
+  own.target = Float32Array.from(flight.t_s.subarray(0, flight.count), (t_s, k) => {
+    const target = flight.columns.get(spans[Math.max(last(times, t_s), 0)][1]);
+    return target ? Math.hypot(target.n[k] - own.n[k], target.e[k] - own.e[k], target.d[k] - own.d[k]) : NaN;
+  });
 }
 
 /** A vehicle's words: modes and troubles, each from when it changed. @param {Recording} told @param {string} sysid */
@@ -397,6 +414,12 @@ function wordsOf(told, sysid) {
 /** A line's values at given times, each until the next point. @param {{x: Float64Array, y: Float64Array}} line @param {Float64Array} t_s */
 function held({ x, y }, t_s) {
   return Float32Array.from(t_s, (at) => y[last(x, at)] ?? NaN);
+}
+
+/** A column whose unknown values are the last known ones. @param {Float32Array} column */
+function kept(column) {
+  for (let k = 1; k < column.length; k += 1) if (Number.isNaN(column[k])) column[k] = column[k - 1];
+  return column;
 }
 
 /** Let a reader sort the tables that say so. */

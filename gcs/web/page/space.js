@@ -8,7 +8,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { body } from "./bodies.js";
 import { nearest } from "./box.js";
 import { drawNorth } from "./compass.js";
-import { last } from "./flight.js";
+import { last, unseen } from "./flight.js";
 import { plane, sized } from "./graphics.js";
 import { colourOf, look } from "./look.js";
 import { extent, nice } from "./map.js";
@@ -292,8 +292,9 @@ export class SpaceView {
       }
       const count = paths ? last(ghost.t_s, until_s + 1e-6, ghost.count) + 1 : 0;
       const step = Math.max(Math.ceil((count * ghost.columns.size) / PATH_POINTS), 1);
-      for (const { n, e, d } of ghost.columns.values()) {
-        for (let k = 0; k + step < count; k += 2 * step) if (!Number.isNaN(n[k] + n[k + step])) line(place([n[k], e[k], d[k]]), place([n[k + step], e[k + step], d[k + step]]));
+      for (const columns of ghost.columns.values()) {
+        const { n, e, d } = columns;
+        for (let k = 0; k + step < count; k += 2 * step) if (!unseen(columns, k) && !unseen(columns, k + step)) line(place([n[k], e[k], d[k]]), place([n[k + step], e[k + step], d[k + step]]));
       }
     }
   }
@@ -420,7 +421,8 @@ export class SpaceView {
     const paper = new Color(look().paper);
     const many = flight.columns.size > MOST_NAMED;
     const [from_tint, to_tint] = [new Color(), new Color()];
-    for (const [sysid, { n, e, d }] of flight.columns) {
+    for (const [sysid, columns] of flight.columns) {
+      const { n, e, d } = columns;
       const colour = new Color(colourOf(sysid));
       if (chosen === null ? many : sysid !== chosen) colour.lerp(paper, many ? 0.6 : 0.45);
       const from = sysid === chosen ? 0 : recent;
@@ -428,7 +430,7 @@ export class SpaceView {
       const faded = (/** @type {number} */ k, /** @type {Color} */ to) => to.copy(colour).lerp(paper, sysid === chosen || !recent ? 0 : (FADED * (count - 1 - k)) / (count - from));
       for (let k = from; k < count - 1; k += step) {
         const m = Math.min(k + step, count - 1);
-        if (Number.isNaN(n[k]) || Number.isNaN(n[m])) continue;
+        if (unseen(columns, k) || unseen(columns, m)) continue;
         positions.push(e[k], -d[k], -n[k], e[m], -d[m], -n[m]);
         tints.push(...faded(k, from_tint).toArray(), ...faded(m, to_tint).toArray());
       }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -181,15 +182,46 @@ def test_a_lost_connection_is_told_and_comes_back_with_what_was_missed(browser: 
         page = watched.flying(links["command"].replace(f":{urlsplit(links['command']).port}", f":{cable.port}"))
         cable.cut()
         expect(page.get_by_role("alert")).to_contain_text("The connection is lost")
+        expect(page.locator(".badge:visible")).to_have_text(["not connected"])
         refused = "new Promise((done) => skytender.operator.send({command: 'hold'}, (ok, text) => done([ok, text])))"
         assert page.evaluate(refused) == [False, "There is no connection: it was not sent."]
         source.feed(snapshot(2.0, rows, {**event, "t_s": 2.0, "text": "meanwhile"}))
         cable.mend()
         until(page, "skytender.current.t_s === 2")
         expect(page.get_by_role("alert")).to_be_hidden()
+        expect(page.locator(".badge:visible")).to_have_text(["live", "flying 0:02.0 of 2:00.0"])
         assert page.evaluate("skytender.flight.events.map((e) => e.text)") == ["before", "meanwhile"]
         page.close()
         cable.close()
+
+
+LATER = """(() => {
+  const now = performance.now.bind(performance);
+  window.later_ms = 0;
+  performance.now = () => now() + window.later_ms;
+})()"""
+"""Lets a test move a page's clock on."""
+
+
+def test_a_session_that_says_nothing_is_shown_so(browser: Browser) -> None:
+    """As in the console's header: `flying` and a speed are no longer known."""
+    rows = [row(1, 0.0)]
+    source = Script(session(rows), snapshot(1.0, rows))
+    with served(source) as links:
+        watched = Watched(browser)
+        watched.page.add_init_script(LATER)
+        page = watched.flying(links["command"])
+        badges, speed = page.locator(".badge:visible"), page.locator(".time-line .value").first
+        expect(badges).to_have_text(["live", "flying 0:01.0 of 2:00.0"])
+        expect(speed).to_have_text("×1.0")
+        page.evaluate("window.later_ms = 900e3")
+        expect(badges).to_have_text([re.compile(r"no news for 9\d\d s")])
+        expect(speed).to_have_text("")
+        source.feed(snapshot(2.0, rows))
+        expect(badges).to_have_text(["live", "flying 0:02.0 of 2:00.0"])
+        expect(speed).to_have_text("×1.0")
+        assert watched.wrong == []
+        page.close()
 
 
 def test_a_link_without_its_token_shows_nothing(browser: Browser) -> None:

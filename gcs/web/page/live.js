@@ -22,6 +22,7 @@ export class Live {
     /** @type {State} */
     this.state = "connecting";
     this.heard = 0;
+    this.heard_ms = performance.now();
     this.sent = 0;
     this.tries = 0;
     /** @type {WebSocket | null} */
@@ -55,6 +56,7 @@ export class Live {
 
   /** @param {Line} line */
   #hear(line) {
+    this.heard_ms = performance.now();
     if (line.type === "reply") {
       const answer = this.waiting.get(String(line.id));
       this.waiting.delete(String(line.id));
@@ -74,6 +76,11 @@ export class Live {
       this.#become("ended");
     }
     this.take(line);
+  }
+
+  /** For how long nothing has come. */
+  get silent_s() {
+    return 1e-3 * (performance.now() - this.heard_ms);
   }
 
   /** @param {Record<string, unknown>} command @param {(ok: boolean, text: string) => void} [answer] */

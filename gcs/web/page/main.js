@@ -21,6 +21,8 @@ const KEYS = [
   ["0", "show everything"], ["+ − 0", "in picture and figures: nearer, farther, everything"], ["v", "paths on or off"], ["b", "select all that are in the picture"], ["a", "select all that the table shows"], ["ctrl↵ ⇧↵", "on an id in the table: add it to the selection; it and those between"], ["Esc", "select none"], ["d", "dark or light"], ["?", "this page"],
 ];
 const SEEK_S = 10;
+const SILENT_S = 3; // as the console's header has it (gcs/console/pages/heading.py)
+const SOURCES = { session: "live", monitor: "monitor", replay: "replay" };
 
 /** @param {import("./app.js").App} app @param {Order[]} orders @param {(order: Order) => void} ask */
 function keyboard(app, orders, ask) {
@@ -150,9 +152,8 @@ function served(config) {
       control = Boolean(line.control) && !replaying;
       document.title = `${line.name} – Skytender`;
       say(title, line.name);
-      say(badge, ({ session: "live", monitor: "monitor", replay: "replay" })[line.source]);
       for (const part of [session, app.orders, app.strip.all]) part.hidden = !control;
-      badge.hidden = false;
+      connection();
       say(starting, `${counted(line.vehicles)} ${line.vehicles.length === 1 ? "starts" : "start"}; they are shown here as soon as they report.`);
       app.timeline.live.hidden = replaying;
       app.members();
@@ -170,7 +171,7 @@ function served(config) {
         app.playing = line.phase !== "paused";
         app.speed = line.speed ? `×${line.speed.toFixed(line.speed < 10 ? 1 : 0)}` : "";
       }
-      phase.hidden = false;
+      connection();
       starting.hidden = true;
       say(phase, `${line.phase} ${clock(line.t_s)}${line.duration_s ? ` of ${clock(line.duration_s)}` : ""}`);
       const { goal: wanted } = line;
@@ -203,8 +204,23 @@ function served(config) {
     say(words_of_state, text);
     if (live.state === "refused") say(title, "no entry");
     if (live.state === "refused" || live.state === "ended") starting.hidden = true;
+    reception();
     document.documentElement.dataset.connection = live.state;
   };
+  /** Whether the session speaks: of one that does not, no phase and no speed are known. */
+  const reception = () => {
+    const { session: known, newest } = app.flight;
+    const quiet = live.state === "open" && !replaying && newest !== null && live.silent_s >= SILENT_S;
+    const wrong = live.state === "lost" ? "not connected" : quiet ? `no news for ${live.silent_s.toFixed(0)} s` : "";
+    badge.hidden = !known;
+    badge.className = `badge ${wrong ? (quiet ? "warn" : "bad") : ""}`;
+    if (known) say(badge, wrong || SOURCES[known.source]);
+    phase.hidden = !newest || wrong !== "";
+    if (!wrong || app.speed === "") return;
+    app.speed = "";
+    app.dirty = true;
+  };
+  setInterval(reception, 500);
   live.open();
   const tour = new Tour();
   tour.first();

@@ -367,11 +367,12 @@ def scenario_plan(scenario: Scenario) -> PlanRow | None:
 
 
 def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[BrokenRow]:
-    """How each part of the goal was first broken, by the records of it in the order of their times."""
+    """How each part of the goal was first broken, and when, by the records of it in the order of their times."""
     first: dict[str, BrokenRow] = {}
     for record in violations:
-        part = str(record["part"])
-        first.setdefault(part, BrokenRow(part, f"{part}: {record['text']}", float(record["at_s"])))
+        part, at_s = str(record["part"]), float(record["at_s"])
+        when = "" if record.get("by") == "truth" else f" ({at_s:.1f} s)"  # by truth the text has it
+        first.setdefault(part, BrokenRow(part, f"{part}: {record['text']}{when}", at_s))
     return list(first.values())
 
 

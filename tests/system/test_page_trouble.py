@@ -70,7 +70,7 @@ def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_
         watched.look(1280, 800, dark=False)
         place = page.get_by_role("button", name="live", exact=True).bounding_box()
         told = snapshot(2.0, rows)
-        told["goal"]["broken"] = [{"part": "separation", "text": "separation 0.02 m", "t_s": 1.5}]
+        told["goal"]["broken"] = [{"part": "separation", "text": "separation 0.02 m (3 and 5 at 1.5 s)", "t_s": 1.5}]
         source.feed(told)
         expect(strip.locator("li").get_by_role("button")).to_have_text(
             [
@@ -82,7 +82,7 @@ def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_
             ]
         )
         expect(strip.get_by_text("All well")).to_be_hidden()
-        expect(page.locator(".goal-line")).to_contain_text("1 goal failed: separation 0.02 m (1.5 s)")
+        expect(page.locator(".goal-line")).to_have_text("1 goal failed: separation 0.02 m (3 and 5 at 1.5 s). ")
         assert page.get_by_role("button", name="live", exact=True).bounding_box() == place, "nothing moves away"
         strip.get_by_role("button", name="Low battery").click()
         assert page.evaluate("[skytender.chosen, [...skytender.selected]]") == [4, [4, 2]]
@@ -100,6 +100,33 @@ def test_one_vehicle_is_counted_as_one(browser: Browser) -> None:
     with served(Script(session(rows), snapshot(1.0, rows))) as links:
         page = Watched(browser).flying(links["command"])
         expect(page.locator(".totals")).to_have_text(f"1 vehicle: 1 {rows[0]['mode_name']}")
+        page.close()
+
+
+def test_a_dead_vehicle_is_counted_and_described_as_dead(browser: Browser) -> None:
+    """In place of the mode, as in the console; what it was doing when it died is not said of it."""
+    rows = [row(1, 0.0), row(2, 0.0), row(3, 0.0, state="lost", stage="down", **TROUBLES[7])]
+    with served(Script(session(rows), snapshot(1.0, rows))) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        expect(page.locator(".totals")).to_have_text("3 vehicles: 2 Offboard, 1 DEAD")
+        expect(page.locator("table.fleet tr.dead")).to_contain_text("DEAD")
+        page.evaluate("skytender.choose(3)")
+        expect(page.locator(".vehicle-page h3")).to_have_text("pursuer 3")
+        facts = dict(zip(*(page.locator(f".facts {part}").all_inner_texts() for part in ("dt", "dd")), strict=True))
+        wanted = {
+            "mode": "DEAD",
+            "armed": "–",
+            "power": "–",
+            "lasts": "–",
+            "battery": "80.0 %, 8.0 kJ",
+            "height": "5.0 m",
+        }
+        assert {name: facts[name] for name in wanted} == wanted
+        page.keyboard.press("Shift+H")
+        expect(page.get_by_role("dialog")).to_contain_text("DEAD, 5.0 m high, battery 80 %")
+        page.keyboard.press("Escape")
+        assert watched.wrong == []
         page.close()
 
 
@@ -152,7 +179,7 @@ def test_trouble_is_read_on_every_screen_and_nothing_is_cut_off(browser: Browser
 
 
 def many_are_filtered_counted_and_gone_to(page: Page) -> None:
-    expect(page.locator(".totals")).to_have_text("254 vehicles: 252 Offboard, 2 Land")
+    expect(page.locator(".totals")).to_have_text("254 vehicles: 251 Offboard, 2 Land, 1 DEAD")
     assert "1 below 20 %" in (page.locator(".histogram").get_attribute("aria-label") or "")
     page.get_by_label("filter vehicles").fill("25")
     assert page.locator("table.fleet tbody tr:visible").count() == 6, "25, and 250 to 254"

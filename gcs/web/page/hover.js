@@ -2,13 +2,14 @@
 // @ts-check
 import { nearest } from "./box.js";
 import { h, number, say } from "./elements.js";
+import { modeOf } from "./signs.js";
 
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 
 /** `pursuer 5 · Offboard · battery 43 % · 5.0 m high · 1.2 m/s`. @param {VehicleRow} row */
 export function described(row) {
   const parts = [
-    row.label, row.trouble.join(", "), row.mode_name, row.battery === null ? "" : `battery ${number(100 * row.battery, 0)} %`,
+    row.label, row.trouble.join(", "), modeOf(row), row.battery === null ? "" : `battery ${number(100 * row.battery, 0)} %`,
     row.height_m === null ? "" : `${number(row.height_m, 1)} m high`, `${number(row.speed_m_s, 1)} m/s`,
   ];
   return parts.filter(Boolean).join(" · ");

@@ -177,7 +177,7 @@ function served(config) {
       const { goal: wanted } = line;
       const held = wanted.pursue_for_s && wanted.pursue_held_s !== null ? `pursuit held ${wanted.pursue_held_s.toFixed(0)} of ${wanted.pursue_for_s.toFixed(0)} s` : "";
       const served = wanted.refuelled_at_least ? `${line.refuelled} refuelled, at least ${wanted.refuelled_at_least} wanted` : line.refuelled ? `${line.refuelled} refuelled` : "";
-      const failed = wanted.broken.map((one) => one.text + (one.t_s === null ? "" : ` (${one.t_s.toFixed(1)} s)`));
+      const failed = wanted.broken.map((one) => one.text); // which say when
       say(broken, failed.length ? `${failed.length} ${failed.length === 1 ? "goal" : "goals"} failed: ${failed.join("; ")}. ` : "");
       say(reached, [held, served].filter(Boolean).join("; "));
       goal.title = goal.textContent ?? "";

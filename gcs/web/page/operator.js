@@ -1,6 +1,7 @@
 // An operator's commands: the same as in the console, each confirmed, answered, and shown to all as an event.
 // @ts-check
 import { h, say, vehicles } from "./elements.js";
+import { modeOf } from "./signs.js";
 
 /** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
@@ -157,5 +158,5 @@ function planned(rows, plans) {
 function state(row) {
   const battery = row.battery === null ? "" : `, battery ${(100 * row.battery).toFixed(0)} %`;
   const height = row.height_m === null ? "" : `, ${row.height_m.toFixed(1)} m high`;
-  return `${row.mode_name || row.state || "mode not known"}${height}${battery}`;
+  return `${modeOf(row) || row.state || "mode not known"}${height}${battery}`;
 }

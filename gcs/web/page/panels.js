@@ -3,6 +3,7 @@
 import { clock, h, number, say } from "./elements.js";
 import { colourOf } from "./look.js";
 import { planText } from "./operator.js";
+import { modeOf } from "./signs.js";
 
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").EventRow} EventRow */
@@ -126,12 +127,12 @@ export function showVehicle(at, snapshot, sysid, session) {
   const degrees = (/** @type {number} */ rad) => number((rad * 180) / Math.PI, 0, "°");
   /** @type {[string, string][]} */
   const facts = [
-    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", row.mode_name || "–"], ["autopilot", row.autopilot ?? "–"],
-    ["armed", row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
+    ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", modeOf(row) || "–"], ["autopilot", row.autopilot ?? "–"],
+    ["armed", !row.alive ? "–" : row.armed ? (row.landed ? "armed, landed" : "armed, in the air") : "disarmed"],
     ["battery", row.battery === null ? "–" : `${number(100 * row.battery, 1)} %${row.remaining_j === null ? "" : `, ${number(row.remaining_j / 1e3, 1)} kJ`}`],
     ...(row.batteries ?? []).map((one) => /** @type {[string, string]} */ ([`battery ${one.id}${one.function ? `, ${one.function}` : ""}`,
       `${one.share === null ? "–" : `${number(100 * one.share, 0)} %`}${one.voltage_v === null ? "" : `, ${number(one.voltage_v, 1)} V`}`])),
-    ["power", number(row.power_w, 0, " W")], ["lasts", row.endurance_s === null ? "–" : clock(row.endurance_s)],
+    ["power", number(row.alive ? row.power_w : null, 0, " W")], ["lasts", !row.alive || row.endurance_s === null ? "–" : clock(row.endurance_s)],
     ["north, east", row.p_ned ? `${number(row.p_ned[0], 1)}, ${number(row.p_ned[1], 1)} m` : "–"], ["height", number(row.height_m, 1, " m")],
     ["speed", number(row.speed_m_s, 2, " m/s")], ["heading", degrees((row.heading_rad + 2 * Math.PI) % (2 * Math.PI))],
     ["roll, pitch", `${degrees(row.roll_rad)}, ${degrees(row.pitch_rad)}`], ["to its target", number(row.target_m, 2, " m")],

@@ -10,6 +10,9 @@ export const SIGNS = { dead: "✕", silent: "⌀", failing: "▲", low: "◔", w
 /** The sign of what matters most of a vehicle: its trouble, else that it has landed. @param {VehicleRow} row */
 export const signOf = (row) => SIGNS[row.condition || (row.landed ? "landed" : "")] ?? "";
 
+/** A vehicle's flight mode, or that it is dead, as in the console (gcs/console/pages/fleet.py). @param {VehicleRow} row */
+export const modeOf = (row) => (row.alive ? row.mode_name : "DEAD");
+
 const HALO = 3;
 const TURN = 2 * Math.PI;
 

@@ -2,7 +2,7 @@
 // @ts-check
 import { h, number, say, vehicles } from "./elements.js";
 import { colourOf } from "./look.js";
-import { signOf } from "./signs.js";
+import { modeOf, signOf } from "./signs.js";
 import { rank } from "./strip.js";
 
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
@@ -18,7 +18,7 @@ const COLUMNS = [
   { key: "id", name: "id", text: (row) => String(row.sysid), sort: (row) => row.sysid },
   { key: "trouble", name: "trouble", word: true, text: (row) => row.trouble.join(", ") || row.note || (row.landed ? "landed" : ""), sort: (row) => rank(row) + (row.condition || row.landed ? 0 : 0.5) },
   { key: "state", name: "state", word: true, folds: true, text: (row) => row.state || (row.alive ? "–" : "lost"), sort: (row) => row.state },
-  { key: "mode", name: "mode", word: true, folds: true, text: (row) => row.mode_name || "–", sort: (row) => row.mode_name },
+  { key: "mode", name: "mode", word: true, folds: true, text: (row) => modeOf(row) || "–", sort: modeOf },
   { key: "role", name: "role", word: true, folds: true, text: (row) => row.role, sort: (row) => row.role },
   { key: "battery", name: "battery %", text: (row) => number(row.battery === null ? null : 100 * row.battery, 0), sort: (row) => row.battery ?? -1 },
   { key: "height", name: "height m", text: (row) => number(row.height_m, 1), sort: (row) => row.height_m ?? -1e9 },
@@ -150,7 +150,7 @@ export class FleetTable {
     const counts = new Map();
     const bins = new Array(BINS).fill(0);
     for (const row of snapshot.vehicles) {
-      const state = row.mode_name || row.state || "unknown";
+      const state = modeOf(row) || row.state || "unknown";
       counts.set(state, (counts.get(state) ?? 0) + 1);
       if (row.battery !== null && Number.isFinite(row.battery)) bins[Math.min(Math.max(Math.floor(BINS * row.battery), 0), BINS - 1)] += 1;
     }

@@ -33,7 +33,7 @@ def test_a_vehicle_whose_motor_failed_is_no_vehicle_that_is_well(tmp_path: Path)
     killed.advance(15.0, math.inf)
     broken = [part["text"] for part in killed.snapshot(speed=None)["goal"]["broken"]]
     assert [re.sub(r"\d+\.\d s", "T", text) for text in broken if text.startswith("lost: ")] == [
-        "lost: pursuer 1 is lost: landed by itself (T)"
+        "lost: pursuer 1 is lost: crashed, or disarmed in flight (T)"
     ]
 
 

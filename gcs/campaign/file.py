@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from gcs.campaign.model import CampaignRules
+from gcs.campaign.plain_data import plain
 from gcs.scenario.document import Document, Problem, ScenarioError, did_you_mean, emit, read
 from gcs.scenario.file import CAMPAIGNS, shipped_folder
 
@@ -37,7 +38,7 @@ def load(path: str | os.PathLike[str]) -> CampaignRules:
 
 def from_data(data: dict[str, Any], name: str = "campaign") -> CampaignRules:
     """A campaign from plain data. Raises ScenarioError."""
-    return checked(Document(name, data))
+    return checked(Document(name, plain(data, name)))
 
 
 def checked(document: Document) -> CampaignRules:

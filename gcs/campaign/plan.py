@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from gcs.campaign import draws
 from gcs.campaign.file import dump, load
 from gcs.campaign.model import ARGUMENTS, CampaignRules
+from gcs.campaign.plain_data import plain
 from gcs.processes import plugin_process
 from gcs.scenario import keys, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
@@ -154,12 +155,12 @@ class Plan:
         function = _generator(self.campaign.generate, self.modules)
         try:
             data = function(seed=row.seed, **arguments)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             what = " ".join(str(error).split())
             raise ValueError(f"{self.campaign.generate} failed: {type(error).__name__}: {what}") from None
         if not isinstance(data, dict):
             raise ValueError(f"{self.campaign.generate} returned no block of keys")
-        return _written_out(parse(emit(data), self.campaign.generate))
+        return _written_out(parse(emit(plain(data, self.campaign.generate)), self.campaign.generate))
 
     def check(self) -> None:
         """See that the first session of every combination can be flown, with the planners and policies that they name,

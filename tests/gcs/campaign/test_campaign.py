@@ -75,6 +75,69 @@ def test_mistakes_are_told_before_anything_flies(changes: dict[str, Any], senten
     assert sentence.lower().replace("should", "must") in text.lower().replace("should", "must")
 
 
+MADE = """
+import pathlib
+import numpy as np
+
+def family(seed, value):
+    base = {"lat_deg": np.float32(47.5), "lon_deg": np.float64(8.5), "alt_m": np.int64(488)}
+    loop = []
+    loop.append(loop)
+    if value == "exit":
+        raise SystemExit(3)
+    odd = {"set": {1.0}, "path": pathlib.Path("a"), "complex": np.array([1j]), "loop": loop, "wide": np.longdouble(1)}
+    return {
+        "schema": np.int64(1), np.str_("name"): np.str_("made"), "axes": "ned", "origin": base,
+        "goal": {"duration_s": odd.get(value, np.float64(10.0))},
+        "vehicles": {"pursuers": [{"sysid": np.uint8(1), "start_m": np.array([2.5, 0.0, 0.0]), "airborne": np.False_,
+                                   "waypoints_m": (np.zeros(3) - [0, 0, 3],),
+                                   "battery": {"capacity_j": np.int32(9000)}}]},
+    }
+"""
+
+
+def generated(folder: Path, name: str, value: Any) -> Plan:
+    """The plan of a campaign whose scenario a function makes; modules are imported once, so each has a name."""
+    (folder / f"{name}.py").write_text(MADE)
+    content = {"schema": 1, "name": "made", "generate": f"{name}:family", "arguments": {"value": value}, "sessions": 1}
+    return replace(make(file.from_data(content), [folder]), trusted=True)
+
+
+def test_numpys_numbers_and_arrays_are_plain_data(tmp_path: Path) -> None:
+    flown = generated(tmp_path, "made_numbers", np.str_("none"))
+    scenario, _ = flown.resolved(flown.row(0))
+    assert (scenario.origin.lat_deg, scenario.origin.alt_m, scenario.goal.duration_s) == (47.5, 488.0, 10.0)
+    (one,) = scenario.vehicles.pursuers
+    assert (one.sysid, one.start_m, one.airborne) == (1, (2.5, 0.0, 0.0), False)
+    assert one.waypoints_m == ((0.0, 0.0, -3.0),)
+    given = plan(sessions=np.int64(3), vary={"planner.cruise_m_s": np.array([1.0, 2.0])})
+    assert given == plan(sessions=3, vary={"planner.cruise_m_s": [1.0, 2.0]})
+    assert given.trusted_by
+
+
+@pytest.mark.parametrize(
+    ("value", "sentence"),
+    [
+        ("set", "goal.duration_s is a Python set; it has to be a number, a text, a list or a block of keys"),
+        ("path", "goal.duration_s is a Python PosixPath;"),
+        ("complex", "goal.duration_s[0] is a Python complex;"),
+        ("wide", "goal.duration_s is a Python longdouble;"),
+        ("loop", "a list or a block of keys holds itself"),
+        ("exit", "made_exit:family failed: SystemExit: 3"),
+    ],
+)
+def test_what_a_generator_cannot_return_is_named_before_anything_flies(
+    tmp_path: Path, value: str, sentence: str
+) -> None:
+    with pytest.raises(ScenarioError) as refused:
+        generated(tmp_path, f"made_{value}", value).check()
+    assert sentence in str(refused.value)
+
+
+def test_what_is_no_plain_data_of_a_campaign_is_named() -> None:
+    assert "set.goal is a Python set; it has to be" in told(set={"goal": {1}})
+
+
 def test_a_campaign_is_written_and_read_back_equal(tmp_path: Path) -> None:
     first = plan()
     first.write(tmp_path)

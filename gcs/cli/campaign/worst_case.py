@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 from dataclasses import replace
@@ -182,8 +183,8 @@ def _expectation(text: str) -> tuple[str, Expectation]:
     try:
         limit = float(number)
     except ValueError:
-        sign = ""
-    if not sign:
+        limit = math.nan
+    if not sign or not math.isfinite(limit):
         raise click.UsageError(f"--expect {text}: write MEASURE>=N or MEASURE<=N")
     if not measures.exists(name):
         raise click.UsageError(f"--expect: there is no measure {name!r}{did_you_mean(name, measures.NAMES)}")

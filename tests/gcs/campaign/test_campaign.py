@@ -138,6 +138,14 @@ def test_what_is_no_plain_data_of_a_campaign_is_named() -> None:
     assert "set.goal is a Python set; it has to be" in told(set={"goal": {1}})
 
 
+@pytest.mark.parametrize("limit", ["nan", "inf", "-inf", "x", ""])
+def test_a_limit_that_is_no_number_is_refused(tmp_path: Path, limit: str) -> None:
+    out = tmp_path / "small.yaml"
+    done = CliRunner().invoke(campaign, ["shrink", "demo", "--expect", f"min_clearance_m>={limit}", "--out", str(out)])
+    assert (done.exit_code, out.exists()) == (2, False)
+    assert "write MEASURE>=N or MEASURE<=N" in done.output
+
+
 def test_a_campaign_is_written_and_read_back_equal(tmp_path: Path) -> None:
     first = plan()
     first.write(tmp_path)

@@ -197,4 +197,6 @@ def _checked(agents: Iterable[int] | None, scenario: Scenario) -> list[int]:
         raise ValueError(f"there is no agent: {scenario.name} has no pursuer; name vehicles of {known} as agents")
     if missing := [sysid for sysid in chosen if sysid not in known]:
         raise ValueError(f"there is no vehicle {missing[0]} to be an agent: {scenario.name} has {known}")
-    return sorted(set(chosen))
+    if twice := [sysid for sysid in chosen if chosen.count(sysid) > 1]:
+        raise ValueError(f"vehicle {twice[0]} is named as an agent twice; name each once")
+    return sorted(chosen)

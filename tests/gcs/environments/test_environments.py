@@ -254,6 +254,7 @@ def test_gymnasiums_vector_environments_fly_several_sessions() -> None:
     [
         ({"agents": [9]}, "there is no vehicle 9 to be an agent: small has [1, 2, 101]"),
         ({"agents": []}, "there is no agent"),
+        ({"agents": [2, 1, 2]}, "vehicle 2 is named as an agent twice; name each once"),
         ({"observation": lambda *_: 0}, "observation and observation_space go together: give both, or neither"),
         ({"action_space": Discrete(2)}, "action and action_space go together"),
         ({"render_mode": "human"}, "render_mode is 'human'; sessions are drawn as 'rgb_array'"),

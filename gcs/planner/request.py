@@ -123,7 +123,10 @@ class GuardedPlanner:
 def _checked(answer: Any) -> tuple[Vec3, Vec3]:
     """The answer as plain numbers. Raises Nonsense."""
     try:
-        numbers = np.asarray(answer, dtype=np.float64)
+        given = np.asarray(answer)
+        if any(map(np.iscomplexobj, given.flat if given.dtype == object else (given,))):
+            raise Nonsense("returned complex numbers, which are no place or speed")  # numpy would drop a part of them
+        numbers = np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError):
         raise Nonsense(f"returned {type(answer).__name__}, not (p_ned, v_ned) of three numbers each") from None
     if numbers.shape != (2, 3):

@@ -3,18 +3,36 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
+import pytest
 from scenarios import SMALL, loaded
 from views import snapshot, view
 
 from gcs.planner.custom import OwnPlanner
-from gcs.planner.request import PlanRequest
-from gcs.scenario.guard import PluginFault
+from gcs.planner.request import GuardedPlanner, PlanRequest, Situation
+from gcs.scenario.guard import Guard, PluginFault
 from gcs.scenario.plugins import PluginClient
 
 GIVEN = ((7.0, 8.0, -9.0), (0.5, 0.25, 0.0))
 PLANNED = (1.0, 2.0, -3.0, 0.0, 0.0, 0.125)
+
+
+COMPLEX = np.array([1.0, 2.0, -3.0 + 1j])
+
+
+@pytest.mark.parametrize("p_ned", [COMPLEX, COMPLEX.astype(object), [1.0, 2.0, -3.0 + 1j], COMPLEX.real + 0j])
+def test_complex_numbers_are_no_answer(p_ned: Any) -> None:
+    guard = Guard("planner a:B")
+    answering = SimpleNamespace(plan=lambda *_: (p_ned, (0.0, 0.0, 0.0)))
+    situation = Situation(1.0, 0.1, snapshot(view(1)), {}, ())
+    assert GuardedPlanner(answering, guard).plan(view(1), situation) is None
+    (fault,) = guard.pop_faults()
+    assert fault.problem == "returned complex numbers, which are no place or speed"
+    answering.plan = lambda *_: (np.array([1.0, 2.0, -3.0], dtype=object), np.zeros(3, np.float32))
+    assert GuardedPlanner(answering, guard).plan(view(1), situation) == ((1.0, 2.0, -3.0), (0.0, 0.0, 0.0))
 
 
 class Answering(PluginClient):

@@ -6,6 +6,7 @@ cdef struct SetPoint:  # of offboard control
     double[3] p_ned  # m
     double[3] v_ned  # m/s
     bint[3] use_position  # axes on which a position counts beside the velocity
+    bint place_alone  # whether no velocity was given
     double yaw_ned  # rad; of yaw and yaw rate at most one is a number, and without one the yaw stays
     double yaw_rate  # rad/s
     double time_s  # NaN: there is none
@@ -85,6 +86,7 @@ cdef class Vehicle(Body):
     cdef _leg_of(self, object plan, object p_ned)
     cdef _progress_mission(self, object p_ned)
     cdef _check_failsafes(self)
+    cdef _hold_guided(self)
     cdef bint _fence_crossed(self)
     cdef bint _battery_low(self)
     cdef _apply(self, object rule)

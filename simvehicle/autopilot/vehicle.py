@@ -299,6 +299,7 @@ class Vehicle(Body):
         for i in range(3):
             wanted.p_ned[i], wanted.v_ned[i] = setpoint.p_ned[i], setpoint.v_ned[i]
             wanted.use_position[i] = setpoint.use_position[i]
+        wanted.place_alone = False
         wanted.yaw_ned = math.nan if setpoint.yaw_ned_rad is None else setpoint.yaw_ned_rad
         wanted.yaw_rate = math.nan if setpoint.yaw_rate_rad_s is None else setpoint.yaw_rate_rad_s
         wanted.time_s = setpoint.time_s
@@ -544,7 +545,7 @@ class Vehicle(Body):
                 if rule is None:
                     continue
                 if event is Trigger.SETPOINTS_LOST and self.identity.guided:
-                    self.trigger(Trigger.GUIDED_HOLD)
+                    self._hold_guided()
                 else:
                     self._apply(rule if not self.landed else STAND_DOWN)
                 self.ordered = False
@@ -552,6 +553,13 @@ class Vehicle(Body):
                     self._enter(self.mode)
                 if event is Trigger.GCS_LOST and self.mode is Mode.RETURN and self.separation is not None:
                     self._plan, self._return_ned = self.separation.plan, self.separation.home_ned
+
+    def _hold_guided(self) -> None:
+        """Hold without set points: where the last one leads that gave a place alone, else where it comes to rest."""
+        self.trigger(Trigger.GUIDED_HOLD)
+        now = cython.address(self.set_point_now)
+        if now.place_alone:
+            self._anchor = replace(self._anchor, p_ned=(now.p_ned[0], now.p_ned[1], now.p_ned[2]))
 
     def _fence_crossed(self) -> bool:
         """Whether the vehicle has left the fence since it was last asked; announced, whatever is done about it."""

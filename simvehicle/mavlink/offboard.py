@@ -94,9 +94,11 @@ def _take(context: ServiceContext, v: Any, wanted: Any) -> None:
     use_rate = mask & POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE == 0
     flown = not (use_yaw and use_rate) and mask & ACCELERATIONS_IGNORED == ACCELERATIONS_IGNORED
     total = 0.0
+    set_point.place_alone = True
     for i in range(3):
         position, velocity = not mask & 1 << i, not mask & 8 << i
         flown = flown and (position or velocity)
+        set_point.place_alone = set_point.place_alone and position and not velocity
         set_point.use_position[i] = position
         set_point.p_ned[i] = wanted.place[i] if position else 0.0
         set_point.v_ned[i] = wanted.velocity[i] if velocity else 0.0

@@ -225,6 +225,25 @@ def test_guided_holds_without_set_points_and_flies_them_when_they_come(vehicle_b
     assert bench.vehicle.mode == "guided"
 
 
+def test_a_guided_vehicle_flies_to_a_place_that_is_given_alone_and_once(vehicle_bench: Any) -> None:
+    """ArduCopter's pos_control_run has no time limit; its velaccel_control_run stops where no more comes."""
+    bench = vehicle_bench(autopilot="ardupilot").in_air_guided()
+    bench.set_point((20.0, 0.0, -3.0), mask=3576)
+    bench.fly(15.0)
+    assert bench.vehicle.p_ned == pytest.approx((20.0, 0.0, -3.0), abs=0.1)
+    lat, lon, _ = bench.vehicle.frame.to_global(10.0, 5.0, 0.0)
+    numbers = (round(1e7 * lat), round(1e7 * lon), 5.0, *[NAN] * 8)
+    bench.send(mav.MAVLink_set_position_target_global_int_message(0, 1, 1, 6, 3576, *numbers))
+    bench.fly(15.0)
+    assert bench.vehicle.p_ned == pytest.approx((10.0, 5.0, -5.0), abs=0.1)
+    assert (bench.vehicle.mode, bench.vehicle.armed) == ("guided", True)
+    for mask, far in ((3527, (0.0, 0.0, 0.0)), (3520, (60.0, 5.0, -5.0))):
+        bench.set_point(far, (1.0, 0.0, 0.0), mask=mask)
+        bench.fly(8.0)
+        assert bench.vehicle.mode == "guided"
+        assert bench.vehicle.p_ned[0] < 40.0
+
+
 def test_set_point_does_not_lift_a_guided_vehicle_off_the_ground(vehicle_bench: Any) -> None:
     bench = vehicle_bench(autopilot="ardupilot")
     bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0)

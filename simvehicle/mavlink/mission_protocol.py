@@ -124,10 +124,13 @@ class MissionProtocol:
         )
         return [Post(channel, count)]
 
-    def request(self, content: Any, peer: Peer, channel: Any, *, current: int) -> list[Post]:
-        """MISSION_REQUEST_INT or MISSION_REQUEST: one item of a download; `current` is the mission's leg in flight."""
+    def request(self, content: Any, peer: Peer, channel: Any, *, current: int, home: Item | None) -> list[Post]:
+        """MISSION_REQUEST_INT or MISSION_REQUEST: one item of a download; `current` is the mission's leg in flight, and
+        `home` reads as its item 0, where missions begin with home."""
         kind, seq = content.mission_type, content.seq
         plan = self.plans.get(kind, ())
+        if kind == mav.MAV_MISSION_TYPE_MISSION and home is not None:
+            plan = (home, *plan[1:])
         if seq >= len(plan):
             return [_ack(peer, channel, kind, mav.MAV_MISSION_INVALID_SEQUENCE)]
         item = plan[seq]

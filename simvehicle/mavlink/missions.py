@@ -78,7 +78,7 @@ class Planning:
             case mav.MAVLINK_MSG_ID_MISSION_REQUEST_LIST:
                 _send(protocol.send_count(content, peer, channel))
             case mav.MAVLINK_MSG_ID_MISSION_REQUEST_INT | mav.MAVLINK_MSG_ID_MISSION_REQUEST:
-                _send(protocol.request(content, peer, channel, current=self._current()))
+                _send(protocol.request(content, peer, channel, current=self._current(), home=self._home()))
             case mav.MAVLINK_MSG_ID_MISSION_CLEAR_ALL:
                 _send(protocol.clear(content, peer, channel))
             case mav.MAVLINK_MSG_ID_MISSION_WRITE_PARTIAL_LIST:
@@ -113,6 +113,15 @@ class Planning:
     def _current(self) -> int:
         mission = self._context.vehicle.mission
         return 0 if mission is None else mission.index
+
+    def _home(self) -> Item | None:
+        """Home as an item, as AP_Mission writes it, where missions begin with it."""
+        vehicle = self._context.vehicle
+        if not vehicle.identity.item_0_is_home:
+            return None
+        lat, lon, alt = vehicle.frame.to_global(*vehicle.home_ned)
+        x, y = round(1e7 * lat), round(1e7 * lon)
+        return Item(mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_FRAME_GLOBAL, (0.0, 0.0, 0.0, 0.0), x, y, alt)
 
     def _send_current(self) -> None:
         for connection in self._context.connections:

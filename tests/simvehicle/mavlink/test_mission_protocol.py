@@ -253,6 +253,32 @@ def test_first_item_of_an_ardupilot_is_home_and_not_flown(vehicle_bench: Any) ->
     assert bench.vehicle.p_ned == pytest.approx((3.0, 0.0, -2.5), abs=0.6)
 
 
+def test_item_0_of_an_ardupilot_reads_as_home_whatever_was_uploaded(vehicle_bench: Any) -> None:
+    """AP_Mission::read_cmd_from_storage: a waypoint at home in MAV_FRAME_GLOBAL. It may always be read
+    (MissionItemProtocol_Waypoints::get_item), though AP_Mission::clear leaves a count of 0."""
+
+    def reads_as_home(at: Any) -> bool:
+        read = answer(bench.send(mav.MAVLink_mission_request_int_message(1, 1, 0, MISSION)))
+        return (read.command, read.frame, read.seq, read.x, read.y, read.z) == (
+            mav.MAV_CMD_NAV_WAYPOINT, mav.MAV_FRAME_GLOBAL, 0, at.latitude, at.longitude, at.altitude / 1e3
+        )  # fmt: skip
+
+    bench = vehicle_bench(autopilot="ardupilot")
+    (_, home) = bench.command(mav.MAV_CMD_GET_HOME_POSITION)
+    assert download(bench) == []
+    assert reads_as_home(home)
+    far = waypoint(bench, 500.0, 500.0, 7.0)
+    assert upload(bench, [far, waypoint(bench, 3.0, 0.0, 2.5)]) == ACCEPTED
+    assert len(download(bench)) == 2
+    assert reads_as_home(home)
+    assert bench.result(mav.MAV_CMD_DO_SET_HOME, 0.0, 0.0, 0.0, 0.0, 47.4, 8.5, 490.0) == ACCEPTED
+    (_, moved) = bench.command(mav.MAV_CMD_GET_HOME_POSITION)
+    assert reads_as_home(moved)
+    assert answer(bench.send(mav.MAVLink_mission_clear_all_message(1, 1, MISSION))).type == ACCEPTED
+    assert download(bench) == []
+    assert reads_as_home(moved)
+
+
 def test_guided_item_is_flown_to_at_once(vehicle_bench: Any) -> None:
     bench = vehicle_bench(autopilot="ardupilot").in_air_guided()
     there = waypoint(bench, 2.0, 1.0, 3.0)

@@ -113,7 +113,7 @@ def replay(
         if others:
             raise click.UsageError("--decide decides one session: give no other beside it.")
         return _decide(session, as_json, trust=trust)
-    from gcs.console.follow import Steps, follow
+    from gcs.console.follow import Pace, Steps, follow
     from gcs.console.terminal import usable
     from gcs.missions.errors import MissionFileError
     from gcs.missions.files import load as load_plan
@@ -140,9 +140,10 @@ def replay(
         recording.seek(
             from_s, reported_s=-math.inf if looked_at else math.inf
         )  # viewers that scroll back find the past
-    if speed is None and not (web or foxglove or in_console):
+    if not (web or foxglove or in_console):  # what is written is the same at each speed
         steps = Steps()
-        source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf)
+        wait = (lambda _: None) if speed is None else Pace(recording.t_s, speed)
+        source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf, reached=wait)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
         return 0
     source = ReplaySource(recording, speed=speed or 1.0)
@@ -150,12 +151,10 @@ def replay(
         page.show(source, commands=False, tiles=tiles)
     elif foxglove:
         page.show_in_foxglove(source)
-    elif in_console:
+    else:
         from gcs.console.app import show
 
         return show(source, recording.name)
-    else:
-        follow(source, click.echo, as_json=as_json, over=lambda: recording.ended)
     return 0
 
 

@@ -28,6 +28,17 @@ class Steps:
         self.now_s += STEP_S
 
 
+class Pace:
+    """Waits for times of a recording, at a speed; those that come late are not waited for."""
+
+    def __init__(self, from_s: float, speed: float) -> None:
+        self._speed, self._zero_s = speed, time.monotonic() - from_s / speed
+
+    def __call__(self, t_s: float) -> None:
+        """Wait until `t_s` is due."""
+        time.sleep(max(self._zero_s + t_s / self._speed - time.monotonic(), 0.0))
+
+
 class ChangesView(PlainView):
     """The plain view without lines of progress that say nothing new: a monitor may run for days beside idle fleets."""
 

@@ -6,7 +6,9 @@ An observer, as of `gcs replay`, receives the frames from which these follow, an
 from __future__ import annotations
 
 import contextlib
+import heapq
 from collections.abc import Iterator
+from operator import itemgetter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,7 @@ from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
 from gcs.recording import tlog_reader
 from gcs.recording.session_folder import Recorded
+from gcs.session.looks import SETTLED_S, Looks
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
 from gcs.telemetry.events import Event
@@ -45,7 +48,8 @@ class Watched:
         self._counted = next(self._link, None)
         vehicles = max(len(recorded.traffic_count), 1)
         every_s = max(EVERY_S, recorded.end_s * vehicles / MOST_LOOKS)
-        looks, latest_s = 1, 0.0
+        self._looks, self._judged = Looks(settled_s=SETTLED_S), Looks(every_s)
+        latest_s = 0.0
         for chunk in recorded.health_frames:
             data, heads = chunk.octets.tobytes(), chunk.heads
             # A stamp may be years away.
@@ -53,19 +57,17 @@ class Watched:
             times_s = np.minimum(seconds, recorded.end_s)
             begin = 0
             while begin < len(heads):
-                due_s = round(looks * every_s, 6)
+                due_s = min(self._looks.due_s, self._judged.due_s)
                 end = int(np.searchsorted(times_s, due_s, side="right"))
                 if begin < end:
                     self._receive(data, heads[begin:end], times_s[begin:end])
                     begin = end
                 if begin < len(heads):
-                    self._look(due_s)
-                    looks += 1
+                    self._look_before(float(times_s[begin]))
             latest_s = float(times_s[-1]) if len(heads) else latest_s
-        while round(looks * every_s, 6) < recorded.end_s:
-            self._look(round(looks * every_s, 6))
-            looks += 1
+        self._look_before(recorded.end_s)
         self._look(recorded.end_s)
+        self._judge(recorded.end_s)
 
     def _receive(self, data: bytes, heads: NDArray[np.int64], times_s: NDArray[np.float64]) -> None:
         def frame(k: int) -> Frame:
@@ -74,22 +76,35 @@ class Watched:
 
         self._observer.receive_dated(data, heads[:, [tlog_reader.AT, tlog_reader.SYSID]], times_s, frame)
 
+    def _look_before(self, t_s: float) -> None:
+        looks = ((due_s, self._look) for due_s in self._looks.before(t_s))
+        judged = ((due_s, self._judge) for due_s in self._judged.before(t_s))
+        for due_s, act in heapq.merge(looks, judged, key=itemgetter(0)):
+            act(due_s)
+
     def _look(self, t_s: float) -> None:
-        observer = self._observer
-        self._done = self._moments.let_happen(observer, self._done, t_s)
-        observer.ordered, observer.lost = self._moments.ordered(t_s), self._moments.lost(t_s)
-        while self._counted is not None and self._counted[0] <= t_s:
-            at_s, sysid, received, lost = self._counted
-            self._gaps.lost_of[sysid] = self._gaps.lost_of.get(sysid, 0) + lost
-            observer.quality.count(sysid, received, at_s)
-            self._counted = next(self._link, None)
-        self.events += [event for event in observer.pop_events(t_s) if event.kind in KINDS]
-        for sysid, found in observer.health(t_s).items():
+        self._go_on(t_s)
+        self._observer.look(t_s)
+        self.events += [event for event in self._observer.pop_events() if event.kind in KINDS]
+
+    def _judge(self, t_s: float) -> None:
+        self._go_on(t_s)
+        for sysid, found in self._observer.health(t_s).items():
             known = self.health.get(sysid)
             if known is None:
                 known = self.health[sysid] = [(0.0, NO_ISSUES)]
             if found != known[-1][1]:
                 known.append((t_s, found))
+
+    def _go_on(self, t_s: float) -> None:
+        observer = self._observer
+        self._done = self._moments.let_happen(observer, self._done, t_s)
+        self._moments.show(observer, t_s)
+        while self._counted is not None and self._counted[0] <= t_s:
+            at_s, sysid, received, lost = self._counted
+            self._gaps.lost_of[sysid] = self._gaps.lost_of.get(sysid, 0) + lost
+            observer.quality.count(sysid, received, at_s)
+            self._counted = next(self._link, None)
 
 
 def _moments(recorded: Recorded) -> Moments:

@@ -113,6 +113,7 @@ class MonitorSource:
             messages.append(self._observer.session())
         if t_s - self._shown_s >= SNAPSHOT_EVERY_S:
             self._shown_s = t_s
+            self._observer.look(t_s)
             messages.append(self._observer.snapshot(t_s, speed=1.0, phase="monitoring"))
         return messages
 

@@ -211,9 +211,13 @@ class Observer:
         self.quality = LinkQuality(gaps)
         self.quality.begin(t_s)
 
-    def pop_events(self, t_s: float) -> list[Event]:
-        """The events that a snapshot at `t_s` would report, which later ones then do not."""
-        self._gather(self.view(t_s))
+    def look(self, t_s: float) -> None:
+        """Look at what vehicles have said and how they have changed: an event of `t_s` in the next snapshot."""
+        self._said(t_s)
+        self._events += self._watch.look(self.view(t_s), None if self.scenario is None else self.ordered)
+
+    def pop_events(self) -> list[Event]:
+        """The events that the next snapshot would report, which it then does not."""
         events, self._events = self._events, []
         return events
 
@@ -281,7 +285,6 @@ class Observer:
         `amend`: by which a caller that knows the session's decisions writes them into it.
         """
         view = self.view(t_s)
-        self._gather(view)
         events, self._events = self._events[:MOST_EVENTS], self._events[MOST_EVENTS:]
         if self._events:
             further = f"{len(self._events)} further events are left out"
@@ -372,10 +375,6 @@ class Observer:
             self._texts.append((sysid, text))
         for sysid, ack in self.fleet.pop_acks():
             self._acknowledged(t_s, sysid, ack)
-
-    def _gather(self, view: FleetSnapshot) -> None:
-        self._said(view.time_s)
-        self._events += self._watch.look(view, None if self.scenario is None else self.ordered)
 
     def _acknowledged(self, t_s: float, sysid: int, ack: Any) -> None:
         accepted = ack.result in (mav.MAV_RESULT_ACCEPTED, mav.MAV_RESULT_IN_PROGRESS)

@@ -25,6 +25,7 @@ from gcs.recording.summary import Summary
 from gcs.recording.tlog_walk import Chunk
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
+from gcs.session.looks import SETTLED_S, Looks
 from gcs.session.message_types import ReplayRow, SnapshotMessage
 from gcs.session.messages import plan_row, reply_message
 from gcs.session.observer import Observer
@@ -119,16 +120,20 @@ class Replay:
         for recorded in self._recording.before(t_s):
             self._take(recorded, counted=False)
         observer.resume(self._recording.gaps_before(t_s), t_s)
+        self._looks = Looks(after_s=t_s, settled_s=SETTLED_S)
         self._frames: Iterator[RecordedFrame] = self._recording.play(t_s)
         self._next: RecordedFrame | None = next(self._frames, None)
         self.advance(t_s, math.inf)
-        observer.pop_events(t_s)  # no client was there to see them
+        self._look(t_s)
+        observer.pop_events()  # no client was there to see them
         self._reported_until_s = min(t_s, reported_s) if t_s > self.from_s else -math.inf
 
     def advance(self, t_s: float, until_wall_s: float) -> bool:
         """Play on up to a time of the recording, or of the wall clock; whether the former was reached."""
         count = 0
         while self._next is not None and self._next.t_s <= t_s:
+            if self._next.t_s > self._looks.due_s:
+                self._look_before(self._next.t_s)
             self._take(self._next)
             self.t_s = self._next.t_s
             self._next = next(self._frames, None)
@@ -136,10 +141,24 @@ class Replay:
             if count % 64 == 0 and time.monotonic() > until_wall_s:
                 return False
         self.t_s = max(self.t_s, min(t_s, self.to_s))
+        self._look_before(math.nextafter(self.t_s, math.inf))
+        if self.ended:
+            self._look(self.t_s)
         self._see_what_happened(self.t_s)
         if self._timeline is not None and (world := self._timeline.worlds.at(self.t_s)) is not self.observer.scenario:
             self.observer.scenario, self.observer.changed = world, True
         return True
+
+    def _look_before(self, t_s: float) -> None:
+        """Look at the fleet at each time before `t_s` at which that is due; all frames until then have been taken."""
+        for due_s in self._looks.before(t_s):
+            self._look(due_s)
+
+    def _look(self, t_s: float) -> None:
+        self._see_what_happened(t_s)
+        if self._timeline is not None:
+            self._timeline.show(self.observer, t_s)
+        self.observer.look(t_s)
 
     def _take(self, recorded: RecordedFrame, *, counted: bool = True) -> None:
         self._see_what_happened(recorded.t_s)
@@ -192,8 +211,7 @@ class Replay:
         if self._timeline is not None:
             for event in self._timeline.events(self._reported_until_s, self.t_s):
                 self.observer.add_event(event)
-            self.observer.ordered = self._timeline.ordered(self.t_s)
-            self.observer.lost = self._timeline.lost(self.t_s)
+            self._timeline.show(self.observer, self.t_s)
         self._reported_until_s = self.t_s
         if self.t_s >= self._planned_until_s and self.observer.origin is not None:
             self.observer.changed = True
@@ -231,6 +249,7 @@ class ReplaySource:
     """A replay as a console's source: it plays on while it is asked for messages, and takes speed, pause and seek.
 
     speed: recorded seconds per second of `clock`; None where that clock goes on without waiting, one second each.
+    reached: called with each time of the recording that has been played up to, before that is shown.
     """
 
     def __init__(
@@ -240,8 +259,10 @@ class ReplaySource:
         speed: float | None = 1.0,
         clock: Callable[[], float] = time.monotonic,
         patience_s: float = PATIENCE_S,
+        reached: Callable[[float], object] = lambda _: None,
     ) -> None:
         self._replay = replay
+        self._reached = reached
         self._patience_s = patience_s
         self._speed = speed
         self._clock = clock
@@ -267,6 +288,7 @@ class ReplaySource:
             if self._speed is None and replay.silence_s > SILENCE_S:
                 ahead_s = replay.silence_s
             replay.advance(replay.t_s + ahead_s, time.monotonic() + self._patience_s)
+            self._reached(replay.t_s)
         self._played_s = now_s
         messages, self._replies = self._replies, []
         if replay.observer.changed:

@@ -126,6 +126,10 @@ class Moments:
         }
         return {sysid for sysid in lost_s if sysid not in rejoined or ordered.get(sysid) not in ("return", "land")}
 
+    def show(self, observer: Observer, t_s: float) -> None:
+        """Let an observer know what was ordered and lost by a time."""
+        observer.ordered, observer.lost = self.ordered(t_s), self.lost(t_s)
+
     def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
         """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then
         are done, of which `done` were before."""

@@ -57,8 +57,13 @@ def observer() -> Observer:
     return Observer("monitor", "udpin:127.0.0.1:14550")
 
 
+def shown(observer: Observer, t_s: float) -> dict[str, Any]:
+    observer.look(t_s)
+    return observer.snapshot(t_s, speed=1.0, phase="flying")
+
+
 def rows(observer: Observer, t_s: float) -> dict[int, dict[str, Any]]:
-    snapshot = observer.snapshot(t_s, speed=1.0, phase="flying")
+    snapshot = shown(observer, t_s)
     json.dumps(snapshot, allow_nan=False)
     return {row["sysid"]: row for row in snapshot["vehicles"]}
 
@@ -87,7 +92,7 @@ def test_a_vehicle_of_system_id_0_is_named_once(observer: Observer) -> None:
         observer.receive(beat(0), t_s)
         observer.receive(local(1.0, 2.0, -3.0, sysid=0), t_s)
     observer.receive(frame("HEARTBEAT", 0, 190, type=mav.MAV_TYPE_GCS, autopilot=8), 1.2)
-    snapshot = observer.snapshot(2.0, speed=1.0, phase="flying")
+    snapshot = shown(observer, 2.0)
     assert snapshot["vehicles"] == []
     (event,) = snapshot["events"]
     assert event["text"].startswith("A vehicle sends with system id 0")
@@ -126,12 +131,12 @@ def test_a_zero_of_heights_that_was_taken_too_soon_is_decided_again_and_the_page
     observer.receive(
         frame("ADSB_VEHICLE", sysid=255, ICAO_address=7, lat=lat_e7, lon=lon_e7, altitude=450_000, callsign=b"x"), 3.5
     )
-    first = observer.snapshot(3.5, speed=1.0, phase="flying")
+    first = shown(observer, 3.5)
     assert first["vehicles"][0]["height_m"] == pytest.approx(0.41)
     assert first["vehicles"][0]["trouble"] == ["position uncertain"]
     assert observer.session()["origin"] == pytest.approx((LAT, LON, 0.0), abs=0.02)
     observer.receive(frame("GLOBAL_POSITION_INT", **early | {"alt": 400_400, "relative_alt": 400}), 4.0)
-    then = observer.snapshot(4.0, speed=1.0, phase="flying")
+    then = shown(observer, 4.0)
     assert then["vehicles"][0]["height_m"] == pytest.approx(0.4)
     assert then["vehicles"][0]["trouble"] == []
     assert then["traffic"][0]["p_ned"] == pytest.approx((0.0, 0.0, -50.0), abs=0.02)
@@ -157,7 +162,7 @@ def test_a_zero_at_a_mere_place_moves_to_where_the_vehicle_says_that_it_begins(o
                            altitude=450_000, callsign=b"x"), 4.1)  # fmt: skip
     for k in range(40):
         observer.receive(placed("GLOBAL_POSITION_INT", 3.0, 4.0, -2.0, relative_alt=2000), 4.2 + 0.2 * k)
-    then = observer.snapshot(12.0, speed=1.0, phase="flying")
+    then = shown(observer, 12.0)
     assert then["vehicles"][0]["p_ned"] == pytest.approx((3.0, 4.0, -2.0), abs=0.02)
     assert then["traffic"] == [] or then["traffic"][0]["p_ned"] == pytest.approx((0.0, 0.0, -50.0), abs=0.02)
     assert observer.session()["origin"] == pytest.approx((LAT, LON, ALT))
@@ -243,7 +248,7 @@ def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=3, armed=True), 0.0)
     rows(observer, 0.0)
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=6, armed=True), 1.0)
-    events = observer.snapshot(1.0, speed=1.0, phase="flying")["events"]
+    events = shown(observer, 1.0)["events"]
     assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "AUTO -> RTL")]
 
 
@@ -294,7 +299,7 @@ def test_what_is_inspected_is_told_in_mavlinks_own_units(observer: Observer) -> 
     observer.inspection.want({1})
     for i in range(5):
         observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, 0.0, 1, vx=125), 1.0 + 0.2 * i)
-    told = observer.snapshot(2.0, speed=1.0, phase="flying")["inspected"]["1"]["GLOBAL_POSITION_INT"]
+    told = shown(observer, 2.0)["inspected"]["1"]["GLOBAL_POSITION_INT"]
     assert (told["count"], told["fields"]["vx"]) == (5, 125)
     assert told["rate_hz"] == pytest.approx(5.0)
 
@@ -309,7 +314,7 @@ def test_silence_is_told_and_its_end(observer: Observer) -> None:
     assert (row["severity"], row["condition"], row["figure"], row["urgency"]) == (2, "silent", "6 s", 6.0)
     observer.receive(beat(1), 7.0)
     observer.receive(local(0.0, 0.0, 0.0), 7.0)
-    events = observer.snapshot(7.0, speed=1.0, phase="flying")["events"]
+    events = shown(observer, 7.0)["events"]
     assert [e["text"] for e in events if e["kind"] == "link"] == ["Heard again"]
 
 
@@ -326,7 +331,7 @@ def test_seldom_positions_of_a_vehicle_that_is_heard_are_no_silence(observer: Ob
             observer.receive(local(0.0, 0.0, 0.0), t_s)
         if t_s < 18.0:
             observer.receive(frame("ATTITUDE"), t_s)
-        snapshot = observer.snapshot(t_s + 0.2, speed=1.0, phase="flying")
+        snapshot = shown(observer, t_s + 0.2)
         texts += [event["text"] for event in snapshot["events"] if event["kind"] == "link"]
         (row,) = snapshot["vehicles"]
         troubles |= {(text, t_s < 12.0, t_s < 18.0) for text in map(str.rstrip, (t[:8] for t in row["trouble"]))}
@@ -357,10 +362,10 @@ def test_a_flood_of_texts_makes_a_bounded_snapshot_and_says_how_many_were_left_o
     observer.receive(beat(), 0.0)
     for n in range(3 * MOST_EVENTS):
         observer.receive(frame("STATUSTEXT", severity=4, text=f"text {n}".encode()), 0.1)
-    events = observer.snapshot(0.2, speed=1.0, phase="flying")["events"]
+    events = shown(observer, 0.2)["events"]
     assert len(events) == MOST_EVENTS + 1
     assert events[-1]["text"] == f"{2 * MOST_EVENTS + 1} further events are left out"
-    assert observer.snapshot(0.3, speed=1.0, phase="flying")["events"] == []
+    assert shown(observer, 0.3)["events"] == []
 
 
 def test_invented_components_cost_a_bounded_room(observer: Observer) -> None:
@@ -381,4 +386,4 @@ def test_a_home_that_cannot_be_is_no_origin(lie: dict[str, float]) -> None:
     for name, fields in (("HEARTBEAT", beat), ("HOME_POSITION", home | lie), ("LOCAL_POSITION_NED", place)):
         (frame,) = codec.split(codec.encode(name, 0, 7, 1, **fields)).frames
         observer.receive(frame, 1.0)
-    json.dumps(observer.snapshot(1.0, speed=1.0, phase="flying"), allow_nan=False)
+    json.dumps(shown(observer, 1.0), allow_nan=False)

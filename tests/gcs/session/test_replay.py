@@ -246,6 +246,40 @@ def test_a_strangers_log_plays_without_a_word_of_configuration(tmp_path: Path) -
     assert found[3]["height_m"] == pytest.approx(10.0, abs=0.01)
 
 
+@pytest.fixture
+def changes(tmp_path: Path) -> Path:
+    """A .tlog of 8 s of a PX4 that changes its mode (Hold, Takeoff, Offboard) at 2.43 and at 2.71 s."""
+    parts = []
+    for t_ms in sorted({*range(0, 8001, 100), 2430, 2710}):
+        mode = 3 << 24 | 4 << 16 if t_ms < 2430 else 2 << 24 | 4 << 16 if t_ms < 2710 else 6 << 16
+        parts.append(record(10**15 + 1000 * t_ms, mav.MAVLink_heartbeat_message(2, 12, 0x81, mode, 4, 3), 1))
+    (tmp_path / "changes.tlog").write_bytes(b"".join(parts))
+    return tmp_path / "changes.tlog"
+
+
+@pytest.mark.parametrize("step_s", [0.13, 0.5, 6.0])
+def test_changes_are_found_at_the_recordings_own_times_however_seldom_it_is_shown(changes: Path, step_s: float) -> None:
+    """The next tenth of a second after each."""
+    wall, replay = Wall(), Replay(changes)
+    source = ReplaySource(replay, clock=wall, patience_s=math.inf)
+    events = []
+    while not replay.ended:
+        events += [e for message in source.receive() for e in message.get("events", ())]
+        wall.now_s += step_s
+    found = [(event["t_s"], event["text"]) for event in events if event["kind"] == "mode"]
+    assert found == [(2.5, "Hold -> Takeoff"), (2.8, "Takeoff -> Offboard")]
+
+
+def test_what_a_replay_writes_is_the_same_at_each_speed(changes: Path) -> None:
+    for form in ("--plain", "--json"):
+        written = [
+            gcs("replay", str(changes), form, *more).stdout for more in ((), ("--speed", "1000"), ("--speed", "40"))
+        ]
+        assert written[1:] == written[:1] * 2
+    times = [line["t_s"] for line in map(json.loads, written[0].splitlines()) if line["type"] == "snapshot"]
+    assert times == [float(t_s) for t_s in range(9)]
+
+
 def test_a_cut_log_and_foreign_bytes_are_said_and_the_rest_is_played(tmp_path: Path) -> None:
     whole = strangers()
     (tmp_path / "cut.tlog").write_bytes(whole[:400] + b"boot console text" + whole[400:-7])

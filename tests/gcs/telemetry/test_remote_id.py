@@ -69,6 +69,7 @@ def test_a_monitor_and_a_replay_show_it_with_the_vehicle() -> None:
     assert "remote_id" not in observer.snapshot(0.1, speed=1.0, phase="flying")["vehicles"][0]
     for one in (basic(b"SKYT500003"), location(2)):
         observer.receive(one, 0.2)
+    observer.look(0.3)
     line = observer.snapshot(0.3, speed=1.0, phase="flying")
     assert line["vehicles"][0]["remote_id"] == "SKYT500003: airborne"
     assert [event["text"] for event in line["events"]] == ["Remote ID SKYT500003: airborne"]

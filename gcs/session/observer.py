@@ -280,11 +280,12 @@ class Observer:
         phase: str,
         amend: Callable[[SnapshotMessage, FleetSnapshot], object] = lambda *_: None,
     ) -> dict[str, Any]:
-        """The message of type "snapshot" at `t_s`, with the events since the last one.
+        """The message of type "snapshot" at `t_s`, with the events since the last one in the order of their times.
 
         `amend`: by which a caller that knows the session's decisions writes them into it.
         """
         view = self.view(t_s)
+        self._events.sort(key=lambda event: event.t_s)
         events, self._events = self._events[:MOST_EVENTS], self._events[MOST_EVENTS:]
         if self._events:
             further = f"{len(self._events)} further events are left out"

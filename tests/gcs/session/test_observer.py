@@ -13,6 +13,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from gcs.mavlink import codec
 from gcs.mavlink.gaps import MOST_SENDERS
 from gcs.session.observer import MOST_EVENTS, Observer
+from gcs.telemetry.events import Event
 
 LAT, LON, ALT = 47.0, 8.0, 400.0
 PX4, ARDUPILOT = mav.MAV_AUTOPILOT_PX4, mav.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -387,3 +388,11 @@ def test_a_home_that_cannot_be_is_no_origin(lie: dict[str, float]) -> None:
         (frame,) = codec.split(codec.encode(name, 0, 7, 1, **fields)).frames
         observer.receive(frame, 1.0)
     json.dumps(shown(observer, 1.0), allow_nan=False)
+
+
+def test_events_are_shown_in_the_order_of_their_times(observer: Observer) -> None:
+    """As a replay adds what was decided to what it has found meanwhile."""
+    for late in (5.0, 7.0):
+        observer.add_event(Event(late, 0, "info", "found", "session"))
+    observer.add_event(Event(6.0, 0, "info", "ordered", "operator"))
+    assert [event["t_s"] for event in shown(observer, 8.0)["events"]] == [5.0, 6.0, 7.0]

@@ -32,7 +32,8 @@ from gcs.session.messages import (
     services_of,
     states_of,
 )
-from gcs.supervisor.operator import TAKEN
+from gcs.supervisor.faults import OUT_OF_ORDER
+from gcs.supervisor.operator import OUT_SKIPPED, OUT_TAKEN, TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
 
@@ -91,10 +92,18 @@ class Moments:
         """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
         self.losses: list[tuple[float, int]] = []
         """(time, system id) of vehicles that were lost, some of which flew again"""
+        self._refuelling: list[tuple[float, str, int]] = []
+        """(time, what, system id) of orders, faults, decisions and deaths that change who takes part in refuelling"""
 
     def take(self, t_s: float, record: Mapping[str, Any]) -> None:
         """Take the next decision. Raises ValueError, KeyError, TypeError for one of another version."""
         kind = record["kind"]
+        if kind == "fault" and record["fault"] == "tanker_out":
+            self._refuelling.append((t_s, str(record["state"]), int(record["sysid"])))
+        elif kind in ("decided", "death"):
+            self._refuelling.append((t_s, kind, int(record["receiver" if kind == "decided" else "sysid"])))
+        elif kind == "operator" and record.get("taken") and "sysid" in record:
+            self._refuelling.append((t_s, str(record["command"]), int(record["sysid"])))
         if kind == "death":
             self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
         elif kind == "served" and record.get("base"):
@@ -116,6 +125,36 @@ class Moments:
                 if mode is not None:
                     held[sysid] = mode
         return held
+
+    def asked_and_out(self, t_s: float) -> tuple[list[int], dict[int, str]]:
+        """Vehicles that are asked to be refuelled next, and why others take no part in it, as the session's scheduler
+        knew them by a time."""
+        asked: list[int] = []
+        out: dict[int, str] = {}
+        skipped: set[int] = set()
+        for since_s, what, sysid in self._refuelling:
+            if since_s > t_s:
+                break
+            if what in TAKEN or what == "release":
+                out[sysid] = OUT_TAKEN
+            elif what == "rejoin":
+                out.pop(sysid, None)
+                if sysid in skipped:
+                    out[sysid] = OUT_SKIPPED
+            elif what == "skip":
+                skipped ^= {sysid}
+                if out.get(sysid) != OUT_TAKEN:
+                    out.pop(sysid, None)
+                    out.update(dict.fromkeys(skipped & {sysid}, OUT_SKIPPED))
+            elif what == "begins":
+                out.setdefault(sysid, OUT_OF_ORDER)
+            elif what == "ends" and out.get(sysid) == OUT_OF_ORDER:
+                del out[sysid]
+            elif what == "refuel":
+                asked.append(sysid)
+            gone = {sysid} if what in ("decided", "death") else out.keys()
+            asked = [one for one in asked if one not in gone]
+        return asked, out
 
     def lost(self, t_s: float) -> set[int]:
         """Vehicles lost by a time, without those that rejoined and were then ordered to land."""
@@ -197,7 +236,10 @@ class Timeline(Moments):
         line.goal = goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s, snapshot))
         if pursue_held_s is None:
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
-        states, notes = states_of(snapshot, competition_state, is_open), explain.notes_of(is_open, (), {})
+        states, notes = (
+            states_of(snapshot, competition_state, is_open),
+            explain.notes_of(is_open, *self.asked_and_out(t_s)),
+        )
         targets, places = self._targets(t_s), {row.sysid: row.p_ned for row in line.vehicles}
         for row in line.vehicles:
             row.v, row.tau = competition_state.v.get(row.sysid), competition_state.tau.get(row.sysid)
@@ -288,6 +330,7 @@ class Timeline(Moments):
         """Take a decision in."""
         kind = record["kind"]
         if kind == "decided":
+            self.take(t_s, record)
             receiver, need = int(record["receiver"]), _by_sysid(record["need"])
             service = Service(
                 len(self._lives) + 1,
@@ -325,7 +368,7 @@ class Timeline(Moments):
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
             self.take(t_s, record)
-        elif kind in ("death", "operator"):
+        elif kind in ("death", "operator", "fault"):
             self.take(t_s, record)
             if record.get("taken") and "sysid" in record and record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))

@@ -1,0 +1,73 @@
+"""What a vehicle's note says of its part in the refuelling is in a replay what it was in the session."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sessions import fly, small
+
+from gcs.session.replay import Replay
+from gcs.session.timeline import Moments
+
+
+def notes(snapshot: dict[str, Any]) -> dict[int, str]:
+    return {row["sysid"]: row["note"] for row in snapshot["vehicles"]}
+
+
+def test_a_tanker_out_of_order_is_shown_for_as_long_as_the_session_showed_it(tmp_path: Path) -> None:
+    faults = [{"fault": "tanker_out", "sysid": 201, "at_s": 4.0, "for_s": 3.0}]
+    flown = fly(small(faults=faults, goal={"duration_s": 12.0}), tmp_path, "--no-report", "--json", "--speed", "4")
+    live = [line for line in map(json.loads, flown.stdout.splitlines()) if line["type"] == "snapshot"]
+    replay = Replay(flown.folder)
+    for snapshot in live:
+        replay.advance(snapshot["t_s"], math.inf)
+        assert notes(replay.snapshot(speed=None)) == notes(snapshot), snapshot["t_s"]
+    replay.seek(5.0)
+    assert notes(replay.snapshot(speed=None))[201] == "out of order"
+    replay.seek(7.5)
+    assert notes(replay.snapshot(speed=None))[201] != "out of order"
+
+
+TAKEN, SKIPPED, OUT = "taken by the operator", "skipped by the operator", "out of order"
+
+
+@pytest.mark.parametrize(
+    ("said", "asked", "out"),
+    [
+        (["hold"], [], {1: TAKEN}),
+        (["release"], [], {1: TAKEN}),
+        (["land", "rejoin"], [], {}),
+        (["skip"], [], {1: SKIPPED}),
+        (["skip", "skip"], [], {}),
+        (["skip", "hold"], [], {1: TAKEN}),
+        (["skip", "hold", "rejoin"], [], {1: SKIPPED}),
+        (["hold", "skip", "rejoin"], [], {1: SKIPPED}),
+        (["hold", "skip", "skip"], [], {1: TAKEN}),
+        (["refuel"], [1], {}),
+        (["refuel", "decided"], [], {}),
+        (["refuel", "skip"], [], {1: SKIPPED}),
+        (["refuel", "death"], [], {}),
+        (["begins"], [], {1: OUT}),
+        (["begins", "ends"], [], {}),
+        (["begins", "hold", "ends"], [], {1: TAKEN}),
+        (["begins", "hold", "rejoin"], [], {}),
+    ],
+)
+def test_orders_faults_and_decisions_leave_the_notes_that_they_left_in_the_session(
+    said: list[str], asked: list[int], out: dict[int, str]
+) -> None:
+    """As gcs/supervisor/operator.py and the supervisor's faults change the scheduler's lists."""
+    moments = Moments()
+    for t_s, word in enumerate(said):
+        record: dict[str, Any] = {"kind": "operator", "command": word, "taken": True, "sysid": 1}
+        if word in ("begins", "ends"):
+            record = {"kind": "fault", "fault": "tanker_out", "state": word, "sysid": 1}
+        elif word in ("decided", "death"):
+            record = {"kind": word, "receiver": 1, "sysid": 1}
+        moments.take(float(t_s), record)
+    assert moments.asked_and_out(math.inf) == (asked, out)
+    assert moments.asked_and_out(-1.0) == ([], {})

@@ -113,7 +113,7 @@ def replay(
         if others:
             raise click.UsageError("--decide decides one session: give no other beside it.")
         return _decide(session, as_json, trust=trust)
-    from gcs.console.follow import Pace, Steps, follow
+    from gcs.console.follow import ReplayPace, Steps, follow
     from gcs.console.terminal import usable
     from gcs.missions.errors import MissionFileError
     from gcs.missions.files import load as load_plan
@@ -142,7 +142,7 @@ def replay(
         )  # viewers that scroll back find the past
     if not (web or foxglove or in_console):  # what is written is the same at each speed
         steps = Steps()
-        wait = (lambda _: None) if speed is None else Pace(recording.t_s, speed)
+        wait = (lambda _: None) if speed is None else ReplayPace(recording.t_s, speed)
         source = ReplaySource(recording, speed=None, clock=steps, patience_s=math.inf, reached=wait)
         follow(source, click.echo, as_json=as_json, clock=steps, wait=steps.go_on, over=lambda: recording.ended)
         return 0

@@ -28,7 +28,7 @@ class Steps:
         self.now_s += STEP_S
 
 
-class Pace:
+class ReplayPace:
     """Waits for times of a recording, at a speed; those that come late are not waited for."""
 
     def __init__(self, from_s: float, speed: float) -> None:

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
+from gcs.processes.looks import SETTLED_S, Looks
 from gcs.recording import tlog_reader
 from gcs.recording.session_folder import Recorded
-from gcs.session.looks import SETTLED_S, Looks
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
 from gcs.telemetry.events import Event

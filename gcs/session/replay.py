@@ -15,6 +15,7 @@ from types import MappingProxyType
 from typing import Any
 
 from gcs.missions.items import MissionPlan
+from gcs.processes.looks import SETTLED_S, Looks
 from gcs.recording import rotation
 from gcs.recording.missing import SCENARIO, passed_over, unread
 from gcs.recording.plans import PlansReader
@@ -25,7 +26,6 @@ from gcs.recording.summary import Summary
 from gcs.recording.tlog_walk import Chunk
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario, ScenarioError
-from gcs.session.looks import SETTLED_S, Looks
 from gcs.session.message_types import ReplayRow, SnapshotMessage
 from gcs.session.messages import plan_row, reply_message
 from gcs.session.observer import Observer

@@ -26,6 +26,8 @@ from gcs.telemetry.health import NO_ISSUES, Health
 EVERY_S = 0.5
 MOST_LOOKS = 100_000
 """At vehicles, one by one: a longer flight of many is looked at more seldom."""
+LOOKS_BETWEEN = 5
+"""So many times as often changes are looked for, which takes a fleet as one: each 0.1 s, as a session does."""
 KINDS = frozenset({"link", "failsafe"})
 """Of events that no decision holds; modes are shown beside them, and vehicles' texts are read from the recording."""
 
@@ -48,7 +50,7 @@ class Watched:
         self._counted = next(self._link, None)
         vehicles = max(len(recorded.traffic_count), 1)
         every_s = max(EVERY_S, recorded.end_s * vehicles / MOST_LOOKS)
-        self._looks, self._judged = Looks(settled_s=SETTLED_S), Looks(every_s)
+        self._looks, self._judged = Looks(every_s / LOOKS_BETWEEN, settled_s=SETTLED_S), Looks(every_s)
         latest_s = 0.0
         for chunk in recorded.health_frames:
             data, heads = chunk.octets.tobytes(), chunk.heads

@@ -33,7 +33,7 @@ from gcs.session.messages import (
     states_of,
 )
 from gcs.supervisor.faults import OUT_OF_ORDER
-from gcs.supervisor.operator import OUT_SKIPPED, OUT_TAKEN, TAKEN
+from gcs.supervisor.operator import OUT_RELEASED, OUT_SKIPPED, OUT_TAKEN, TAKEN
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
 
@@ -136,14 +136,14 @@ class Moments:
             if since_s > t_s:
                 break
             if what in TAKEN or what == "release":
-                out[sysid] = OUT_TAKEN
+                out[sysid] = OUT_TAKEN if what in TAKEN else OUT_RELEASED
             elif what == "rejoin":
                 out.pop(sysid, None)
                 if sysid in skipped:
                     out[sysid] = OUT_SKIPPED
             elif what == "skip":
                 skipped ^= {sysid}
-                if out.get(sysid) != OUT_TAKEN:
+                if out.get(sysid) not in (OUT_TAKEN, OUT_RELEASED):
                     out.pop(sysid, None)
                     out.update(dict.fromkeys(skipped & {sysid}, OUT_SKIPPED))
             elif what == "begins":

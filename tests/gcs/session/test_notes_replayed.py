@@ -13,7 +13,6 @@ from sessions import fly, small
 from gcs.session.replay import Replay
 from gcs.session.timeline import Moments
 
-
 TAKEN, SKIPPED, OUT = "taken by the operator", "skipped by the operator", "out of order"
 RELEASED = "taken by another ground station"
 

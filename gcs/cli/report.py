@@ -84,12 +84,15 @@ def report(session: Path, out: Path | None, quiet: bool, as_json: bool) -> int:
     return 0
 
 
-def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, hurried: bool = False) -> None:
-    """The report at the end of a session that ended with `status`, as the last that `gcs run` does.
+def after_run(
+    folder: Path, echo: Callable[[str], object], status: int = 0, *, hurried: bool = False, last: bool = False
+) -> None:
+    """The report at the end of a session that ended with `status`.
 
     The path is printed; any failure to make it is a warning. Where the user has stopped the session, the terminal says
     at once what is waited for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
-    left out, too, where that came before (`hurried`).
+    left out, too, where that came before (`hurried`). `last`: nothing comes after it, so that either ends the process
+    with its status from then on.
     """
     tlog = folder / "session.tlog"
     if not tlog.is_file() or not tlog.stat().st_size:  # nothing was flown: there is nothing to report
@@ -125,5 +128,5 @@ def after_run(folder: Path, echo: Callable[[str], object], status: int = 0, *, h
         click.echo(f"gcs: warning: no report was made: {why}; gcs report {folder} tries again", err=True)
     finally:
         patience.cancel()
-        for number, handler in handlers.items():
+        for number, handler in handlers.items() if not (last and made) else ():
             signal.signal(number, handler)

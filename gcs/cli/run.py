@@ -279,7 +279,7 @@ def run(
             if not _write_junit(junit, flown(folder, resolved, error)):
                 status = status or NOT_DONE
         if not no_report:
-            report.after_run(folder, echo, status, hurried=hurry.is_set())
+            report.after_run(folder, echo, status, hurried=hurry.is_set(), last=shown_page is None)
         if shown_page is not None and status in (DONE, NOT_DONE, INTERRUPTED) and not hurry.is_set():
             shown_page.stay(lambda: click.echo("gcs: the page stays, with the report; Ctrl-C ends it", err=True))
     return status

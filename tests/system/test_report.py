@@ -9,6 +9,8 @@ import json
 import math
 import re
 import shutil
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -319,6 +321,24 @@ def test_a_report_that_cannot_be_written_fails_alone(
     assert "warning: no report was made" in capsys.readouterr().err
     assert report(folder) == 1
     assert not list(folder.glob(".report*")), "nothing half written is left"
+
+
+STOPPED_LAST = """
+import os, signal, sys
+from pathlib import Path
+from gcs.cli.report import after_run
+after_run(Path(sys.argv[1]), print, 1, last=True)
+os.kill(os.getpid(), signal.SIGINT)
+print("went on")
+"""
+
+
+def test_ctrl_c_behind_the_last_line_of_a_session_says_nothing_more(flown: Outcome, tmp_path: Path) -> None:
+    folder = copied(flown, tmp_path / "session")
+    words = [sys.executable, "-c", STOPPED_LAST, str(folder)]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=100, check=False)
+    said = [line for line in done.stdout.splitlines() if not line.startswith("making")]
+    assert (done.returncode, said, done.stderr) == (1, [f"report: {folder / 'report.html'}"], "")
 
 
 # other programs

@@ -29,7 +29,7 @@ class Steps:
 
 
 class ReplayPace:
-    """Waits for times of a recording, at a speed; those that come late are not waited for."""
+    """Waits for times of a recording, at a speed. A time that is past is not waited for."""
 
     def __init__(self, from_s: float, speed: float) -> None:
         self._speed, self._zero_s = speed, time.monotonic() - from_s / speed

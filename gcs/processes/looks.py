@@ -25,7 +25,7 @@ class Looks:
         """the next one"""
 
     def before(self, t_s: float) -> Iterator[float]:
-        """Those that are due before the next frame comes, at `t_s`."""
+        """Times that are due before the next frame comes, at `t_s`."""
         settled_s = self.due_s + self._settled_s
         while self.due_s < t_s:
             yield self.due_s

@@ -95,8 +95,8 @@ class FaultInjector:
         return one
 
     def step(self, now_s: float, dead: Collection[int] = ()) -> tuple[list[Injection], list[Injection]]:
-        """Those that begin, and those that end, by a session time; they are recorded. A fault of a vehicle that is dead
-        by then does not happen."""
+        """Faults that begin, and faults that end, by a session time; they are recorded. A fault of a vehicle that is
+        dead by then does not happen."""
         due = [one for one in self._pending if one.begin_s <= now_s + ROUNDING_S]
         self._pending = self._pending[len(due) :]
         begin = [one for one in due if one.fault.sysid not in dead]

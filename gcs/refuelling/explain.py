@@ -7,6 +7,7 @@ from typing import Any
 
 from gcs.mavlink.command_protocol import OPERATOR, CommandResult, result_in_words
 from gcs.refuelling.bidding import CompetitionState
+from gcs.refuelling.participation import Participation
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.refuelling.target_assignment import meeting_s, way
 from gcs.scenario.model import CompetitionRules, RefuellingRules
@@ -137,9 +138,9 @@ def _gained(gain: float | None) -> str:
     return f"if another were served first, {at_least}{more:.1f} vehicles more would likely be lost"
 
 
-def notes_of(services: Iterable[Service], asked: Iterable[int], out: Mapping[int, str]) -> Mapping[int, str]:
-    """Part of each vehicle in refuelling, by system id: a side of a service, `asked` for next, or `out`."""
-    notes = {**dict.fromkeys(asked, "refuelled next, by the operator"), **out}
+def notes_of(services: Iterable[Service], participation: Participation) -> Mapping[int, str]:
+    """Part of each vehicle in refuelling, by system id: a side of a service, asked for next, or out of it."""
+    notes = {**dict.fromkeys(participation.asked, "refuelled next, by the operator"), **participation.out}
     for service in services:
         notes[service.receiver] = f"served by {service.giver}: {service.phase}"
         if service.tanker is not None:

@@ -19,6 +19,7 @@ from gcs.refuelling.base_service import BaseSteps, Stock
 from gcs.refuelling.bidding import NO_COMPETITION, Award, BiddingRule, CompetitionState, is_servable
 from gcs.refuelling.capability import ReceiverCapability
 from gcs.refuelling.giver import WORTH_J, Giver, ServiceTimes
+from gcs.refuelling.participation import Participation
 from gcs.refuelling.policy_bidding import make_competition
 from gcs.refuelling.service import NOTHING_DECIDED, Decision, Phase, Service, ServiceRequests, by_text
 from gcs.refuelling.settlement import Settlement
@@ -64,13 +65,10 @@ class Scheduler:
         self._need_from = competition.need_from
         self._tankers = {tanker.sysid: tanker for tanker in tankers}
         self.services: list[Service] = []
-        self.out: dict[int, str] = {}
-        """vehicles that neither compete, are served nor serve, and why; their services are broken off"""
-        self.asked: list[int] = []
-        """vehicles that are served before all others, in this order"""
+        self.participation = Participation()
         self._requests = ServiceRequests()
         self._settlement = Settlement(self._requests)
-        with_all = (refuelling, self._requests, self._settlement, self.out, transfers_until_s)
+        with_all = (refuelling, self._requests, self._settlement, self.participation.out, transfers_until_s)
         stocks = {base.name: Stock(base) for base in bases}
         self._steps = TankerSteps(*with_all, self._tankers)
         self._bases = BaseSteps(*with_all, stocks, competition.need_from)
@@ -182,11 +180,11 @@ class Scheduler:
         """Whether no vehicle is, was or can soon be served, so that time changes nothing."""
         if self._bidding is not None or self._base_bidding is not None:
             return False
-        return not (self.services or self.asked or self._ability.open)
+        return not (self.services or self.participation.asked or self._ability.open)
 
     def _compete(self, snapshot: FleetSnapshot) -> None:
         """Move both competitions on, and give every free tanker and base its winner."""
-        served = {service.receiver for service in self.open_services} | self.out.keys()
+        served = {service.receiver for service in self.open_services} | self.participation.out.keys()
         unable = self._ability.unable.keys()
         tankers, bases = self._tanker_givers(snapshot), self._base_givers(snapshot)
         self._free = [giver.name for giver in tankers if giver.free_in_s == 0.0]
@@ -235,7 +233,9 @@ class Scheduler:
 
     def _all_are_up(self, snapshot: FleetSnapshot) -> bool:
         """Whether everyone could be served by now and its draw is known, or has had its time after the first one."""
-        pursuers = [view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.out]
+        pursuers = [
+            view for view in snapshot.of_role("pursuer") if view.alive and view.sysid not in self.participation.out
+        ]
         able = [view for view in pursuers if is_servable(view)]
         if self._first_up_s is None and able:
             self._first_up_s = snapshot.time_s
@@ -252,7 +252,9 @@ class Scheduler:
         waiting = sum(
             view.need >= self._need_from and is_servable(view)
             for view in snapshot.of_role("pursuer")
-            if view.sysid not in served and view.sysid not in self.out and view.sysid not in self._ability.unable
+            if view.sysid not in served
+            and view.sysid not in self.participation.out
+            and view.sysid not in self._ability.unable
         )
         free = sum(giver not in busy for giver in self._free)
         return min(free, waiting)
@@ -262,7 +264,7 @@ class Scheduler:
         serves = {service.tanker: service for service in self.open_services}
         found = []
         for view in map(snapshot.vehicle, sorted(self._tankers.keys() & snapshot.columns.row.keys())):
-            if view.sysid in self.out or not (view.flying and view.fresh):
+            if view.sysid in self.participation.out or not (view.flying and view.fresh):
                 continue
             service, available_j = serves.get(view.sysid), self._steps.available_j(view, math.inf)
             speed_m_s, place, free_in_s = self._tankers[view.sysid].speed_m_s, view.p_now_ned(), 0.0
@@ -298,17 +300,17 @@ class Scheduler:
         return self._bases.stocks[service.base].base.rate_w
 
     def _prune(self, snapshot: FleetSnapshot) -> None:
-        """Withdraw requests of vehicles that are dead, out or being served."""
-        served = {service.receiver for service in self.open_services}
-        gone = served | self.out.keys()
-        self.asked = [sysid for sysid in self.asked if sysid not in gone and snapshot.vehicle(sysid).alive]
+        """Withdraw requests of vehicles that are dead or being served."""
+        if asked := self.participation.asked:
+            served = {service.receiver for service in self.open_services}
+            self.participation.withdraw(served | {sysid for sysid in asked if not snapshot.vehicle(sysid).alive})
 
     def _asked_for(self, snapshot: FleetSnapshot, *, base: bool) -> int | None:
         """Vehicle that is asked for next of those that a base, or a tanker, can serve."""
-        for sysid in self.asked:
+        for sysid in self.participation.asked:
             known = sysid not in self._ability.unknown
             if known and (sysid in self.unable) == base and is_servable(snapshot.vehicle(sysid)):
-                self.asked.remove(sysid)
+                self.participation.withdraw({sysid})
                 return sysid
         return None
 

@@ -246,7 +246,7 @@ def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[st
 def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list[VehicleRow]:
     snapshot, competition_state = supervisor.snapshot, supervisor.schedule.competition_state
     services = supervisor.schedule.open_services
-    notes = explain.notes_of(services, supervisor.schedule.asked, supervisor.schedule.out)
+    notes = explain.notes_of(services, supervisor.schedule.participation)
     states = states_of(snapshot, competition_state, services)
     at = {view.sysid: view.p_ned for view in snapshot.vehicles}
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import bisect
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,6 +19,7 @@ from gcs.recording.summary import GoalPartSummary
 from gcs.recording.tick_record import event_of, is_event
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
+from gcs.refuelling.participation import Participation
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import WORLD, Worlds
@@ -32,8 +33,7 @@ from gcs.session.messages import (
     services_of,
     states_of,
 )
-from gcs.supervisor.faults import OUT_OF_ORDER
-from gcs.supervisor.operator import OUT_RELEASED, OUT_SKIPPED, OUT_TAKEN, TAKEN
+from gcs.supervisor.operator import ENDS
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
 
@@ -89,7 +89,7 @@ class Moments:
     def __init__(self) -> None:
         self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
-        """(time, system id, what it is to fly; None: by the plan again) of what operators took in hand"""
+        """(time, system id, what it is to fly; None: by the plan, or by others) of what operators took in hand"""
         self.losses: list[tuple[float, int]] = []
         """(time, system id) of vehicles that were lost, some of which flew again"""
         self._refuelling: list[tuple[float, str, int]] = []
@@ -99,7 +99,9 @@ class Moments:
         """Take the next decision. Raises ValueError, KeyError, TypeError for one of another version."""
         kind = record["kind"]
         if kind == "fault" and record["fault"] == "tanker_out":
-            self._refuelling.append((t_s, str(record["state"]), int(record["sysid"])))
+            self._refuelling.append((t_s, f"tanker_out {record['state']}", int(record["sysid"])))
+        elif kind == "mission" and record["state"] == "flown":
+            self._refuelling.append((t_s, "mission flown", int(record["sysid"])))
         elif kind in ("decided", "death"):
             self._refuelling.append((t_s, kind, int(record["receiver" if kind == "decided" else "sysid"])))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
@@ -111,10 +113,10 @@ class Moments:
         elif kind == "violation" and record["part"] == "lost":
             self.losses += [(float(record["at_s"]), int(sysid)) for sysid in record["sysids"]]
         elif kind == "operator" and record.get("taken") and "sysid" in record:
-            if record["command"] == "rejoin":
+            if record["command"] in ("rejoin", "release"):
                 self.orders.append((t_s, int(record["sysid"]), None))
-            elif record["command"] in TAKEN:
-                self.orders.append((t_s, int(record["sysid"]), TAKEN[record["command"]][0]))
+            elif record["command"] in ENDS:
+                self.orders.append((t_s, int(record["sysid"]), ENDS[record["command"]][0]))
 
     def ordered(self, t_s: float) -> dict[int, End]:
         """Modes of vehicles that an operator has taken over."""
@@ -126,42 +128,24 @@ class Moments:
                     held[sysid] = mode
         return held
 
-    def asked_and_out(self, t_s: float) -> tuple[list[int], dict[int, str]]:
-        """Vehicles that are asked to be refuelled next, and why others take no part in it, as the session's scheduler
-        knew them by a time."""
-        asked: list[int] = []
-        out: dict[int, str] = {}
-        skipped: set[int] = set()
+    def participation(self, t_s: float, on_missions: Iterable[int] = ()) -> Participation:
+        """Which vehicles took part in refuelling at a time, as the session's scheduler knew; `on_missions`: vehicles
+        that began on one."""
+        found = Participation(on_missions)
         for since_s, what, sysid in self._refuelling:
             if since_s > t_s:
                 break
-            if what in TAKEN or what == "release":
-                out[sysid] = OUT_TAKEN if what in TAKEN else OUT_RELEASED
-            elif what == "rejoin":
-                out.pop(sysid, None)
-                if sysid in skipped:
-                    out[sysid] = OUT_SKIPPED
-            elif what == "skip":
-                skipped ^= {sysid}
-                if out.get(sysid) not in (OUT_TAKEN, OUT_RELEASED):
-                    out.pop(sysid, None)
-                    out.update(dict.fromkeys(skipped & {sysid}, OUT_SKIPPED))
-            elif what == "begins":
-                out.setdefault(sysid, OUT_OF_ORDER)
-            elif what == "ends" and out.get(sysid) == OUT_OF_ORDER:
-                del out[sysid]
-            elif what == "refuel":
-                asked.append(sysid)
-            gone = {sysid} if what in ("decided", "death") else out.keys()
-            asked = [one for one in asked if one not in gone]
-        return asked, out
+            found.change(what, sysid)
+        return found
 
     def lost(self, t_s: float) -> set[int]:
         """Vehicles lost by a time, without those that rejoined and were then ordered to land."""
         lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
         ordered = self.ordered(t_s)
         rejoined = {
-            sysid for at_s, sysid, mode in self.orders if mode is None and lost_s.get(sysid, math.inf) <= at_s <= t_s
+            sysid
+            for at_s, what, sysid in self._refuelling
+            if what == "rejoin" and lost_s.get(sysid, math.inf) <= at_s <= t_s
         }
         return {sysid for sysid in lost_s if sysid not in rejoined or ordered.get(sysid) not in ("return", "land")}
 
@@ -189,6 +173,7 @@ class Timeline(Moments):
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
         super().__init__()
         self._scenario = scenario
+        self._on_missions = [pursuer.sysid for pursuer in scenario.vehicles.on_missions]
         self._lives: list[_Life] = []
         self._competition_lines: list[DecisionLine] = []
         self._shown: list[tuple[float, dict[str, Any]]] = []
@@ -238,7 +223,7 @@ class Timeline(Moments):
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
         states, notes = (
             states_of(snapshot, competition_state, is_open),
-            explain.notes_of(is_open, *self.asked_and_out(t_s)),
+            explain.notes_of(is_open, self.participation(t_s, self._on_missions)),
         )
         targets, places = self._targets(t_s), {row.sysid: row.p_ned for row in line.vehicles}
         for row in line.vehicles:
@@ -368,7 +353,7 @@ class Timeline(Moments):
             _ = float(record["at_s"]), str(record["part"]), str(record["text"]), str(record["by"])
             self.violations.append(dict(record))
             self.take(t_s, record)
-        elif kind in ("death", "operator", "fault"):
+        elif kind in ("death", "operator", "fault", "mission"):
             self.take(t_s, record)
             if record.get("taken") and "sysid" in record and record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))

@@ -23,7 +23,6 @@ from gcs.scenario.model import Scenario
 from skytender import elementary
 from skytender import mavlink as mav
 
-OUT_OF_ORDER = "out of order"
 INJECTED = "(injected)"
 BLAMED_S = 30.0
 """[choice] A vehicle that is lost so long after a fault has ended is not lost by it."""

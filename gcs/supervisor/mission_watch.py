@@ -21,10 +21,10 @@ from gcs.mavlink.autopilots import STEERABLE, FlightMode
 from gcs.mavlink.codec import Frame, Message, message
 from gcs.mavlink.ids import AUTOPILOT
 from gcs.planner.mission_holds import CLEAR_S, FOREIGN, NOWHERE, OURS, MissionVerdict, OnMission, Other, braking, judge
+from gcs.refuelling.participation import Participation
 from gcs.scenario.model import Pursuer, Scenario
 from gcs.scenario.parts.mission import FlownItem, items_of
 from gcs.supervisor.arming import ArmingSequence, Mission, Stage
-from gcs.supervisor.operator import OUT_MISSION
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from skytender import elementary
 from skytender import mavlink as mav
@@ -103,17 +103,18 @@ class MissionFlight:
 class MissionWatch:
     """All missions of a session."""
 
-    def __init__(self, scenario: Scenario, arming: Mapping[int, ArmingSequence], out: dict[int, str]) -> None:
-        """`out`: why vehicles are not refuelled, by system id."""
+    def __init__(self, scenario: Scenario, arming: Mapping[int, ArmingSequence], participation: Participation) -> None:
+        """A vehicle takes no part in refuelling until its mission is flown."""
         self.flights = {p.sysid: MissionFlight(p, scenario) for p in scenario.vehicles.on_missions}
-        self._arming, self._out = arming, out
+        self._arming, self._participation = arming, participation
         self._separation_m = scenario.planner.separation_m
         self._records: list[dict[str, Any]] = []
         self.claims: dict[int, FloatArray] = {}
         """(k, 3) m NED where the others must not be, by system id"""
         self.turned: list[int] = []
         """system ids of vehicles that are to do something else than at the last tick"""
-        self._out.update(dict.fromkeys(self.flights, OUT_MISSION))
+        for sysid in self.flights:
+            participation.change("mission", sysid)
 
     @property
     def missed(self) -> dict[int, int]:
@@ -159,8 +160,6 @@ class MissionWatch:
             flight.listen(int(view.profile.plans.begin_with_home))
             if flight.begun and not flight.done and (flight.complete or flight.last in flight.reached):
                 self._end(flight, snapshot.time_s)
-            if not flight.done:
-                self._out.setdefault(sysid, OUT_MISSION)
             if not flight.done and view.flying and arming.stage in _FLYING:
                 flight.settle(view, snapshot.time_s)
                 flying.append(_on_mission(flight, view, arming))
@@ -216,8 +215,7 @@ class MissionWatch:
     def _end(self, flight: MissionFlight, now_s: float) -> None:
         flight.done, flight.done_s, flight.waits_for = True, now_s, ""
         self._order(flight, "", "flown", now_s)
-        if self._out.get(flight.sysid) == OUT_MISSION:
-            del self._out[flight.sysid]
+        self._participation.change("mission flown", flight.sysid)
 
     def _order(self, flight: MissionFlight, mission: Mission, state: str, now_s: float, waits_for: str = "") -> None:
         self._arming[flight.sysid].go_on_mission(mission)

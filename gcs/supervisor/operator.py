@@ -18,20 +18,23 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.tick_record import event_of
+from gcs.refuelling.participation import ON_MISSION, RELEASED, SKIPPED, TAKEN
 from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 
-TAKEN: dict[str, tuple[End, str]] = {
+ENDS: dict[str, tuple[End, str]] = {
     "hold": ("hold", "holds where it is"),
     "return": ("return", "returns to its home and lands there"),
     "land": ("land", "lands where it is"),
 }
-OUT_MISSION = "on its mission"
-OUT_TAKEN, OUT_SKIPPED = "taken by the operator", "skipped by the operator"
-OUT_RELEASED = "taken by another ground station"
+_BACK = {
+    TAKEN: "rejoin it first", RELEASED: "rejoin it first", SKIPPED: "skip it again first",
+    ON_MISSION: "it is refuelled when it has flown it",
+}  # fmt: skip
+"""How a vehicle comes to take part in refuelling again, by why it does not."""
 
 
 class OperatorReply(NamedTuple):
@@ -47,7 +50,7 @@ class Operator:
     def __init__(self, scenario: Scenario, arming: Mapping[int, ArmingSequence], schedule: Scheduler) -> None:
         vehicles = scenario.vehicles
         self._arming = arming
-        self._schedule = schedule
+        self._schedule, self._participation = schedule, schedule.participation
         self._refuels = bool(scenario.refuelling.enabled and (vehicles.tankers or scenario.bases))
         self._tankers_alone = bool(scenario.vehicles.tankers) and not scenario.bases
         self._on_board = scenario.competition.where == "vehicles"
@@ -55,7 +58,6 @@ class Operator:
         self._targets = {target.sysid for target in vehicles.targets}
         self._races = scenario.pursuit.by == "competition"
         self._follows = {p.sysid: on for p in vehicles.pursuers if (on := vehicles.target_of(p)) is not None}
-        self._skipped: set[int] = set()
         self._records: list[dict[str, Any]] = []
         self.pursuing: dict[int, int] | None = None
         """the target of each pursuer once an operator has changed one; None: as the scenario says"""
@@ -112,9 +114,9 @@ class Operator:
         return f"{_name(view)} has not said anything yet." if view.last_received_s < 0.0 else None
 
     def _take_over(self, view: VehicleView, command: str) -> OperatorReply:
-        mode, does = TAKEN[command]
+        mode, does = ENDS[command]
         self._arming[view.sysid].order(mode)
-        self._schedule.out[view.sysid] = OUT_TAKEN
+        self._participation.change(command, view.sysid)
         if not view.armed:
             does = "stays on the ground"
         elif view.age_s > CUT_OFF_S:
@@ -127,7 +129,7 @@ class Operator:
         if self._arming[view.sysid].released:
             return OperatorReply(False, f"{_name(view)} is another ground station's already.")
         self._arming[view.sysid].release()
-        self._schedule.out[view.sysid] = OUT_RELEASED
+        self._participation.change(command, view.sysid)
         return OperatorReply(True, f"{_name(view)} is another ground station's until it rejoins.")
 
     def _rejoin(self, view: VehicleView, command: str) -> OperatorReply:
@@ -138,24 +140,19 @@ class Operator:
         if view.energy_source != "none" and view.remaining_j <= 0.0:
             return OperatorReply(False, f"{_name(view)} has no energy left to fly with.")
         arming.rejoin()
-        self._schedule.out.pop(view.sysid, None)
-        if view.sysid in self._skipped:
-            self._schedule.out[view.sysid] = OUT_SKIPPED
+        self._participation.change(command, view.sysid)
         how = "flies by the plan again" if view.flying else "takes off and flies by the plan again"
         return OperatorReply(True, f"{_name(view)} {how}.")
 
     def _refuel(self, view: VehicleView, command: str) -> OperatorReply:
-        name, schedule = _name(view), self._schedule
+        name, out = _name(view), self._participation.out
         refusal = self._no_receiver(view)
-        if refusal is None and any(view.sysid == service.receiver for service in schedule.open_services):
+        if refusal is None and any(view.sysid == service.receiver for service in self._schedule.open_services):
             refusal = f"{name} is being refuelled already."
-        if refusal is None and view.sysid in schedule.asked:
+        if refusal is None and view.sysid in self._participation.asked:
             refusal = f"{name} is refuelled next already."
-        if refusal is None and view.sysid in schedule.out:
-            arming = self._arming[view.sysid]
-            back = "rejoin it first" if arming.ordered is not None or arming.released else "skip it again first"
-            back = "it is refuelled when it has flown it" if schedule.out[view.sysid] == OUT_MISSION else back
-            refusal = f"{name} is {schedule.out[view.sysid]}: {back}."
+        if refusal is None and view.sysid in out:
+            refusal = f"{name} is {out[view.sysid]}: {_BACK[out[view.sysid]]}."
         if refusal is None and not view.flying:
             refusal = f"{name} is not flying."
         if refusal is None and view.remaining_j >= self._until * view.capacity_j:
@@ -163,21 +160,15 @@ class Operator:
             refusal = f"{name} has {share}, and is filled up to {100.0 * self._until:.0f} %."
         if refusal is not None:
             return OperatorReply(False, refusal)
-        schedule.asked.append(view.sysid)
+        self._participation.change(command, view.sysid)
         return OperatorReply(True, f"{name} is refuelled next, as soon as a {self._giver(view)} is free.")
 
     def _skip(self, view: VehicleView, command: str) -> OperatorReply:
         if (refusal := self._no_receiver(view)) is not None:
             return OperatorReply(False, refusal)
-        taken = self._arming[view.sysid].ordered is not None or self._arming[view.sysid].released
-        if view.sysid in self._skipped:
-            self._skipped.discard(view.sysid)
-            if not taken:
-                self._schedule.out.pop(view.sysid, None)
+        self._participation.change(command, view.sysid)
+        if not self._participation.skips(view.sysid):
             return OperatorReply(True, f"{_name(view)} competes for the {self._giver(view)} again.")
-        self._skipped.add(view.sysid)
-        if not taken:
-            self._schedule.out[view.sysid] = OUT_SKIPPED
         served = any(view.sysid == service.receiver for service in self._schedule.open_services)
         after = "; its refuelling is broken off" if served else ""
         return OperatorReply(True, f"{_name(view)} is not refuelled until it is let back in{after}.")
@@ -211,7 +202,7 @@ class Operator:
 
 
 _COMMANDS: dict[str, Callable[[Operator, VehicleView, str], OperatorReply]] = {
-    **dict.fromkeys(TAKEN, Operator._take_over),
+    **dict.fromkeys(ENDS, Operator._take_over),
     "release": Operator._release,
     "rejoin": Operator._rejoin,
     "refuel": Operator._refuel,

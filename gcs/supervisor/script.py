@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from gcs.mavlink.command_protocol import OPERATOR, CommandRequest, CommandResult, Outcome, result_name
 from gcs.scenario.faults import Fault, Injection
 from gcs.scenario.parts.world import WORLD, Change, sentence
-from gcs.supervisor.operator import TAKEN
+from gcs.supervisor.operator import ENDS
 from gcs.telemetry.state import Vec3
 
 STEERED, COMMAND, INJECT = "steered", "command", "inject"
@@ -75,7 +75,7 @@ class Script:
 
     def ordered(self, number: int, sysid: int, command: str) -> None:
         """An operator's order is this program's, and `number` of its commands."""
-        if command in TAKEN:
+        if command in ENDS:
             self._awaited[sysid, f"{OPERATOR} {command}"] = number
 
     def command(

@@ -47,7 +47,7 @@ from gcs.supervisor.factory import (
     make_fleet,
     make_schedule,
 )
-from gcs.supervisor.faults import INJECTED, OUT_OF_ORDER, FaultInjector, survival_text
+from gcs.supervisor.faults import INJECTED, FaultInjector, survival_text
 from gcs.supervisor.fleet_arming import FleetArming, stage_event
 from gcs.supervisor.fleet_command_queue import FleetCommandQueue
 from gcs.supervisor.forwarding import ForwardedControl
@@ -119,7 +119,7 @@ class Supervisor:
         self._forwarded = ForwardedControl(self.arming, self.operator, stations)
         self.externals = ExternalFleet(scenario)
         self.preflight = Preflight(scenario)
-        self.missions = MissionWatch(scenario, self.arming, self.schedule.out)
+        self.missions = MissionWatch(scenario, self.arming, self.schedule.participation)
         self._wait_for_fleet_s = WAIT_FOR_FLEET_S + self.externals.patience_s
         self._join_ms = {v.sysid: round(1e3 * v.join_s) for v in scenario.vehicles.all}
         injections = drawn(scenario.faults, scenario.seed)
@@ -357,12 +357,12 @@ class Supervisor:
         elif fault == "hang":
             self.hung.add(sysid)
         elif fault == "tanker_out":
-            self.schedule.out.setdefault(sysid, OUT_OF_ORDER)
+            self.schedule.participation.change("tanker_out begins", sysid)
 
     def _end_fault(self, one: Injection) -> None:
         sysid, fault = one.fault.sysid, one.fault.fault
-        if fault == "tanker_out" and self.schedule.out.get(sysid or 0) == OUT_OF_ORDER:
-            del self.schedule.out[sysid or 0]
+        if fault == "tanker_out" and sysid is not None:
+            self.schedule.participation.change("tanker_out ends", sysid)
         elif fault == "gps_off" and sysid is not None:
             self.arming[sysid].mend(self.fleet.snapshot(self.time_s).vehicle(sysid))
 

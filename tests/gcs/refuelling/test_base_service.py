@@ -360,7 +360,7 @@ def test_one_that_leaves_formation_flight_on_its_way_is_given_up() -> None:
 
 def test_one_that_an_operator_asks_for_goes_to_the_base_next_whatever_its_need() -> None:
     game = world(view(1), view(2, initial_j=8_000.0, p_ned=(0.0, 4.0, -4.8)))
-    game.schedule.asked.append(2)
+    game.schedule.participation.change("refuel", 2)
     service = game.until(Phase.DONE)
     assert (service.receiver, service.by, service.energy_j) == (2, "operator", 1_000)
 
@@ -371,7 +371,7 @@ def test_one_that_is_taken_out_leaves_its_service_in_order(phase: Phase) -> None
     game.until(phase)
     for _ in range(3 * (phase is Phase.TRANSFER)):
         game.tick()
-    game.schedule.out[1] = "is out"
+    game.schedule.participation.out[1] = "is out"
     service = game.until(Phase.DONE)
     assert service.ended_by == "pursuer 1 is out"
     assert game.schedule.stocks[0].given_j == service.energy_j == (600 if phase is Phase.TRANSFER else 0)

@@ -32,7 +32,7 @@ def test_a_side_that_is_taken_out_ends_the_service_in_order_from_any_phase(
     if phase is Phase.START_GIVER:
         game.fleet.unheard = {(201, TransferRole.GIVE)}
     game.until(phase)
-    game.schedule.out[side] = "taken by the operator"
+    game.schedule.participation.change("hold", side)
     service = game.until(Phase.DONE)
     assert [(who, role) for who, _, role, *_ in game.fleet.orders] == orders
     assert service.ended_by.endswith("taken by the operator")
@@ -40,7 +40,7 @@ def test_a_side_that_is_taken_out_ends_the_service_in_order_from_any_phase(
     for _ in range(50):
         game.tick()
     assert len(game.schedule.services) == 1
-    game.schedule.out.clear()
+    game.schedule.participation.change("rejoin", side)
     game.until(Phase.JOIN, service=1)
 
 
@@ -59,11 +59,11 @@ def test_each_side_is_bound_until_it_is_needed_no_more() -> None:
 def test_who_is_asked_for_is_served_before_anybody_who_competes() -> None:
     game = play()
     game.fleet.views[2] = view(2, "pursuer", (5.0, 0.0, -4.8), 8_000.0, 10_000.0)
-    game.schedule.asked.append(2)
+    game.schedule.participation.change("refuel", 2)
     service = game.until(Phase.JOIN)
     assert (service.receiver, service.by) == (2, "operator")
     assert service.need == pytest.approx(0.2)
-    assert game.schedule.asked == []
+    assert game.schedule.participation.asked == []
     assert service.record()["by"] == "operator"
 
 
@@ -72,7 +72,7 @@ def test_who_is_asked_for_waits_for_a_tanker_and_until_it_can_be_served() -> Non
     first = game.until(Phase.TRANSFER)
     game.fleet.views[2] = view(2, "pursuer", (0.0, 3.0, -4.8), 4_000.0, 10_000.0)
     game.fleet.set(2, mode=FlightMode.HOLD)
-    game.schedule.asked.append(2)
+    game.schedule.participation.change("refuel", 2)
     game.until(Phase.DONE)
     for _ in range(20):
         game.tick()
@@ -86,26 +86,26 @@ def test_who_is_asked_for_is_served_without_any_competition() -> None:
     for _ in range(100):
         game.tick()
     assert game.schedule.services == []
-    game.schedule.asked.append(1)
+    game.schedule.participation.change("refuel", 1)
     assert game.until(Phase.DONE).by == "operator"
 
 
 @pytest.mark.parametrize("gone", ["dead", "out"])
 def test_who_is_gone_is_asked_for_no_more(gone: str) -> None:
     game = play(need_from=1.0)
-    game.schedule.asked.append(1)
+    game.schedule.participation.change("refuel", 1)
     if gone == "dead":
         game.fleet.set(1, alive=False)
     else:
-        game.schedule.out[1] = "skipped by the operator"
+        game.schedule.participation.change("skip", 1)
     game.tick()
-    assert game.schedule.asked == []
+    assert game.schedule.participation.asked == []
     assert game.schedule.services == []
 
 
 def test_who_is_out_does_not_compete() -> None:
     game = play()
     game.fleet.views[2] = view(2, "pursuer", (5.0, 0.0, -4.8), 1_000.0, 10_000.0)
-    game.schedule.out[2] = "skipped by the operator"
+    game.schedule.participation.change("skip", 2)
     game.until(Phase.JOIN)
     assert [(service.receiver, set(service.bids)) for service in game.schedule.services] == [(1, {1})]

@@ -40,6 +40,8 @@ def test_a_tanker_out_of_order_is_shown_for_as_long_as_the_session_showed_it(tmp
     ("said", "asked", "out"),
     [
         (["hold"], [], {1: TAKEN}),
+        (["hold", "release"], [], {1: RELEASED}),
+        (["release", "hold"], [], {1: TAKEN}),
         (["release"], [], {1: RELEASED}),
         (["release", "skip"], [], {1: RELEASED}),
         (["land", "rejoin"], [], {}),
@@ -56,13 +58,14 @@ def test_a_tanker_out_of_order_is_shown_for_as_long_as_the_session_showed_it(tmp
         (["begins"], [], {1: OUT}),
         (["begins", "ends"], [], {}),
         (["begins", "hold", "ends"], [], {1: TAKEN}),
-        (["begins", "hold", "rejoin"], [], {}),
+        (["begins", "hold", "rejoin"], [], {1: OUT}),
+        (["begins", "hold", "rejoin", "ends"], [], {}),
+        (["mission flown"], [], {}),
     ],
 )
 def test_orders_faults_and_decisions_leave_the_notes_that_they_left_in_the_session(
     said: list[str], asked: list[int], out: dict[int, str]
 ) -> None:
-    """As gcs/supervisor/operator.py and the supervisor's faults change the scheduler's lists."""
     moments = Moments()
     for t_s, word in enumerate(said):
         record: dict[str, Any] = {"kind": "operator", "command": word, "taken": True, "sysid": 1}
@@ -70,6 +73,9 @@ def test_orders_faults_and_decisions_leave_the_notes_that_they_left_in_the_sessi
             record = {"kind": "fault", "fault": "tanker_out", "state": word, "sysid": 1}
         elif word in ("decided", "death"):
             record = {"kind": word, "receiver": 1, "sysid": 1}
+        elif word == "mission flown":
+            record = {"kind": "mission", "state": "flown", "sysid": 1}
         moments.take(float(t_s), record)
-    assert moments.asked_and_out(math.inf) == (asked, out)
-    assert moments.asked_and_out(-1.0) == ([], {})
+    after, before = moments.participation(math.inf), moments.participation(-1.0)
+    assert (after.asked, after.out) == (asked, out)
+    assert (before.asked, before.out) == ([], {})

@@ -11,6 +11,7 @@ import yaml
 from mission_files import ORIGIN, waypoint, write_plan
 from views import snapshot, view
 
+from gcs.refuelling.participation import Participation
 from gcs.scenario.file import load
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
@@ -79,7 +80,7 @@ def test_a_vehicle_that_an_operator_takes_waits_for_none(tmp_path: Path) -> None
     arming = make_arming_sequences(found)
     for one in arming.values():
         one.stage = Stage.FLY
-    watch = MissionWatch(found, arming, {})
+    watch = MissionWatch(found, arming, Participation())
     now = snapshot(view(1, p_ned=(0.0, 0.0, -4.0)), view(2, p_ned=(3.0, 0.0, -4.0)))
     watch.decide(now, may_begin=True)
     notes = {sysid: watch.note(sysid) for sysid in arming}

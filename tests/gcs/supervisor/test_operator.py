@@ -59,7 +59,7 @@ def test_who_was_released_is_the_operators_by_an_order_and_may_be_released_again
     assert (arming.ordered, arming.released) == ("hold", False)
     assert taken(session, "release", sysid=1)
     assert (arming.ordered, arming.released) == (None, True)
-    assert session.supervisor.schedule.out == {1: "taken by another ground station"}
+    assert session.supervisor.schedule.participation.out == {1: "taken by another ground station"}
 
 
 def test_who_rejoins_gets_set_points_again(session: Any) -> None:
@@ -70,7 +70,7 @@ def test_who_rejoins_gets_set_points_again(session: Any) -> None:
     before = len(session.link.sent("SET_POSITION_TARGET_LOCAL_NED", (1, 1)))
     session.fly(5)
     assert len(session.link.sent("SET_POSITION_TARGET_LOCAL_NED", (1, 1))) > before
-    assert 1 not in session.supervisor.schedule.out
+    assert 1 not in session.supervisor.schedule.participation.out
 
 
 def test_who_is_taken_is_neither_served_nor_competes_until_it_rejoins(scripted: Any) -> None:
@@ -123,10 +123,10 @@ def test_skip_outlasts_being_taken(session: Any) -> None:
     assert taken(session, "skip", sysid=1)
     assert taken(session, "hold", sysid=1)
     assert taken(session, "rejoin", sysid=1)
-    assert schedule.out == {1: "skipped by the operator"}
+    assert schedule.participation.out == {1: "skipped by the operator"}
     assert taken(session, "hold", sysid=1)
     assert taken(session, "skip", sysid=1)
-    assert schedule.out == {1: "taken by the operator"}
+    assert schedule.participation.out == {1: "taken by the operator"}
 
 
 @pytest.fixture

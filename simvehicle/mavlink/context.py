@@ -17,7 +17,8 @@ COMPLAIN_EVERY_S = 5.0
 
 
 class Store(Protocol):
-    """Storage of parameters and plans over a reboot; a plan is rows by MAV_MISSION_TYPE (`plan_items.row_of`)."""
+    """Storage of parameters and plans over a reboot; a plan is rows by MAV_MISSION_TYPE (`plan_items.row_of`). What it
+    cannot write it does not have: its functions raise OSError with the name of the file."""
 
     plans: dict[int, tuple[tuple[float, ...], ...]]
 
@@ -26,6 +27,11 @@ class Store(Protocol):
 
     def keep_plan(self, kind: int, rows: Iterable[tuple[float, ...]]) -> None:
         """Keep a plan that was taken."""
+
+
+def unwritten(error: OSError) -> str:
+    """Words for a file of a store that could not be written."""
+    return f"cannot write {error.filename}: {error.strerror}"
 
 
 class ServiceContext:

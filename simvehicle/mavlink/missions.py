@@ -4,13 +4,14 @@ reported."""
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 
 from simvehicle.autopilot.mission import Leg
 from simvehicle.autopilot.modes import Mode, Severity
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.context import Call, ServiceContext
+from simvehicle.mavlink.context import Call, ServiceContext, Store, unwritten
 from simvehicle.mavlink.mission_protocol import MissionProtocol, Post
 from simvehicle.mavlink.plan_items import (
     Item,
@@ -41,9 +42,7 @@ class Planning:
         self.protocol = MissionProtocol(self._accept, self._check)
 
     def _accept(self, kind: int, items: tuple[Item, ...]) -> None:
-        _put_in_force(self._context, kind, items)
-        if self._context.store is not None:
-            self._context.store.keep_plan(kind, map(row_of, items))
+        _put_in_force(self._context, kind, items, self._context.store)
 
     def _check(self, kind: int, number: int, item: Item) -> None:
         vehicle = self._context.vehicle
@@ -149,17 +148,28 @@ class Planning:
         return message("MISSION_ACK")(target_system=system, target_component=component, type=result)
 
 
-def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...]) -> None:
-    """Let the vehicle have a plan; raises PlanError, said aloud, and the old one stays."""
-    vehicle = context.vehicle
-    with _refusals_announced(vehicle):
-        if kind == mav.MAV_MISSION_TYPE_MISSION:
-            vehicle.load_mission(_legs(vehicle, items, item_0_is_home=vehicle.identity.item_0_is_home))
-            context.set_rate("MISSION_CURRENT", CURRENT_HZ)
-        elif kind == mav.MAV_MISSION_TYPE_FENCE:
-            vehicle.fence = fence_from(items, vehicle.frame)
-        else:
-            vehicle.rally_ned = rally_from(items, vehicle.frame)
+def _put_in_force(context: ServiceContext, kind: int, items: tuple[Item, ...], store: Store | None = None) -> None:
+    """Let the vehicle have a plan, once the store has it; raises PlanError, said aloud, and the old one stays."""
+    with _refusals_announced(context.vehicle):
+        put_in_force = _understood(context.vehicle, kind, items)
+        if store is not None:
+            try:
+                store.keep_plan(kind, map(row_of, items))
+            except OSError as error:
+                raise PlanError(unwritten(error), mav.MAV_MISSION_ERROR) from error
+    put_in_force()
+    if kind == mav.MAV_MISSION_TYPE_MISSION:
+        context.set_rate("MISSION_CURRENT", CURRENT_HZ)
+
+
+def _understood(vehicle: Vehicle, kind: int, items: tuple[Item, ...]) -> Callable[[], None]:
+    """The call that lets the vehicle have a plan; raises PlanError."""
+    if kind == mav.MAV_MISSION_TYPE_MISSION:
+        legs = _legs(vehicle, items, item_0_is_home=vehicle.identity.item_0_is_home)
+        return partial(vehicle.load_mission, legs)
+    if kind == mav.MAV_MISSION_TYPE_FENCE:
+        return partial(setattr, vehicle, "fence", fence_from(items, vehicle.frame))
+    return partial(setattr, vehicle, "rally_ned", rally_from(items, vehicle.frame))
 
 
 @contextlib.contextmanager

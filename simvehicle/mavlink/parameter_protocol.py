@@ -9,7 +9,7 @@ from typing import Any
 from simvehicle.autopilot import parameters
 from simvehicle.autopilot.parameters import WRONG_TYPE, ParameterError
 from simvehicle.mavlink.codec import message
-from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext
+from simvehicle.mavlink.context import Call, MessageHandler, ServiceContext, unwritten
 from skytender import mavlink as mav
 from skytender.vehicle.parameters import ParameterRow
 
@@ -47,10 +47,15 @@ def change(context: ServiceContext, call: Call) -> None:
         if row.name == CAPACITY and row.least <= value < vehicle.remaining_j:
             text = f"{CAPACITY} = {value:g}: the battery holds {vehicle.remaining_j:.0f} J"
             raise ParameterError(text, parameters.OUT_OF_RANGE)
+        before = vehicle.parameters[row.name]
         taken = vehicle.parameters.set(row.name, value)
-        vehicle.retune()
         if context.store is not None:
-            context.store.keep(row.name, taken)
+            try:
+                context.store.keep(row.name, taken)
+            except OSError as error:
+                vehicle.parameters.restore({row.name: before})
+                raise ParameterError(f"{row.name}: {unwritten(error)}", parameters.READ_ONLY) from error
+        vehicle.retune()
     except ParameterError as refusal:
         context.complain(row.name, str(refusal))
         call.connection.put(error_message(row.name, index, refusal.code, call.sender))

@@ -3,6 +3,7 @@ user's."""
 
 from __future__ import annotations
 
+import contextlib
 import json
 import math
 import os
@@ -46,18 +47,20 @@ class StateFile:
             raise _broken(self.plans_path, "plans") from error
 
     def keep(self, name: str, value: float) -> None:
-        """Keep one parameter with the others; the old file stays whole until the new one is. Raises OSError."""
-        self.values[name] = value
-        _write(self.path, json.dumps(self.values, indent=1))
+        """Keep one parameter with the others; all stay as they are where it raises OSError."""
+        values = {**self.values, name: value}
+        _write(self.path, json.dumps(values, indent=1))
+        self.values = values
 
     def keep_plan(self, kind: int, rows: Iterable[Row]) -> None:
-        """Keep the plan of a kind in the place of the one before; the others stay. Raises OSError."""
-        self.plans[kind] = tuple(rows)
-        plans = (
+        """Keep the plan of a kind in the place of the one before; the others stay, and all where it raises OSError."""
+        plans = {**self.plans, kind: tuple(rows)}
+        parts = (
             f" {json.dumps(_KINDS[kind])}: [\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n ]"
-            for kind, rows in sorted(self.plans.items())
+            for kind, rows in sorted(plans.items())
         )
-        _write(self.plans_path, "{\n" + ",\n".join(plans) + "\n}")
+        _write(self.plans_path, "{\n" + ",\n".join(parts) + "\n}")
+        self.plans = plans
 
 
 def _read(path: Path) -> Any:
@@ -68,9 +71,15 @@ def _read(path: Path) -> Any:
 
 
 def _write(path: Path, text: str) -> None:
+    """Write a file whole, or leave the old one and raise OSError with its name, which that of a full disk lacks."""
     new = path.with_suffix(".new")
-    new.write_text(text + "\n", encoding="utf-8")
-    os.replace(new, path)
+    try:
+        new.write_text(text + "\n", encoding="utf-8")
+        os.replace(new, path)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            new.unlink()
+        raise OSError(error.errno, error.strerror, str(path)) from error
 
 
 def _broken(path: Path, what: str) -> StateError:

@@ -1,6 +1,7 @@
 """Missions, geofence and rally points: uploaded, downloaded and flown."""
 
 import math
+import os
 from pathlib import Path
 from typing import Any
 
@@ -135,6 +136,34 @@ def test_cleared_and_refused_plans_are_not_kept(vehicle_bench: Any, tmp_path: Pa
     bench.send(mav.MAVLink_mission_clear_all_message(1, 1, RALLY))
     again = vehicle_bench(store=StateFile(tmp_path, 1))
     assert [len(download(again, kind)) for kind in (MISSION, FENCE, RALLY)] == [5, 0, 0]
+
+
+def test_plan_that_a_full_disk_does_not_take_is_refused_and_the_one_in_force_stays(
+    vehicle_bench: Any, tmp_path: Path
+) -> None:
+    store = StateFile(tmp_path, 1)
+    bench = vehicle_bench(store=store).in_air()
+    items, fence = whole(bench), fence_and_rally(bench)[0]
+    upload(bench, fence, FENCE)
+    kept = store.plans_path.read_text()
+    for kind, plan in ((MISSION, items), (FENCE, fence[:1]), (RALLY, fence_and_rally(bench)[1])):
+        (tmp_path / "1.plans.new").symlink_to("/dev/full")
+        assert upload(bench, plan, kind) == mav.MAV_MISSION_ERROR
+    (tmp_path / "1.plans.new").symlink_to("/dev/full")
+    cleared = answer(bench.send(mav.MAVLink_mission_clear_all_message(1, 1, FENCE)))
+    assert (cleared.get_type(), cleared.type) == ("MISSION_ACK", mav.MAV_MISSION_ERROR)
+    assert os.listdir(tmp_path) == ["1.plans.json"]
+    bench.tick()
+    why = f"Plan refused: cannot write {store.plans_path}: No space left on device"
+    assert "".join(bench.texts).endswith(4 * why)
+    assert (bench.vehicle.mission, bench.vehicle.rally_ned) == (None, ())
+    assert bench.vehicle.fence.breached(31.0, 0.0)
+    assert [len(download(bench, kind)) for kind in (MISSION, FENCE, RALLY)] == [0, len(fence), 0]
+    assert store.plans_path.read_text() == kept
+    bench.fly(1.0)
+    assert bench.vehicle.armed
+    assert upload(bench, items) == ACCEPTED
+    assert [len(plan) for plan in StateFile(tmp_path, 1).plans.values()] == [len(items), len(fence)]
 
 
 def test_plan_that_was_kept_for_another_home_is_refused_aloud_and_the_others_stay(

@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from pathlib import Path
 from typing import Any
 
@@ -318,8 +319,9 @@ def test_armed_vehicle_does_not_reboot(vehicle_bench: Any) -> None:
     assert vehicle_bench().result(mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 2.0) == UNSUPPORTED
 
 
-def set_cruise(bench: Any, value: float) -> None:
-    bench.send(mav.MAVLink_param_set_message(1, 1, b"MPC_XY_CRUISE", value, mav.MAV_PARAM_TYPE_REAL32))
+def set_cruise(bench: Any, value: float) -> list[Any]:
+    message = mav.MAVLink_param_set_message(1, 1, b"MPC_XY_CRUISE", value, mav.MAV_PARAM_TYPE_REAL32)
+    return list(bench.send(message))
 
 
 def test_reboot_forgets_parameters_plans_and_failures_without_a_state(vehicle_bench: Any) -> None:
@@ -343,6 +345,27 @@ def test_parameters_survive_reboot_and_process_with_a_state(vehicle_bench: Any, 
     assert StateFile(tmp_path / "state", 2).values == {}
     set_cruise(bench, 99.0)
     assert json.loads(store.path.read_text()) == {"MPC_XY_CRUISE": 2.0}
+
+
+def test_a_parameter_that_a_full_disk_does_not_take_is_refused_and_the_vehicle_flies_on(
+    vehicle_bench: Any, tmp_path: Path
+) -> None:
+    store = StateFile(tmp_path, 1)
+    bench = vehicle_bench(store=store).in_air()
+    set_cruise(bench, 2.0)
+    (tmp_path / "1.parameters.new").symlink_to("/dev/full")
+    messages = set_cruise(bench, 3.0)
+    assert [m.get_type() for m in messages] == ["PARAM_ERROR", "PARAM_VALUE"]
+    assert (messages[1].param_value, bench.vehicle.parameters["MPC_XY_CRUISE"]) == (2.0, 2.0)
+    assert os.listdir(tmp_path) == ["1.parameters.json"]
+    assert StateFile(tmp_path, 1).values == store.values == {"MPC_XY_CRUISE": 2.0}
+    bench.tick()
+    said = "".join(bench.texts)
+    assert said.count("MPC_XY_CRUISE") == 1
+    assert said.endswith(f"cannot write {store.path}: No space left on device")
+    bench.fly(1.0)
+    assert bench.vehicle.armed
+    assert set_cruise(bench, 3.0)[0].param_value == 3.0
 
 
 @pytest.mark.parametrize("content", ["", "[]", "{", '{"A": "x"}', '{"A": null}'])

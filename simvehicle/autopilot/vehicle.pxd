@@ -46,7 +46,7 @@ cdef class Vehicle(Body):
     cdef double set_point_loss_s
     cdef double fastest_m_s
     cdef double floor_j
-    cdef readonly bint outside
+    cdef bint _breached
     cdef object _followed
     cdef object _return_ned
     cdef object _anchor
@@ -59,6 +59,7 @@ cdef class Vehicle(Body):
     cdef readonly double yaw_ned
 
     cpdef bint trigger(self, object event) except -1
+    cpdef bint outside(self) except -1
     cpdef arming_refusal(self)
     cdef take_set_point(self, const SetPoint* wanted)
     cpdef receive_gcs_heartbeat(self)

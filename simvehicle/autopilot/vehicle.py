@@ -82,8 +82,8 @@ class Vehicle(Body):
     set_point_loss_s: float
     fastest_m_s: float
     floor_j: float
-    outside: bool
-    """whether it was outside its fence when that was last looked at"""
+    _breached: bool
+    """whether it was outside its fence, armed, when that was last looked at"""
     _followed: Followed | None
     _return_ned: Vec3
     _anchor: Anchor
@@ -121,7 +121,7 @@ class Vehicle(Body):
         self.ordered = True
         self.separation = None
         self._followed = None
-        self.outside = False
+        self._breached = False
         self._return_ned = start.p_ned
         self._anchor = Anchor(start.p_ned, 0.0, start.p_ned[2])
         self._leg = self._plan = None
@@ -208,6 +208,10 @@ class Vehicle(Body):
             self.intended = self.mode
         return True
 
+    def outside(self) -> bool:
+        """Whether it is outside its fence now."""
+        return self._fenced and self._fence.breached(*self.p_ned[:2])
+
     def arming_refusal(self) -> str | None:
         """Why the vehicle would not arm; None when it would."""
         if self.parameters["ARMING_CHECK"] == 0.0:
@@ -217,6 +221,8 @@ class Vehicle(Body):
                 return f"{failure} failed"
         if self._battery_low():
             return "battery below BAT_EMERGEN_THR"
+        if self.outside() and self.parameters["GF_ACTION"] != 0:
+            return "outside the geofence"
         return None
 
     def take_off(self, height_m: float) -> bool:
@@ -525,6 +531,7 @@ class Vehicle(Body):
 
     def _check_failsafes(self) -> None:
         if not self.armed:
+            self._breached = False
             return
         crossed = self._fence_crossed()
         now_s = self.time_ms / 1e3
@@ -562,10 +569,11 @@ class Vehicle(Body):
             self._anchor = replace(self._anchor, p_ned=(now.p_ned[0], now.p_ned[1], now.p_ned[2]))
 
     def _fence_crossed(self) -> bool:
-        """Whether the vehicle has left the fence since it was last asked; announced, whatever is done about it."""
-        outside = self._fenced and self._fence.breached(*self.p_ned[:2])
-        crossed = outside and not self.outside and self.parameters["GF_ACTION"] != 0
-        self.outside = outside
+        """Whether the vehicle has left the fence since it was last asked, or has been armed outside; announced, whatever
+        is done about it."""
+        outside = self.outside()
+        crossed = outside and not self._breached and self.parameters["GF_ACTION"] != 0
+        self._breached = outside
         if crossed:
             self.announce(Severity.WARNING, "Geofence breached")
         return crossed

@@ -199,8 +199,8 @@ def _heartbeat(v: Any, m: Any) -> None:
 
 
 def _sys_status(v: Any, m: Any) -> None:
-    """Failed sensors are unhealthy, and so is a fence that is breached."""
-    healthy = _SENSORS & ~(mav.MAV_SYS_STATUS_GEOFENCE if v.outside else 0)
+    """Failed sensors are unhealthy, and so is the fence of a vehicle outside it."""
+    healthy = _SENSORS & ~(mav.MAV_SYS_STATUS_GEOFENCE if v.outside() else 0)
     for failure in v.failed:
         healthy &= ~_ILL.get(failure, 0)
     ready = mav.MAV_SYS_STATUS_PREARM_CHECK if v.arming_refusal() is None else 0

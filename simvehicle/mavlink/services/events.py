@@ -53,6 +53,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "Geofence breached": (),
     "Arming refused: {1} failed": ("failure_t",),
     "Arming refused: battery below BAT_EMERGEN_THR": (),
+    "Arming refused: outside the geofence": (),
     "Disarming refused: in the air": (),
     "Offboard refused: no set points": (),
     "Mission refused: there is none": (),

@@ -524,6 +524,34 @@ def test_breached_fence_does_what_its_parameter_says(vehicle_bench: Any, action:
     assert healthy == (action == 3)
 
 
+@pytest.mark.parametrize("action", [1, 2, 3])
+def test_vehicle_that_stands_outside_its_fence_does_not_arm(vehicle_bench: Any, action: int) -> None:
+    bench = vehicle_bench(params={"GF_ACTION": action})
+    circle = item(bench, mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, (200.0, 0.0, 0.0), (20.0, 0, 0, 0), kind=FENCE)
+    fence, ready = mav.MAV_SYS_STATUS_GEOFENCE, mav.MAV_SYS_STATUS_PREARM_CHECK
+    bench.fly(1.0)
+    assert bench.of("SYS_STATUS")[-1].onboard_control_sensors_health & (fence | ready) == fence | ready
+    assert upload(bench, [circle], FENCE) == ACCEPTED
+    for _ in range(2):
+        assert bench.arm() == TEMPORARILY_REJECTED
+        bench.fly(1.0)
+    assert bench.texts == 2 * ["Arming refused: outside the geofence"]
+    assert bench.of("SYS_STATUS")[-1].onboard_control_sensors_health & (fence | ready) == 0
+    bench.vehicle.parameters.set("GF_ACTION", 0)
+    assert bench.arm() == ACCEPTED
+
+
+def test_vehicle_that_is_armed_by_force_outside_its_fence_is_disarmed_every_time(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    circle = item(bench, mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, (200.0, 0.0, 0.0), (20.0, 0, 0, 0), kind=FENCE)
+    assert upload(bench, [circle], FENCE) == ACCEPTED
+    for _ in range(2):
+        assert bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 21196.0) == ACCEPTED
+        bench.fly(0.3)
+        assert not bench.vehicle.armed
+    assert bench.texts == 2 * ["Armed", "Geofence breached", "Failsafe on the ground, disarmed"]
+
+
 def test_circles_and_exclusions_make_a_fence_too(vehicle_bench: Any) -> None:
     bench = vehicle_bench()
     circle = item(bench, mav.MAV_CMD_NAV_FENCE_CIRCLE_INCLUSION, (0.0, 0.0, 0.0), (50.0, 0, 0, 0), frame=0, kind=FENCE)

@@ -29,8 +29,8 @@ class Identity:
 
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
-    flown. `strict_takeoff`: MAV_CMD_NAV_TAKEOFF is taken as ArduCopter takes it: on the ground alone,
-    upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT. `version`: one that the autopilot has
+    flown. `copter_rules`: commands are taken as ArduCopter takes them: MAV_CMD_NAV_TAKEOFF on the ground alone, upwards,
+    and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT; a home that was commanded is never moved. `version`: one that the autopilot has
     had, new enough for QGroundControl.
     """
 
@@ -39,7 +39,7 @@ class Identity:
     requestable: Mapping[int, Mode]
     integers_bytewise: bool
     takeoff_altitude_is_relative: bool
-    strict_takeoff: bool
+    copter_rules: bool
     modes_packed: bool
     guided: bool
     item_0_is_home: bool
@@ -122,7 +122,7 @@ _PX4 = Identity(
     requestable=_PX4_REQUESTABLE,
     integers_bytewise=True,
     takeoff_altitude_is_relative=False,
-    strict_takeoff=False,
+    copter_rules=False,
     modes_packed=True,
     guided=False,
     item_0_is_home=False,
@@ -139,7 +139,7 @@ IDENTITIES: dict[str, Identity] = {
         requestable=_ARDUCOPTER_REQUESTABLE,
         integers_bytewise=False,
         takeoff_altitude_is_relative=True,
-        strict_takeoff=True,
+        copter_rules=True,
         modes_packed=False,
         guided=True,
         item_0_is_home=True,

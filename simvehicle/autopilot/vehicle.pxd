@@ -18,6 +18,7 @@ cdef class Vehicle(Body):
     cdef readonly object frame
     cdef const double* origin  # of `frame`: latitude, longitude, height, degrees per metre north and east
     cdef double[3] home  # NED, m
+    cdef public bint home_locked  # whether it stays where it is when the vehicle is armed
     cdef public long long unix_epoch_us
     cdef public object mode
     cdef public bint armed

@@ -55,6 +55,7 @@ class Vehicle(Body):
     frame: LocalFrame
     origin: Any
     home: Any
+    home_locked: bool
     unix_epoch_us: int
     mode: Mode
     armed: bool
@@ -104,6 +105,7 @@ class Vehicle(Body):
         origin = cython.declare("const double[::1]", frame.row)
         self.origin = cython.address(origin[0])
         self.home_ned = start.p_ned
+        self.home_locked = False
         self.unix_epoch_us = 0
         self.mode = self.intended = _OFFBOARD if start.airborne else Mode.HOLD
         self.armed = start.airborne
@@ -278,6 +280,7 @@ class Vehicle(Body):
         self.fence, self.rally_ned = Fence(), ()
         self._followed = None
         self.gcs_main = 0
+        self.home_locked = False
         self.gcs_seen_s = self.set_point_now.time_s = math.nan
         if self.leads:
             self.separation.release()
@@ -585,7 +588,7 @@ class Vehicle(Body):
     def _apply(self, rule: Rule) -> None:
         before = (self.mode, self.armed)
         if rule.arming is not None:
-            if rule.arming and self.landed:
+            if rule.arming and self.landed and not self.home_locked:
                 self.home_ned = self.p_ned
             self.armed = rule.arming
         if rule.mode is not None:

@@ -65,10 +65,10 @@ def arm(context: ServiceContext, request: VehicleCommand, connection: Connection
 
 def take_off(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     vehicle, identity = context.vehicle, context.vehicle.identity
-    if identity.strict_takeoff and request.framed and request.frame != mav.MAV_FRAME_GLOBAL_RELATIVE_ALT:
+    if identity.copter_rules and request.framed and request.frame != mav.MAV_FRAME_GLOBAL_RELATIVE_ALT:
         return DENIED
     height_m = request.value(7, 0.0)
-    if identity.strict_takeoff and not _may_leave_ground(vehicle, request.params[6]):
+    if identity.copter_rules and not _may_leave_ground(vehicle, request.params[6]):
         return FAILED
     if height_m == 0.0:
         height_m = vehicle.parameters["MIS_TAKEOFF_ALT"]
@@ -150,11 +150,13 @@ def change_speed(context: ServiceContext, request: VehicleCommand, connection: C
 
 
 def set_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    vehicle = context.vehicle
-    place = vehicle.p_ned if request.whole(1) == 1 else _place(context, request)
+    """MAV_CMD_DO_SET_HOME: to where the vehicle is (param1 1), or to a place. Arming moves it no more: of PX4's, where it
+    names a place."""
+    vehicle, here = context.vehicle, request.whole(1) == 1
+    place = vehicle.p_ned if here else _place(context, request)
     if place is None:
         return DENIED
-    vehicle.home_ned = place
+    vehicle.home_ned, vehicle.home_locked = place, vehicle.identity.copter_rules or not here
     for each in context.connections:
         each.streams.hasten("HOME_POSITION", vehicle.time_ms)
     return ACCEPTED

@@ -218,6 +218,39 @@ def test_arming_on_the_ground_sets_home_there(vehicle_bench: Any) -> None:
     assert (home.x, home.y, home.z) == (30.0, 40.0, 0.0)
 
 
+@pytest.mark.parametrize("autopilot", ["px4", "ardupilot"])
+def test_arming_leaves_a_home_that_was_commanded_and_a_reboot_forgets_it(vehicle_bench: Any, autopilot: str) -> None:
+    bench = vehicle_bench(autopilot=autopilot, start=Start(p_ned=(30.0, 40.0, 0.0)))
+    lat, lon, alt = bench.vehicle.frame.to_global(7.0, -3.0, 0.0)
+    place = (round(1e7 * lat), round(1e7 * lon), alt)
+    assert bench.result(mav.MAV_CMD_DO_SET_HOME, 0.0, place=place, frame=mav.MAV_FRAME_GLOBAL_INT) == ACCEPTED
+    for rebooted in (False, True):
+        assert bench.arm() == ACCEPTED
+        bench.fly(2.1)
+        home = bench.of("HOME_POSITION")[-1]
+        expected = (30.0, 40.0) if rebooted else (7.0, -3.0)
+        assert (home.x, home.y) == pytest.approx(expected, abs=0.02)
+        assert bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0) == ACCEPTED
+        bench.command(mav.MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1.0)
+        bench.fly(1.2)
+
+
+@pytest.mark.parametrize(("autopilot", "stays"), [("px4", False), ("ardupilot", True)])
+def test_arming_elsewhere_moves_home_that_was_set_to_where_a_px4_was(
+    vehicle_bench: Any, autopilot: str, stays: bool
+) -> None:
+    bench = vehicle_bench(autopilot=autopilot)
+    bench.in_air_guided() if stays else bench.in_air()
+    assert bench.result(mav.MAV_CMD_DO_SET_HOME, 1.0) == ACCEPTED
+    bench.vehicle.reposition((8.0, 0.0, -2.5))
+    bench.fly(8.0)
+    bench.result(mav.MAV_CMD_NAV_LAND)
+    bench.fly(20.0, until=lambda b: not b.vehicle.armed)
+    bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, *((4.0,) if stays else (4.0, 3.0)))
+    assert bench.arm() == ACCEPTED
+    assert bench.vehicle.home_ned[0] == pytest.approx(0.0 if stays else 8.0, abs=0.4)
+
+
 @pytest.mark.parametrize(
     ("mask", "p_ned", "v_ned", "moves"),
     [

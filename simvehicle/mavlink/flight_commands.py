@@ -30,6 +30,9 @@ _CUSTOM_MODE = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
 _CHANGE_MODE = mav.MAV_DO_REPOSITION_FLAGS_CHANGE_MODE
 _RELATIVE_YAW = mav.MAV_DO_REPOSITION_FLAGS_RELATIVE_YAW
 _REPOSITION_FLAGS = _CHANGE_MODE | _RELATIVE_YAW
+_WITHOUT_TAKEOFF = frozenset({Mode.TAKEOFF, Mode.MISSION, Mode.RETURN, Mode.LAND})
+_NOT_ARMABLE = frozenset({Mode.MISSION, Mode.RETURN, Mode.LAND, Mode.FOLLOW})
+"""Modes in which ArduCopter takes no NAV_TAKEOFF, and in which it does not arm (allows_arming; AUTO_OPTIONS 0)."""
 _EVENT_OF_MODE = {
     Mode.OFFBOARD: Trigger.OFFBOARD,
     Mode.HOLD: Trigger.HOLD,
@@ -54,13 +57,21 @@ def arm(context: ServiceContext, request: VehicleCommand, connection: Connection
     if request.params[0] not in (0.0, 1.0):
         return DENIED
     if request.whole(1) == 1:
-        reason = vehicle.arming_refusal()
+        reason = _arming_refusal(vehicle)
         if reason is not None and request.whole(2) not in FORCE_ARM:
-            return _refuse(context, f"Arming refused: {reason}")
+            result = _refuse(context, f"Arming refused: {reason}")
+            return FAILED if vehicle.identity.copter_rules else result
         return _result(vehicle.trigger(Trigger.ARM))
     if not vehicle.landed and request.whole(2) not in FORCE_ARM:
         return _refuse(context, "Disarming refused: in the air")
     return _result(vehicle.trigger(Trigger.DISARM))
+
+
+def _arming_refusal(vehicle: Vehicle) -> str | None:
+    """Why a command would not arm the vehicle: ArduCopter looks at the mode as well, which is no part of its health."""
+    if vehicle.identity.copter_rules and not vehicle.armed and vehicle.mode in _NOT_ARMABLE:
+        return f"not in mode {vehicle.mode}"
+    return vehicle.arming_refusal()
 
 
 def take_off(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
@@ -80,9 +91,9 @@ def take_off(context: ServiceContext, request: VehicleCommand, connection: Conne
 
 
 def _may_leave_ground(vehicle: Vehicle, height_m: float) -> bool:
-    """Whether a vehicle waits on the ground for its take-off, to above where it is; a height that is not given (NaN)
-    is."""
-    waits = vehicle.armed and vehicle.landed and vehicle.mode is not Mode.TAKEOFF
+    """Whether a vehicle waits on the ground, in a mode that lets it, for its take-off, to above where it is; a height
+    that is not given (NaN) is."""
+    waits = vehicle.armed and vehicle.landed and vehicle.mode not in _WITHOUT_TAKEOFF
     return waits and not height_m <= vehicle.home_ned[2] - vehicle.p_ned[2]
 
 
@@ -205,16 +216,18 @@ def enter_custom(context: ServiceContext, custom_mode: int) -> int:
 
 def start_mission(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
     """MAV_CMD_MISSION_START: arm where that is needed, and fly; param1 the first item, 0 for where it was left, and
-    param2 the last one, or 0."""
-    vehicle = context.vehicle
+    param2 the last one, or 0. ArduCopter enters AUTO alone, without items."""
+    vehicle, copter = context.vehicle, context.vehicle.identity.copter_rules
     if vehicle.mission is None:
         return _refuse(context, "Mission refused: there is none")
     first, last = request.whole(1), request.whole(2)
+    if copter and (first or last):
+        return DENIED
     if 0 < last < len(vehicle.mission.legs) - 1:  # it flies to the end
         return DENIED
     if first and not vehicle.mission.go_to(first):
         return DENIED
-    if not vehicle.armed:
+    if not vehicle.armed and not copter:
         reason = vehicle.arming_refusal()
         if reason is not None:
             return _refuse(context, f"Arming refused: {reason}")

@@ -37,6 +37,7 @@ LEVELS = {Severity.INFO: 6, Severity.WARNING: 4, Severity.CRITICAL: 2}
 
 ENUMS: dict[str, tuple[str, ...]] = {
     "failure_t": tuple(Failure),
+    "mode_t": tuple(Mode),
     "decided_by_t": tuple(by.name.lower() for by in DecidedBy),
     "ending_t": (
         "stopped", "limit reached", "the receiver takes no more", "the giver is silent",
@@ -54,6 +55,7 @@ FORMS: dict[str, tuple[str, ...]] = {
     "Arming refused: {1} failed": ("failure_t",),
     "Arming refused: battery below BAT_EMERGEN_THR": (),
     "Arming refused: outside the geofence": (),
+    "Arming refused: not in mode {1}": ("mode_t",),
     "Disarming refused: in the air": (),
     "Offboard refused: no set points": (),
     "Mission refused: there is none": (),

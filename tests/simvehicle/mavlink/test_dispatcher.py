@@ -158,6 +158,7 @@ def test_an_ardupilot_takes_off_once_and_upwards(vehicle_bench: Any) -> None:
     assert -bench.vehicle.p_ned[2] == pytest.approx(3.0, abs=0.1)
     bench.result(mav.MAV_CMD_NAV_LAND)
     bench.fly(20.0, until=lambda b: not b.vehicle.armed)
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0) == ACCEPTED
     bench.arm()
     assert take_off(3.0) == ACCEPTED
 

@@ -228,6 +228,48 @@ def test_mission_begun_on_the_ground_climbs_before_it_moves(vehicle_bench: Any) 
     assert max(m.x for m in low) < 0.1
 
 
+def copter_with_mission(vehicle_bench: Any) -> Any:
+    bench = vehicle_bench(autopilot="ardupilot")
+    assert upload(bench, [waypoint(bench, 0.0, 0.0, 0.0), *whole(bench)]) == ACCEPTED
+    return bench
+
+
+@pytest.mark.parametrize(
+    ("number", "mode", "armable", "takes_off"),
+    [(3, "mission", False, False), (6, "return", False, False), (9, "land", False, False), (4, "guided", True, True)]
+    + [(5, "hold", True, True)],
+)
+def test_a_copter_arms_and_takes_off_in_modes_that_let_it(
+    vehicle_bench: Any, number: int, mode: str, armable: bool, takes_off: bool
+) -> None:
+    """By allows_arming and has_user_takeoff of ArduCopter's mode.h."""
+    bench = copter_with_mission(vehicle_bench)
+    assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, float(number)) == ACCEPTED
+    assert bench.arm() == (ACCEPTED if armable else mav.MAV_RESULT_FAILED)
+    bench.fly(1.0)
+    assert (bench.vehicle.armed, bench.vehicle.mode, bench.vehicle.landed) == (armable, mode, True)
+    assert ([f"Arming refused: not in mode {mode}"] == bench.texts[-1:]) != armable
+    assert bench.of("SYS_STATUS")[-1].onboard_control_sensors_health & mav.MAV_SYS_STATUS_PREARM_CHECK
+    assert bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 2989.0) == ACCEPTED
+    assert bench.arm() == ACCEPTED
+    bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, float(number))
+    taken = bench.result(mav.MAV_CMD_NAV_TAKEOFF, *[0.0] * 6, 3.0)
+    assert taken == (ACCEPTED if takes_off else mav.MAV_RESULT_FAILED)
+
+
+def test_a_copter_begins_no_mission_unless_it_is_armed(vehicle_bench: Any) -> None:
+    bench = copter_with_mission(vehicle_bench)
+    bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0)
+    assert bench.result(mav.MAV_CMD_MISSION_START, 1.0) == mav.MAV_RESULT_DENIED
+    assert bench.result(mav.MAV_CMD_MISSION_START) == ACCEPTED
+    bench.fly(2.0)
+    assert (bench.vehicle.mode, bench.vehicle.armed, bench.vehicle.landed) == ("mission", False, True)
+    bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, 4.0)
+    assert bench.arm() == ACCEPTED
+    assert bench.result(mav.MAV_CMD_MISSION_START) == ACCEPTED
+    bench.fly(20.0, until=lambda b: 2 in reached(b))
+
+
 def test_mission_is_paused_continued_and_set_back(vehicle_bench: Any) -> None:
     bench = vehicle_bench().in_air()
     upload(bench, [waypoint(bench, 3.0, 0.0, 2.5), waypoint(bench, 12.0, 0.0, 2.5), waypoint(bench, 12.0, 3.0, 2.5)])

@@ -29,10 +29,10 @@ class Identity:
 
     `modes_packed`: MAV_CMD_DO_SET_MODE carries main and sub mode in two parameters. `guided`: one mode is both offboard
     and holding, so that it may be entered without set points. `item_0_is_home`: missions begin with home, which is not
-    flown. `copter_rules`: commands are taken as ArduCopter takes them: arming, NAV_TAKEOFF (also: on the ground alone,
-    upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT) only in modes that allow it; MISSION_START does not arm;
-    a home that was commanded is never moved. `version`: one that the autopilot has
-    had, new enough for QGroundControl.
+    flown. `copter_rules`: commands are taken as ArduCopter takes them, arming and NAV_TAKEOFF in some modes alone, the
+    latter on the ground, upwards, and as COMMAND_INT in MAV_FRAME_GLOBAL_RELATIVE_ALT; MISSION_START does not arm; a
+    home that was commanded is never moved; not all failsafes make its state critical. `version`: one that the autopilot
+    has had, new enough for QGroundControl.
     """
 
     autopilot: int

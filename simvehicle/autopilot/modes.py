@@ -144,6 +144,9 @@ FAILSAFES: tuple[Trigger, ...] = (
     Trigger.SETPOINTS_LOST,
 )
 
+COPTER_FAILSAFES = frozenset({Trigger.BATTERY_EMPTY, Trigger.GPS_LOST, Trigger.GCS_LOST})
+"""Those that ArduCopter counts as such (any_failsafe_triggered); PX4 counts all."""
+
 
 def rule_for(event: Trigger, mode: Mode, armed: bool) -> Rule | None:
     """The first rule of the table that applies; None where the event is refused."""

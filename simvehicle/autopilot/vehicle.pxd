@@ -41,6 +41,7 @@ cdef class Vehicle(Body):
     cdef public object separation  # what keeps it apart while it flies by itself; None: nothing
     cdef public double period_s  # from one of the station's set points to the next
     cdef readonly bint ordered  # whether an order, not a failsafe, brought the mode
+    cdef readonly bint in_failsafe  # whether a failsafe, and no order since, brought it here
     cdef public bint leads  # whether it has a virtual leader of its own,
     cdef double[9] leader  # its place, velocity, and the acceleration that it wants, NED
     cdef double gcs_loss_s
@@ -90,7 +91,7 @@ cdef class Vehicle(Body):
     cdef _check_failsafes(self)
     cdef _hold_guided(self)
     cdef bint _fence_crossed(self)
-    cdef bint _battery_low(self)
+    cdef bint battery_low(self)
     cdef _apply(self, object rule)
     cdef _enter(self, object mode)
     cdef _move_joules(self, double dt_s)

@@ -32,7 +32,18 @@ from simvehicle.autopilot.maneuvers import (
     target_of,
 )
 from simvehicle.autopilot.mission import Leg, Mission, Outcome
-from simvehicle.autopilot.modes import FAILSAFES, PROGRESS, RESTING, STAND_DOWN, Mode, Rule, Severity, Trigger, rule_for
+from simvehicle.autopilot.modes import (
+    COPTER_FAILSAFES,
+    FAILSAFES,
+    PROGRESS,
+    RESTING,
+    STAND_DOWN,
+    Mode,
+    Rule,
+    Severity,
+    Trigger,
+    rule_for,
+)
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vectors import Vec3
 from simvehicle.law.plants import Plant
@@ -75,6 +86,7 @@ class Vehicle(Body):
     period_s: float
     leads: bool
     ordered: bool
+    in_failsafe: bool
     gcs_main: int
     takeover_allowed: bool
     intended: Mode
@@ -121,6 +133,7 @@ class Vehicle(Body):
         self.station_leads = self.leads = self.takeover_allowed = False
         self.gcs_main = 0
         self.ordered = True
+        self.in_failsafe = False
         self.separation = None
         self._followed = None
         self._breached = False
@@ -206,6 +219,7 @@ class Vehicle(Body):
         as_intended = self.mode is self.intended
         self._apply(rule)
         self.ordered = True
+        self.in_failsafe = self.in_failsafe and event in PROGRESS
         if as_intended or event not in PROGRESS:
             self.intended = self.mode
         return True
@@ -221,7 +235,7 @@ class Vehicle(Body):
         for failure in (Failure.GPS, Failure.BATTERY, Failure.MOTOR) if self.failed else ():
             if failure in self.failed:
                 return f"{failure} failed"
-        if self._battery_low():
+        if self.battery_low():
             return "battery below BAT_EMERGEN_THR"
         if self.outside() and self.parameters["GF_ACTION"] != 0:
             return "outside the geofence"
@@ -538,7 +552,7 @@ class Vehicle(Body):
             return
         crossed = self._fence_crossed()
         now_s = self.time_ms / 1e3
-        battery, gps = self._battery_low(), bool(self.failed) and Failure.GPS in self.failed
+        battery, gps = self.battery_low(), bool(self.failed) and Failure.GPS in self.failed
         silent, steered = now_s - self.gcs_seen_s > self.gcs_loss_s, self.setpoints_fresh()
         if not (battery or gps or silent or crossed) and steered:
             return
@@ -559,6 +573,7 @@ class Vehicle(Body):
                 else:
                     self._apply(rule if not self.landed else STAND_DOWN)
                 self.ordered = False
+                self.in_failsafe = not self.identity.copter_rules or event in COPTER_FAILSAFES
                 if event is Trigger.FENCE_HOLD:
                     self._enter(self.mode)
                 if event is Trigger.GCS_LOST and self.mode is Mode.RETURN and self.separation is not None:
@@ -572,8 +587,8 @@ class Vehicle(Body):
             self._anchor = replace(self._anchor, p_ned=(now.p_ned[0], now.p_ned[1], now.p_ned[2]))
 
     def _fence_crossed(self) -> bool:
-        """Whether the vehicle has left the fence since it was last asked, or has been armed outside; announced, whatever
-        is done about it."""
+        """Whether the vehicle has left the fence since it was last asked, or was armed outside; announced, whatever is
+        done about it."""
         outside = self.outside()
         crossed = outside and not self._breached and self.parameters["GF_ACTION"] != 0
         self._breached = outside
@@ -581,7 +596,8 @@ class Vehicle(Body):
             self.announce(Severity.WARNING, "Geofence breached")
         return crossed
 
-    def _battery_low(self) -> bool:
+    def battery_low(self) -> bool:
+        """Whether it holds less than it lands at, or says so since it has failed."""
         empty = bool(self.failed) and Failure.BATTERY in self.failed
         return empty or self.plant.row.remaining_j < self.floor_j
 

@@ -161,8 +161,8 @@ def change_speed(context: ServiceContext, request: VehicleCommand, connection: C
 
 
 def set_home(context: ServiceContext, request: VehicleCommand, connection: Connection) -> int:
-    """MAV_CMD_DO_SET_HOME: to where the vehicle is (param1 1), or to a place. Arming moves it no more: of PX4's, where it
-    names a place."""
+    """MAV_CMD_DO_SET_HOME: to where the vehicle is (param1 1), or to a place. Arming does not move it then; but a PX4's
+    that was set to where it is."""
     vehicle, here = context.vehicle, request.whole(1) == 1
     place = vehicle.p_ned if here else _place(context, request)
     if place is None:

@@ -193,6 +193,8 @@ def _heartbeat(v: Any, m: Any) -> None:
     if v.armed:
         base |= mav.MAV_MODE_FLAG_SAFETY_ARMED
     flying = mav.MAV_STATE_STANDBY if v.stands() else mav.MAV_STATE_ACTIVE
+    if v.armed and v.in_failsafe:
+        flying = mav.MAV_STATE_CRITICAL
     m.type, m.autopilot, m.base_mode = mav.MAV_TYPE_QUADROTOR, v.identity.autopilot, base
     m.custom_mode, m.mavlink_version = v.identity.spoken[v.mode], 3
     m.system_status = mav.MAV_STATE_BOOT if v.booting else flying
@@ -298,6 +300,9 @@ def _battery_status(v: Any, m: Any) -> None:
     m.battery_remaining = v.percent()
     m.time_remaining = _bounded(v.shown_j() / v.power_w, 32) if v.power_w > 0.0 else 0
     m.charge_state = mav.MAV_BATTERY_CHARGE_STATE_OK
+    if v.battery_low():  # what lands a PX4 is its emergency, and critical is the worst that ArduPilot knows
+        copter = v.identity.copter_rules
+        m.charge_state = mav.MAV_BATTERY_CHARGE_STATE_CRITICAL if copter else mav.MAV_BATTERY_CHARGE_STATE_EMERGENCY
 
 
 def _position_target_local_ned(v: Any, m: Any) -> None:

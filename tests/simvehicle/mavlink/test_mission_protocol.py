@@ -235,26 +235,25 @@ def copter_with_mission(vehicle_bench: Any) -> Any:
 
 
 @pytest.mark.parametrize(
-    ("number", "mode", "armable", "takes_off"),
-    [(3, "mission", False, False), (6, "return", False, False), (9, "land", False, False), (4, "guided", True, True)]
-    + [(5, "hold", True, True)],
+    ("number", "mode", "lets"),
+    [(3, "mission", False), (6, "return", False), (9, "land", False), (4, "guided", True), (5, "hold", True)],
 )
 def test_a_copter_arms_and_takes_off_in_modes_that_let_it(
-    vehicle_bench: Any, number: int, mode: str, armable: bool, takes_off: bool
+    vehicle_bench: Any, number: int, mode: str, lets: bool
 ) -> None:
     """By allows_arming and has_user_takeoff of ArduCopter's mode.h."""
     bench = copter_with_mission(vehicle_bench)
     assert bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, float(number)) == ACCEPTED
-    assert bench.arm() == (ACCEPTED if armable else mav.MAV_RESULT_FAILED)
+    assert bench.arm() == (ACCEPTED if lets else mav.MAV_RESULT_FAILED)
     bench.fly(1.0)
-    assert (bench.vehicle.armed, bench.vehicle.mode, bench.vehicle.landed) == (armable, mode, True)
-    assert ([f"Arming refused: not in mode {mode}"] == bench.texts[-1:]) != armable
+    assert (bench.vehicle.armed, bench.vehicle.mode, bench.vehicle.landed) == (lets, mode, True)
+    assert ([f"Arming refused: not in mode {mode}"] == bench.texts[-1:]) != lets
     assert bench.of("SYS_STATUS")[-1].onboard_control_sensors_health & mav.MAV_SYS_STATUS_PREARM_CHECK
     assert bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 2989.0) == ACCEPTED
     assert bench.arm() == ACCEPTED
     bench.result(mav.MAV_CMD_DO_SET_MODE, 1.0, float(number))
     taken = bench.result(mav.MAV_CMD_NAV_TAKEOFF, *[0.0] * 6, 3.0)
-    assert taken == (ACCEPTED if takes_off else mav.MAV_RESULT_FAILED)
+    assert taken == (ACCEPTED if lets else mav.MAV_RESULT_FAILED)
 
 
 def test_a_copter_begins_no_mission_unless_it_is_armed(vehicle_bench: Any) -> None:

@@ -100,6 +100,54 @@ def test_landed_state_follows_the_flight(vehicle_bench: Any) -> None:
     ]  # fmt: skip
 
 
+def state(bench: Any) -> int:
+    return int(bench.of("HEARTBEAT")[-1].system_status)
+
+
+@pytest.mark.parametrize(
+    ("autopilot", "charge"),
+    [("px4", mav.MAV_BATTERY_CHARGE_STATE_EMERGENCY), ("ardupilot", mav.MAV_BATTERY_CHARGE_STATE_CRITICAL)],
+)
+def test_state_of_a_vehicle_that_a_battery_takes_down_is_critical(
+    vehicle_bench: Any, autopilot: str, charge: int
+) -> None:
+    bench = vehicle_bench(autopilot=autopilot, params={"SIM_BAT_CAP_J": 24_000.0, "BAT_EMERGEN_THR": 0.05})
+    bench.in_air() if autopilot == "px4" else bench.in_air_guided()
+    assert (state(bench), bench.of("BATTERY_STATUS")[-1].charge_state) == (mav.MAV_STATE_ACTIVE, 1)
+    bench.vehicle.plant.waste(22_500.0)
+    bench.fly(1.5)
+    assert bench.vehicle.mode == "land"
+    assert (state(bench), bench.of("BATTERY_STATUS")[-1].charge_state) == (mav.MAV_STATE_CRITICAL, charge)
+    bench.fly(15.0, until=lambda b: not b.vehicle.armed)
+    bench.fly(1.1)
+    assert (state(bench), bench.of("BATTERY_STATUS")[-1].charge_state) == (mav.MAV_STATE_STANDBY, charge)
+
+
+def test_state_is_critical_from_a_lost_station_to_the_next_order(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(params={"RTL_RETURN_ALT": 3.0}).in_air()
+    bench.vehicle.reposition((9.0, 0.0, -2.5))
+    bench.fly(6.0)
+    bench.fly(6.5, gcs=False)
+    assert (bench.vehicle.mode, state(bench)) == ("return", mav.MAV_STATE_CRITICAL)
+    bench.gcs_heartbeat()
+    bench.fly(1.0)
+    assert state(bench) == mav.MAV_STATE_CRITICAL
+    bench.result(mav.MAV_CMD_NAV_LOITER_UNLIM)
+    bench.tick()
+    assert (bench.vehicle.mode, state(bench)) == ("hold", mav.MAV_STATE_ACTIVE)
+
+
+@pytest.mark.parametrize(("autopilot", "after"), [("px4", mav.MAV_STATE_CRITICAL), ("ardupilot", mav.MAV_STATE_ACTIVE)])
+def test_lost_set_points_are_a_failsafe_of_a_px4_alone(vehicle_bench: Any, autopilot: str, after: int) -> None:
+    """GUIDED times out and holds: no part of ArduCopter's any_failsafe_triggered."""
+    bench = vehicle_bench(autopilot=autopilot)
+    bench.offboard() if autopilot == "px4" else bench.in_air_guided()
+    bench.fly(1.0, p_ned=(3.0, 0.0, -2.5), v_ned=(0.1, 0.0, 0.0))
+    bench.fly(2.5)
+    assert bench.vehicle.mode in ("hold", "guided")
+    assert state(bench) == after
+
+
 def test_position_target_is_what_is_really_flown(vehicle_bench: Any) -> None:
     bench = vehicle_bench(start=Start((0.0, 0.0, -5.0), airborne=True))
     bench.fly(1.0, p_ned=(40.0, 0.0, -5.0))

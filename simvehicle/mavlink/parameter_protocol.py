@@ -1,5 +1,5 @@
 """The parameter protocol: list, read, set; what is refused is reported by PARAM_ERROR, and the value in force after
-it."""
+it; a value that has been set, on all connections."""
 
 from __future__ import annotations
 
@@ -56,10 +56,14 @@ def change(context: ServiceContext, call: Call) -> None:
                 vehicle.parameters.restore({row.name: before})
                 raise ParameterError(f"{row.name}: {unwritten(error)}", parameters.READ_ONLY) from error
         vehicle.retune()
+        answered = context.connections
     except ParameterError as refusal:
         context.complain(row.name, str(refusal))
         call.connection.put(error_message(row.name, index, refusal.code, call.sender))
-    return call.connection.put(_param_value(context, row, vehicle.parameters[row.name], index))
+        answered = [call.connection]
+    for connection in answered:
+        connection.put(_param_value(context, row, vehicle.parameters[row.name], index))
+    return None
 
 
 def _param_value(context: ServiceContext, row: ParameterRow, value: float, index: int) -> Any:

@@ -10,6 +10,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
+from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.storage import StateError, StateFile
 
 ACCEPTED, TEMPORARILY_REJECTED, DENIED, UNSUPPORTED, IN_PROGRESS = 0, 1, 2, 3, 5
@@ -345,6 +346,16 @@ def test_parameters_survive_reboot_and_process_with_a_state(vehicle_bench: Any, 
     assert StateFile(tmp_path / "state", 2).values == {}
     set_cruise(bench, 99.0)
     assert json.loads(store.path.read_text()) == {"MPC_XY_CRUISE": 2.0}
+
+
+def test_a_parameter_that_is_set_is_sent_on_all_links_and_one_that_is_refused_to_its_sender(vehicle_bench: Any) -> None:
+    bench = vehicle_bench()
+    other = Connection(1)
+    bench.services.connections.append(other)
+    for value, on_the_other in ((2.0, [2.0]), (99.0, [])):
+        assert set_cruise(bench, value)[-1].param_value == 2.0
+        sent = [m for raw in other.frames() for m in mav.MAVLink(None).parse_buffer(raw)]
+        assert [m.param_value for m in sent if m.get_type().startswith("PARAM_")] == on_the_other
 
 
 def test_a_parameter_that_a_full_disk_does_not_take_is_refused_and_the_vehicle_flies_on(

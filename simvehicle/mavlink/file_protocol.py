@@ -5,7 +5,9 @@ Rules:
    file is; a log is read as far as it has been written then. ResetSessions and TerminateSession close it; with a
    session that is not open TerminateSession, ReadFile and BurstReadFile are NAK, invalid session, and change nothing.
 2. ReadFile gives one piece. BurstReadFile gives all from a place on, PIECES_A_TICK in each tick, then NAK, end of file.
-3. None is ACK. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
+3. The last request of a station, come again as it was because its answer was lost, gets that answer again, and changes
+   nothing; a burst begins anew.
+4. None is ACK. Another file is NAK, file not found; requests to write or to look elsewhere are NAK, unknown command.
 [lineage] MAVLink File Transfer Protocol, https://mavlink.io/en/services/ftp.html
 """
 
@@ -74,29 +76,38 @@ class FileService:
         self._files: dict[tuple[int, int], _OpenFile] = {}
         """by station"""
         self._bursts: dict[tuple[int, int], _Burst] = {}
+        self._answered: dict[tuple[int, int], tuple[_Request, Any]] = {}
+        """by station, its last request with the answer"""
 
     def receive(self, call: Call) -> None:
         """Act on a FILE_TRANSFER_PROTOCOL."""
         asked, sender = _Request.of(bytes(call.content.payload)), call.sender
-        to, file = (call.connection, sender, asked), self._files.get(sender)
+        before, content = self._answered.pop(sender, (None, None))
+        if asked != before:
+            content = self._act(asked, sender, call.connection)
+        if content is not None:
+            if len(self._answered) >= MOST_OPEN:
+                del self._answered[next(iter(self._answered))]
+            self._answered[sender] = asked, content
+            call.connection.put(content)
+
+    def _act(self, asked: _Request, sender: tuple[int, int], connection: Connection) -> Any | None:
+        """Do what a new request asks; its answer, or None where a burst answers it."""
+        to, file = (sender, asked), self._files.get(sender)
         if asked.opcode in (TERMINATE, READ, BURST) and (file is None or asked.session):
-            _answer(*to, refusal=INVALID_SESSION)
-            return
+            return _answer(*to, refusal=INVALID_SESSION)
         self._bursts.pop(sender, None)
-        if asked.opcode == NONE:
-            _answer(*to)
-        elif asked.opcode in (TERMINATE, RESET):
-            self._files.pop(sender, None)
-            _answer(*to)
-        elif asked.opcode == OPEN:
-            self._open(asked.data.rstrip(b"\0"), *to)
-        elif asked.opcode == READ and file is not None:
+        if asked.opcode == BURST and file is not None:
+            self._bursts[sender] = _Burst(connection, asked, file)
+            return None
+        if asked.opcode == OPEN:
+            return self._open(asked.data.rstrip(b"\0"), *to)
+        if asked.opcode == READ and file is not None:
             piece = file.piece(asked, asked.offset)
-            _answer(*to, data=piece, offset=asked.offset, refusal=0 if piece else END_OF_FILE)
-        elif asked.opcode == BURST and file is not None:
-            self._bursts[sender] = _Burst(call.connection, asked, file)
-        else:
-            _answer(*to, refusal=UNKNOWN_COMMAND)
+            return _answer(*to, data=piece, offset=asked.offset, refusal=0 if piece else END_OF_FILE)
+        if asked.opcode in (TERMINATE, RESET):
+            self._files.pop(sender, None)
+        return _answer(*to, refusal=0 if asked.opcode in (NONE, TERMINATE, RESET) else UNKNOWN_COMMAND)
 
     @property
     def at_work(self) -> bool:
@@ -109,24 +120,26 @@ class FileService:
             for _ in range(PIECES_A_TICK):
                 asked = burst.asked
                 offset = asked.offset + burst.sent * _piece_bytes(asked)
-                piece, to = burst.file.piece(asked, offset), (burst.connection, sender, asked)
-                _answer(*to, data=piece, offset=offset, refusal=0 if piece else END_OF_FILE, later=burst.sent)
+                piece, ends = burst.file.piece(asked, offset), END_OF_FILE
+                content = _answer(
+                    sender, asked, data=piece, offset=offset, refusal=0 if piece else ends, later=burst.sent
+                )
+                burst.connection.put(content)
                 burst.sent += 1
                 if not piece:
                     del self._bursts[sender]
                     break
 
-    def _open(self, path: bytes, connection: Connection, sender: tuple[int, int], asked: _Request) -> None:
+    def _open(self, path: bytes, sender: tuple[int, int], asked: _Request) -> Any:
         """Open a file for a station; where there is none of this path, what it had open stays."""
         file = self._found(path)
         if file is None:
-            _answer(connection, sender, asked, refusal=NOT_FOUND)
-        else:
-            self._files.pop(sender, None)
-            if len(self._files) >= MOST_OPEN:
-                del self._files[next(iter(self._files))]
-            self._files[sender] = file
-            _answer(connection, sender, asked, data=struct.pack("<I", min(file.size_bytes, 0xFFFFFFFF)))
+            return _answer(sender, asked, refusal=NOT_FOUND)
+        self._files.pop(sender, None)
+        if len(self._files) >= MOST_OPEN:
+            del self._files[next(iter(self._files))]
+        self._files[sender] = file
+        return _answer(sender, asked, data=struct.pack("<I", min(file.size_bytes, 0xFFFFFFFF)))
 
     def _found(self, path: bytes) -> _OpenFile | None:
         log = self._log
@@ -141,7 +154,6 @@ def _piece_bytes(asked: _Request) -> int:
 
 
 def _answer(
-    connection: Connection,
     sender: tuple[int, int],
     asked: _Request,
     *,
@@ -149,14 +161,13 @@ def _answer(
     offset: int = 0,
     refusal: int = 0,
     later: int = 0,
-) -> None:
-    """Queue an answer to a request, its first or a `later` one."""
+) -> Any:
+    """An answer to a request, its first or a `later` one."""
     number = (asked.number + 1 + later) & 0xFFFF
     data = bytes([refusal]) if refusal else data
     head = _HEAD.pack(number, asked.session, NAK if refusal else ACK, len(data), asked.opcode, 0, offset)
-    content: Any = message("FILE_TRANSFER_PROTOCOL")(
+    return message("FILE_TRANSFER_PROTOCOL")(
         target_system=sender[0],
         target_component=sender[1],
         payload=tuple((head + data).ljust(_PAYLOAD_BYTES, b"\0")),
     )
-    connection.put(content)

@@ -37,9 +37,9 @@ def read(messages: list[Any], asked: int | None = None, in_session: int = 0) -> 
 
 
 def ask(
-    bench: Any, opcode: int, data: bytes = b"", *, session: int = 0, offset: int = 0, size: int = 0
+    bench: Any, opcode: int, data: bytes = b"", *, session: int = 0, offset: int = 0, size: int = 0, number: int = 70
 ) -> list[Answer]:
-    head = struct.pack("<HBBBBBxI", 70, session, opcode, size or len(data), 0, 0, offset)
+    head = struct.pack("<HBBBBBxI", number, session, opcode, size or len(data), 0, 0, offset)
     payload = (head + data).ljust(251, b"\0")
     answers = bench.send(mav.MAVLink_file_transfer_protocol_message(0, bench.sysid, 1, list(payload)))
     return read(answers, opcode, session)
@@ -94,7 +94,21 @@ def test_a_session_that_is_not_open_is_invalid_and_nothing_else_is_closed(vehicl
     burst = [answer for _ in range(10) for answer in read(bench.tick())]
     assert b"".join(data for opcode, _, _, data in burst if opcode == ACK) == CONTENT
     assert ask(bench, TERMINATE) == [(ACK, 71, 0, b"")]
-    assert ask(bench, TERMINATE) == invalid
+    assert ask(bench, TERMINATE, number=71) == [(NAK, 72, 0, bytes([INVALID_SESSION]))]
+
+
+def test_a_request_that_comes_again_gets_the_same_answer_and_changes_nothing(vehicle_bench: Any) -> None:
+    """https://mavlink.io/en/services/ftp.html: one with the last sequence number has lost its answer."""
+    log = WrittenLog(CONTENT)
+    bench = vehicle_bench(log=log)
+    opened = ask(bench, OPEN, b"@LOG/4", number=1)
+    piece = ask(bench, READ, offset=len(CONTENT) - 5, size=239, number=2)
+    log.content += b"more"
+    assert ask(bench, READ, offset=len(CONTENT) - 5, size=239, number=2) == piece
+    for number, before in ((3, [(ACK, 4, 0, b"")]), (4, [(NAK, 5, 0, bytes([INVALID_SESSION]))])):
+        for _ in range(3):
+            assert ask(bench, TERMINATE, number=number) == before
+    assert ask(bench, OPEN, b"@LOG/4", number=1) != opened  # not the last one, and the log is longer
 
 
 def test_none_is_acknowledged_also_without_a_session(vehicle_bench: Any) -> None:

@@ -214,12 +214,16 @@ def test_a_session_that_says_nothing_is_shown_so(browser: Browser) -> None:
         badges, speed = page.locator(".badge:visible"), page.locator(".time-line .value").first
         expect(badges).to_have_text(["live", "flying 0:01.0 of 2:00.0"])
         expect(speed).to_have_text("×1.0")
+        calm = page.get_by_text("All well")
+        expect(calm).to_be_visible()
         page.evaluate("window.later_ms = 900e3")
         expect(badges).to_have_text([re.compile(r"no news for 9\d\d s")])
         expect(speed).to_have_text("")
+        expect(calm).to_be_hidden()
         source.feed(snapshot(2.0, rows))
         expect(badges).to_have_text(["live", "flying 0:02.0 of 2:00.0"])
         expect(speed).to_have_text("×1.0")
+        expect(calm).to_be_visible()
         assert watched.wrong == []
         page.close()
 

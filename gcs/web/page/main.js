@@ -216,6 +216,11 @@ function served(config) {
     badge.className = `badge ${wrong ? (quiet ? "warn" : "bad") : ""}`;
     if (known) say(badge, wrong || SOURCES[known.source]);
     phase.hidden = !newest || wrong !== "";
+    if (app.strip.stale !== (wrong !== "")) {
+      app.strip.stale = wrong !== "";
+      app.paneled = null;
+      app.dirty = true;
+    }
     if (!wrong || app.speed === "") return;
     app.speed = "";
     app.dirty = true;

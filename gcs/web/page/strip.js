@@ -33,6 +33,8 @@ export class Strip {
   /** @param {(sysids: number[]) => void} select */
   constructor(select) {
     this.well = h("p", { class: "well" });
+    /** whether what is shown may no longer be so: nothing is said to be well then */
+    this.stale = false;
     /** @type {Map<string, {item: HTMLElement, button: HTMLElement, count: HTMLElement, text: HTMLElement, sysids: number[]}>} */
     this.parts = new Map();
     const list = h("ul");
@@ -68,7 +70,7 @@ export class Strip {
       counts.push(`${rows.length} ${title.toLowerCase()}`);
     }
     const armed = snapshot.vehicles.filter((row) => row.armed).length;
-    const well = counts.length ? "" : `All well · ${vehicles(snapshot.vehicles.length)}, ${armed} armed`;
+    const well = counts.length || this.stale ? "" : `All well · ${vehicles(snapshot.vehicles.length)}, ${armed} armed`;
     if (this.well.hidden !== !well) this.well.hidden = !well;
     say(this.well, well);
     say(this.counts, counts.join(", "));

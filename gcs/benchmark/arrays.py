@@ -19,7 +19,8 @@ MEETS_LATER_S = 0.03
 """A meeting is put later by so much: samples of a path cut its corners, by half a step where it turns back."""
 ITERATIONS = 12
 LEAST_W = 1e-6
-"""A receiver that draws nothing is taken to draw so much: energies are times here."""
+"""A receiver that draws nothing is taken to draw so much, since energies are times here, and one that a transfer cannot
+fill to gain so much by it."""
 MOST_SAMPLES = 10_000_000
 """[choice] Of all receivers' paths: 240 MB."""
 
@@ -80,6 +81,11 @@ class Arrays:
             way = self.at(receiver, when) - place_ned
             when = start + np.sqrt(np.square(way).sum(axis=-1)) / speed_m_s
         return np.asarray(when + MEETS_LATER_S)
+
+
+def net_w(rate_w: ArrayLike, power_w: ArrayLike) -> Floats:
+    """By how much the charge of a receiver that draws `power_w` grows each second of a transfer, W."""
+    return np.maximum(np.subtract(rate_w, power_w), LEAST_W)
 
 
 def _sampled(path: Floats, times: Floats) -> Floats:

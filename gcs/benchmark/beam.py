@@ -11,7 +11,7 @@ import time
 
 import numpy as np
 
-from gcs.benchmark.arrays import Arrays, Floats, Ints
+from gcs.benchmark.arrays import Arrays, Floats, Ints, net_w
 from gcs.benchmark.format import SCHEDULE, Schedule, ScheduledService
 from gcs.benchmark.moves import NONE, Beginnings, Moves, Weights, grown_by, lands, moves_of
 from skytender import elementwise
@@ -93,7 +93,7 @@ def _score(arrays: Arrays, state: Beginnings, weights: Weights) -> Floats:
     landing = lands(arrays, state)
     alive = (lands_s >= first_s + arrays.setup_s) | (state.busy_s > first_s)
     lacks_j = np.where(alive, np.maximum(arrays.power_w * (horizon_s - lands_s), 0.0), 0.0)
-    services = np.ceil(lacks_j / (arrays.holds_j * arrays.rate_w / (arrays.rate_w - arrays.power_w)) - 1e-9)
+    services = np.ceil(lacks_j / (arrays.holds_j * arrays.rate_w / net_w(arrays.rate_w, arrays.power_w)) - 1e-9)
     takes_s = arrays.setup_s + weights.way_s
     work_s = (lacks_j / arrays.rate_w + services * takes_s).sum(axis=1)
     next_s = np.where(services > 0, np.minimum(lacks_j, arrays.holds_j) / arrays.rate_w + takes_s, 0.0)

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats, Ints
+from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats, Ints, net_w
 
 LEAST_J = 200.0
 """A giver with less to give is done."""
@@ -140,7 +140,8 @@ def _tanker_moves(
     for waits, share in ((False, 1.0), (True, 1.0), *([(False, weights.share)] if weights.share else [])):
         start_s = np.maximum(soon_s, last_s) if waits else soon_s
         flows_from_s = start_s + setup_s
-        room_j = (arrays.holds_j - power_w * (lands_s - flows_from_s)) * rate_w / (rate_w - power_w)
+        room_j = (arrays.holds_j - power_w * (lands_s - flows_from_s)) * rate_w
+        room_j /= net_w(rate_w, power_w)
         most_j = np.minimum(state.spare_j[rows, giver][:, None] - MARGIN_J, (horizon_s - flows_from_s) * rate_w)
         energy_j = np.minimum(np.minimum(room_j - MARGIN_J, lacks_j + MARGIN_J), most_j)
         may = (lands_s < horizon_s - 1e-6) & (lands_s >= flows_from_s + LATER_S) & (energy_j > 0.0)

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats, Ints
+from gcs.benchmark.arrays import MEETS_LATER_S, Arrays, Floats, Ints, net_w
 from gcs.benchmark.format import SCHEDULE, Schedule, ScheduledService
 from skytender import elementary
 
@@ -111,7 +111,7 @@ class DispatchedFlight:
         room_j = above_j - power_w * (self.lands_s[i] + stood_s - flows_from_s)
         lacks_j = power_w * (arrays.horizon_s - self.lands_s[i] - stood_s) + MARGIN_J
         horizon_j = rate_w * (arrays.horizon_s - flows_from_s)
-        most_j = np.minimum(np.minimum(room_j * rate_w / (rate_w - draws_w), lacks_j), horizon_j)
+        most_j = np.minimum(np.minimum(room_j * rate_w / net_w(rate_w, draws_w), lacks_j), horizon_j)
         return np.asarray(np.maximum(most_j, 0.0))
 
     def _serve(self, t: int, i: int) -> None:

@@ -52,6 +52,16 @@ def standing(places: list[tuple[float, float]], tankers: list[tuple[float, float
     return one
 
 
+@pytest.mark.parametrize("method", ["beam_search", "earliest_deadline", "winner_take_all"])
+def test_a_receiver_that_draws_what_a_transfer_gives_is_kept_for_as_long_as_it_lasts(method: str) -> None:
+    """Its charge stays while energy flows: 90 s of it beside 30 s of its own keep it to the end, however full it is."""
+    one = standing([(4.0, 0.0)], [(0.0, 0.0)], [30.0])
+    one.rate_w, one.tankers[0].energy_j = 200.0, one.tankers[0].capacity_j
+    with np.errstate(all="raise"):
+        verdict = verify(plain(one), plain(compare.METHODS[method](Arrays(one), 0.5)))
+    assert (verdict["problems"], verdict["lost"]) == ([], [])
+
+
 def looking(one: Instance) -> DispatchedFlight:
     flight = DispatchedFlight(Arrays(one))
     flight._look()

@@ -26,7 +26,8 @@ REACHED_M = 0.5
 """Distance from its last way point within which a vehicle has arrived."""
 
 OFF_THE_GROUND_M, PARTING_S = 0.05, 3.5
-"""A vehicle that is higher flies; partners of a transfer have so long to part when it ends."""
+"""A vehicle that is higher flies, as does one that started airborne, which has no ground; partners of a transfer have
+so long to part when it ends."""
 
 Value = float | str | None
 
@@ -122,11 +123,17 @@ def _arrival(flown: Flown) -> Value:
 
 
 def _in_flight(flown: Flown) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Times (k,), places (n, k, 3) of launched vehicles by their own truth; whether each is off the ground (n, k)."""
-    rows = [flown.truth(vehicle.sysid) for vehicle in flown.scenario.vehicles.launched]
-    count = min((len(one) for one in rows), default=0)
-    places = np.array([one[:count, 1:] for one in rows]).reshape(len(rows), count, 3)
-    return rows[0][:count, 0] if rows else np.empty(0), places, places[:, :, 2] < -OFF_THE_GROUND_M
+    """Times (k,), places (n, k, 3) of launched vehicles by their own truth, NaN where one recorded nothing, as after
+    its death; whether each is off the ground (n, k). None of all where one never recorded anything."""
+    launched = flown.scenario.vehicles.launched
+    rows = [flown.truth(vehicle.sysid) for vehicle in launched]
+    known = rows if all(map(len, rows)) else []
+    times_s = np.unique(np.concatenate([np.empty(0), *(one[:, 0] for one in known)]))
+    places = np.full((len(rows), len(times_s), 3), np.nan)
+    for own, one in zip(places, known, strict=False):
+        own[np.searchsorted(times_s, one[:, 0])] = one[:, 1:]
+    highest_down_m = np.array([math.inf if vehicle.airborne else -OFF_THE_GROUND_M for vehicle in launched])
+    return times_s, places, places[:, :, 2] < highest_down_m[:, np.newaxis]
 
 
 def _spare(flown: Flown) -> Value:
@@ -142,7 +149,8 @@ def _spare(flown: Flown) -> Value:
         partners.append(({service["tanker"], service["receiver"]}, begins_s, ends_s))
     least_m = math.inf
     for i, j in itertools.combinations(range(len(sysids)), 2):
-        counts = (flies[i] | flies[j])[1:]
+        both = np.isfinite(places[i, :, 0] + places[j, :, 0])
+        counts = (flies[i] | flies[j])[1:] & both[1:] & both[:-1]
         for pair, begins_s, ends_s in partners:
             if pair == {sysids[i], sysids[j]}:
                 counts = counts & ~((times_s[1:] >= begins_s) & (times_s[1:] <= ends_s))
@@ -174,11 +182,17 @@ def _aircraft(flown: Flown) -> Value:
 
 
 def _aloft(flown: Flown) -> Value:
-    """None of a session at whose end the station is received."""
-    _, _, flies = _in_flight(flown)
+    """None of a session at whose end the station is received. The dead do not count: they are lost."""
+    times_s, places, flies = _in_flight(flown)
     end_s = flown.summary["sim_time_s"]
     left = any(one.from_s < end_s <= one.to_s for one in flown.scenario.radio.ground_blackouts)
-    return float(flies[:, -1].sum()) if left and flies.size else 0.0
+    if not left or not len(times_s):
+        return None if left and len(flies) else 0.0
+    dead = {vehicle["sysid"] for vehicle in flown.summary["vehicles"] if vehicle["final_mode"] == "dead"}
+    alive = [vehicle.sysid not in dead for vehicle in flown.scenario.vehicles.launched]
+    recorded = np.isfinite(places[:, :, 2])
+    last = len(times_s) - 1 - np.argmax(recorded[:, ::-1], axis=1)
+    return float(flies[np.arange(len(last)), last][alive].sum())
 
 
 def _density(flown: Flown) -> Value:

@@ -74,3 +74,65 @@ def test_the_distance_to_aircraft_is_to_where_their_paths_lead(tmp_path: Path) -
     aircraft, _ = SHIPPED["aircraft_m"]
     service = {"tanker": 201, "receiver": 1, "decided_at_s": 1.0, "end_s": None}
     assert aircraft(flown(tmp_path, service, 5.0)) == pytest.approx(1.5 - 0.8)
+
+
+def apart(folder: Path, *, airborne: bool, down_m: float, ends_s: float) -> Any:
+    """Vehicle 1 comes by vehicle 2 at 2 m, an obstacle at 1 m and an aircraft at 3 m, at 12 s and in the station's
+    silence; 3, which is far away, records until `ends_s` and dies."""
+    pursuer = {"battery": BATTERY, "airborne": airborne}
+    text = {
+        "schema": 1,
+        "name": "apart",
+        "axes": "ned",
+        "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 400},
+        "vehicles": {
+            "pursuers": [
+                {"sysid": sysid, "start_m": [0, east_m, 0], "waypoints_m": [[9, east_m, -10]], **pursuer}
+                for sysid, east_m in ((1, 0), (2, 10), (3, 80))
+            ],
+        },
+        "planner": {"separation_m": 0.8},
+        "radio": {"ground_blackouts": [SILENCE]},
+        "obstacles": [{"name": "ball", "sphere_m": [0, -2, down_m], "radius_m": 1}],
+        "traffic": [{"callsign": "BY", "path_m": [[0, -3, down_m], [0.1, -3, down_m]], "speed_m_s": 1}],
+        "goal": {"duration_s": 20},
+    }
+    path = folder / "scenario.yaml"
+    path.write_text(yaml.safe_dump(text))
+    times_s = np.arange(0.0, 20.05, 0.1)
+    east_m = 2.0 + np.abs(times_s - 12.0)
+    rows = {
+        sysid: np.stack([times_s, times_s - 12.0, own_m, down_m + 0.0 * times_s], axis=1)
+        for sysid, own_m in ((1, 0.0 * times_s), (2, east_m), (3, 80.0 + 0.0 * times_s))
+    }
+    rows[3] = rows[3][times_s < ends_s]
+    final = {1: "offboard", 2: "offboard", 3: "dead"}
+    summary = {
+        "refuelling": [],
+        "sim_time_s": 20.0,
+        "vehicles": [{"sysid": sysid, "final_mode": mode} for sysid, mode in final.items()],
+    }
+    return SimpleNamespace(scenario=load(path), summary=summary, truth=rows.__getitem__)
+
+
+WANTED = {"spare_m": 2.0 - 0.8, "solid_m": 1.0, "aircraft_m": 3.0 - 0.8, "aloft": 2.0}
+
+
+@pytest.mark.parametrize(("name", "value"), WANTED.items())
+@pytest.mark.parametrize("ends_s", [5.0, 20.1])
+def test_the_living_are_measured_after_the_death_of_another(
+    name: str, value: float, ends_s: float, tmp_path: Path
+) -> None:
+    measure, _ = SHIPPED[name]
+    assert measure(apart(tmp_path, airborne=False, down_m=-4.0, ends_s=ends_s)) == pytest.approx(value, abs=0.15)
+
+
+@pytest.mark.parametrize(("name", "value"), WANTED.items())
+def test_vehicles_that_started_airborne_fly_at_any_height(name: str, value: float, tmp_path: Path) -> None:
+    measure, _ = SHIPPED[name]
+    assert measure(apart(tmp_path, airborne=True, down_m=0.0, ends_s=5.0)) == pytest.approx(value, abs=0.15)
+
+
+def test_what_a_vehicle_without_truth_did_is_not_known(tmp_path: Path) -> None:
+    without = apart(tmp_path, airborne=False, down_m=-4.0, ends_s=0.0)
+    assert [SHIPPED[name][0](without) for name in WANTED] == [None] * len(WANTED)

@@ -41,6 +41,8 @@ class SessionProblem:
 
 NOT_ENDED = "not ended"
 """Why a service ended that was under way when the session did."""
+NOT_RECORDED = "the reason is not recorded"
+"""The same of one whose end is in no decision that is left."""
 
 
 class ServiceFinding(ServedRow):
@@ -121,7 +123,7 @@ class Findings:
         ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
             found += [
-                ServiceFinding(**s.model_dump(), reason=NOT_ENDED)
+                ServiceFinding(**s.model_dump(), reason=NOT_ENDED if s.end_s is None else NOT_RECORDED)
                 for s in self.summary.refuelling
                 if (s.receiver, s.tanker, s.decided_at_s) not in ended
             ]

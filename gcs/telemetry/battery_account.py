@@ -111,6 +111,11 @@ class BatteryAccount:
         one, at = self.account[0], COUNTERS.index(name)
         if doubt := plausibility.counted(value, float(one["told_j"][at]), time_s - float(one["told_s"][at]), what):
             return doubt
+        if math.isinf(one["told_j"][at]) and one["initial_known"] and INITIAL not in self._parameters:
+            # What has moved so far was in the share already by which the charge at the start is known.
+            moved_j = -value if name == GIVEN else value
+            self.account["initial_j"] -= moved_j
+            self.account["moved_j"] += moved_j
         one["told_j"][at], one["told_s"][at] = value, time_s
         if name == GIVEN:
             self.account["given_j"] = self.given_j = max(self.given_j, value)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import shutil
 import struct
 import sys
 from collections import Counter
@@ -16,6 +18,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import Outcome, fly, small
 
 import gcs
+from gcs.recording import rotation, tlog_reader
 
 mpl.use("agg")
 EPOCH_US = 1_767_225_600_000_000
@@ -68,6 +71,33 @@ def test_services_are_the_sessions(flown: Outcome, flight: gcs.Recording) -> Non
     }
     assert flight.summary is not None
     assert flight.summary.digest == flown.summary["digest"]
+
+
+def test_of_a_folder_whose_first_parts_are_gone_the_rest_is_right(flown: Outcome, tmp_path: Path) -> None:
+    """The recording begins behind the one refuelling: charges are those of the summary, to the percent reported."""
+    (served,) = flown.summary["refuelling"]
+    folder = shutil.copytree(flown.folder, tmp_path / "kept")
+    begin_s = served["end_s"] + 0.5
+    frames = [
+        struct.pack(">Q", t_us) + frame.raw
+        for t_us, frame in tlog_reader.read(folder / "session.tlog")
+        if t_us >= EPOCH_US + 1e6 * begin_s
+    ]
+    lines = (folder / "decisions.jsonl").read_bytes().splitlines(keepends=True)
+    kept = {"session.tlog": frames, "decisions.jsonl": [x for x in lines if json.loads(x)["t_s"] >= begin_s]}
+    for name, parts in kept.items():
+        (folder / name).write_bytes(b"")
+        rotation.part(folder / name, 2).write_bytes(b"".join(parts))
+    opened = gcs.open(folder)
+    energy = opened["energy"]
+    assert energy.time_s.min() >= begin_s
+    assert (energy.remaining_j <= energy.capacity_j).all()
+    last = energy.groupby("sysid").last()
+    for vehicle in flown.summary["vehicles"]:
+        one = last.loc[vehicle["sysid"]]
+        assert one.remaining_j == pytest.approx(vehicle["energy"]["remaining_j"], abs=0.01 * one.capacity_j + 100.0)
+    (row,) = opened["services"].to_dict("records")
+    assert (row["end_s"], row["reason"]) == (served["end_s"], "the reason is not recorded")
 
 
 def test_its_names_are_those_that_it_has(flight: gcs.Recording) -> None:

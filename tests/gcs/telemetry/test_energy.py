@@ -294,9 +294,29 @@ def test_a_share_that_flickers_is_not_drawn_over_and_over() -> None:
 def test_energy_received_in_the_air_is_expected_and_not_drawn() -> None:
     account = new()
     account.report(share(0.0, 0.40), armed=True)
+    account.counter(RECEIVED, 0, 0.0)
     account.counter(RECEIVED, 25_000, 1.0)
     account.report(share(1.0, 0.60), armed=True)
     assert account.drawn_j == pytest.approx(5_000.0)  # 40 kJ + 25 kJ - 60 kJ
+
+
+@pytest.mark.parametrize("consumed_j", [None, 130_000.0])
+def test_what_had_moved_when_a_vehicle_is_first_heard_of_is_in_its_first_share(consumed_j: float | None) -> None:
+    """At 60 % its counters say that 90 kJ came and 20 kJ went, and 5 kJ come later: it has 65 % less 3 kJ drawn."""
+
+    def report(time_s: float, drawn_j: float, remaining: float) -> BatteryReport:
+        return BatteryReport(time_s, None if consumed_j is None else consumed_j + drawn_j, None, remaining)
+
+    account = new()
+    account.report(report(0.0, 0.0, 0.60), armed=True)
+    account.counter(RECEIVED, 90_000, 0.2)
+    account.counter(GIVEN, 20_000, 0.2)
+    account.report(report(0.5, 1_000.0, 0.59), armed=True)
+    assert account.remaining_j == pytest.approx(59_000.0)
+    account.counter(RECEIVED, 95_000, 3.0)
+    account.report(report(4.0, 3_000.0, 0.62), armed=True)
+    assert account.remaining_j == pytest.approx(62_000.0)
+    assert account.drawn_j == pytest.approx(3_000.0 + (consumed_j or 0.0))
 
 
 @pytest.mark.parametrize("rises", [True, False])

@@ -119,7 +119,7 @@ def test_a_jump_is_believed_when_a_vehicle_could_have_flown_it(fleet: Fleet) -> 
 
 
 def test_messages_that_each_can_be_and_together_cannot_are_doubted(fleet: Fleet) -> None:
-    for second in range(1, 9):
+    for second in range(9):
         fleet.ingest(frame("NAMED_VALUE_INT", name=b"XferIn", value=9_000 * second), float(second))
     assert view(fleet, 9.0).doubt == "by its messages its battery would hold 450 %"
 

@@ -234,6 +234,9 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         reports, places, anew = _battery_reports(statuses.get(sysid), second_hand.get(sysid))
         between = sorted(chain(*messages, booked.get(sysid, ()), anew), key=itemgetter(0, 1, 2))
         known = _kept(account, reports, places, between, profile)
+        if vehicle is None and account.capacity_j:  # that it said in flight, and its shares before that are of it
+            account = BatteryAccount(account.capacity_j, initial_j)
+            known = _kept(account, reports, places, between, profile)
         if account.capacity_j and len(known.t_s):
             if known.values[-1] != account.remaining_j:
                 known = Series(

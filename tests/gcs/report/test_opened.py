@@ -63,6 +63,13 @@ def test_energy_ends_where_the_session_said(flown: Outcome, flight: gcs.Recordin
     assert set(last.capacity_j) == {24_000.0, 60_000.0, 150_000.0}
 
 
+def test_energy_of_the_recording_alone_begins_with_the_charge_at_the_start(flown: Outcome) -> None:
+    """The capacity comes in flight, behind the first reports of the battery."""
+    energy = gcs.open(flown.folder / "session.tlog")["energy"]
+    assert energy.groupby("sysid").remaining_j.first().to_dict() == {1: 0.4 * 24_000, 101: 60_000, 201: 150_000}
+    assert (energy.groupby("sysid").remaining_j.min() > 0.0).all()
+
+
 def test_services_are_the_sessions(flown: Outcome, flight: gcs.Recording) -> None:
     (row,) = flight["services"].to_dict("records")
     (reported,) = flown.summary["refuelling"]

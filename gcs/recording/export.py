@@ -241,10 +241,9 @@ def _flat(record: Mapping[str, Any]) -> tuple[dict[str, Any], list[dict[str, Any
     for key, value in record.items():
         if key in ("kind", "t_s"):
             continue
-        if isinstance(value, dict):
+        if isinstance(value, dict) and all(re.fullmatch("[0-9]{1,3}", sysid) for sysid in value):
             for sysid, number in value.items():
-                if re.fullmatch("[0-9]{1,3}", sysid):
-                    by_vehicle.setdefault(int(sysid), {"sysid": int(sysid)})[key] = _plain(number)
+                by_vehicle.setdefault(int(sysid), {"sysid": int(sysid)})[key] = _plain(number)
         elif isinstance(value, list) and len(value) == 3 and key.endswith("_ned"):
             stem, unit = (key[:-4], "m_s") if key.startswith("v_") else (key[:-4], "m")
             letter = "v" if unit == "m_s" else "" if stem == "p" else f"{stem}_"
@@ -292,7 +291,7 @@ def _typed(values: list[Any], kind: type) -> Column:
     if kind is str:
         return ["" if value is None else str(value) for value in values]
     if kind is bool:
-        return ["" if value is None else str(bool(value)).lower() for value in values]
+        return np.ma.array([bool(value) for value in values], mask=[value is None for value in values])
     numbers = [value if isinstance(value, int | float) else None for value in values]
     if kind is int and all(isinstance(value, int) for value in numbers):
         return np.array(numbers, dtype=np.int64)

@@ -76,6 +76,8 @@ def _cells(column: Column) -> Sequence[Any]:
     if not isinstance(column, np.ndarray):
         return column
     cells: list[Any] = column.tolist()
+    if column.dtype.kind == "b":
+        return [cell if cell is None else str(cell).lower() for cell in cells]
     if column.dtype.kind == "f" and not np.isfinite(column).all():
         return ["" if math.isnan(cell) else cell for cell in cells]
     return cells

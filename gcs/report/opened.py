@@ -70,7 +70,8 @@ class Recording(Mapping[str, Any]):
         return len({*self._tables, ENERGY, SERVICES})
 
     def table(self, name: str) -> dict[str, Column]:
-        """Columns (k,) of a table by their names, arrays of numbers or lists of text. Raises KeyError."""
+        """Columns (k,) of a table by their names, arrays of numbers or booleans or lists of text; of booleans that not
+        every row has a list, None in the others. Raises KeyError."""
         if name == ENERGY:
             return self._energy
         if name == SERVICES:
@@ -210,10 +211,12 @@ class _Gathered:
 def _joined(parts: list[Any]) -> Column:
     if parts and not isinstance(parts[0], np.ndarray):
         return list(chain.from_iterable(parts))
-    return np.concatenate([_with_nan(part) for part in parts] or [np.empty(0)])
+    whole = np.concatenate([_with_nan(part) for part in parts] or [np.empty(0)])
+    return whole.tolist() if whole.dtype == object else whole
 
 
 def _with_nan(numbers: NDArray[Any]) -> NDArray[Any]:
-    """NaN for what is masked."""
-    masked = np.ma.getmaskarray(numbers)
-    return np.where(masked, np.nan, np.ma.getdata(numbers)) if masked.any() else np.ma.getdata(numbers)
+    """NaN for what is masked; None among booleans, which has no number's place there."""
+    masked, data = np.ma.getmaskarray(numbers), np.ma.getdata(numbers)
+    unknown: Any = None if data.dtype.kind == "b" else np.nan
+    return np.where(masked, unknown, data) if masked.any() else data

@@ -15,6 +15,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from commands import gcs
+from pyarrow.parquet import read_table
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import fly, small
@@ -22,6 +23,7 @@ from sessions import fly, small
 from gcs.mavlink import field_units
 from gcs.recording import tables, tlog_reader
 from gcs.recording.export import ExportError, export
+from gcs.report import opened
 
 EPOCH_US = 1_767_225_600_000_000
 
@@ -130,6 +132,33 @@ def test_decisions_are_tables_of_their_own(session: Path, csv: Path) -> None:
     assert dict(zip(bids.sysid.astype(str), bids.need, strict=True)) == decided["need"]
     served = pd.read_csv(csv / "decisions_served.csv")
     assert served.energy_j.tolist() == [line["energy_j"] for line in lines if line["kind"] == "served"]
+
+
+def test_booleans_and_objects_of_decisions_are_such_in_the_tables(tmp_path: Path) -> None:
+    """A boolean that only some decisions of a kind have is null in the others; an object that is no list of vehicles is
+    a column of JSON."""
+    ball = {"name": "bait", "sphere_m": [1.0, 2.0, -5.0], "radius_m": 0.5, "range_m": 4.0}
+    moved = {"kind": "world", "change": "moved", "part": "attractor", "index": 0, "name": "bait", "now": ball}
+    path = {"kind": "world", "change": "path", "sysid": 101, "path_m": [[0, 0, -2]], "closed": False}
+    decisions = [
+        {"t_s": 1.0, "kind": "safety", "sysid": 1, "braked": False},
+        {"t_s": 2.0, "kind": "safety", "sysid": 1, "braked": True},
+        {"t_s": 2.0, **moved},
+        {"t_s": 3.0, **path},
+    ]
+    (tmp_path / "decisions.jsonl").write_text("".join(json.dumps(one) + "\n" for one in decisions))
+    exported(tmp_path, tmp_path / "parquet", "parquet")
+    exported(tmp_path, tmp_path / "csv")
+    safety, world = (read_table(tmp_path / f"parquet/decisions_{name}.parquet") for name in ("safety", "world"))
+    assert safety["braked"].to_pylist() == [False, True]
+    assert world["closed"].to_pylist() == [None, False]
+    assert [now and json.loads(now) for now in world["now"].to_pylist()] == [ball, ""]
+    flight = opened.open(tmp_path)
+    assert flight["decisions_safety"].braked.dtype == bool
+    assert flight.table("decisions_world")["closed"] == [None, False]
+    texts = (tmp_path / "csv/decisions_safety.csv").read_text().splitlines()
+    assert [line.split(",")[2] for line in texts] == ["braked", "false", "true"]
+    assert pd.read_csv(tmp_path / "csv/decisions_world.csv").closed.isna().tolist() == [True, False]
 
 
 def test_truth_is_a_table_whose_last_row_is_the_summarys_ledger(session: Path, csv: Path) -> None:

@@ -23,7 +23,7 @@ from gcs.mavlink.parameters import recorded
 from gcs.recording import rotation, tlog_reader
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.frame_heads import sent_frames
-from gcs.recording.missing import SCENARIO, passed_over, unread
+from gcs.recording.missing import CHANGES_ONLY, SCENARIO, passed_over, unread
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.tables import Column, Tables
 from gcs.recording.tlog_walk import AT, COMPID, MSGID, SYSID, T_US, Chunk, IntArray
@@ -92,6 +92,7 @@ def _export_session(folder: Path, tables: Tables, progress: Progress) -> list[st
             scenario = load(folder / SCENARIO)
             epoch_us = round(1e6 * scenario.clock.epoch.timestamp())
             problems += _without_truth(folder, scenario, {path.stem for path in truths})
+            problems += [CHANGES_ONLY] * (decisions in present and scenario.record.decisions == "changes")
         except (OSError, ScenarioError) as error:
             problems.append(unread(folder / SCENARIO, error, "time_s counts from the first frame."))
         log = tlog_reader.read(frames, session=True)

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from gcs.recording.changes import NEAR_M
+
 SCENARIO = "scenario.yaml"
+CHANGES_ONLY = (
+    f"decisions.jsonl holds set points only where they change, to {100.0 * NEAR_M:.0f} cm (record: decisions: "
+    "changes): the tracking error cannot be shown."
+)
+"""Errors are smaller than what such set points may be off."""
 
 
 def unread(path: Path, error: Exception, lost: str) -> str:

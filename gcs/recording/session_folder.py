@@ -20,6 +20,7 @@ from gcs.recording import rotation, tlog_reader
 from gcs.recording import summary as summaries
 from gcs.recording.decision_types import COMPETITION, holds_what_is_read
 from gcs.recording.decisions_reader import COLUMNS, DecisionLines
+from gcs.recording.missing import CHANGES_ONLY
 from gcs.recording.recorder import DECISIONS, TLOG
 from gcs.recording.summary import Summary
 from gcs.scenario.file import load
@@ -83,7 +84,7 @@ class Recorded:
     decisions: list[dict[str, Any]] = field(default_factory=list)
     """every decision but the set points"""
     set_points: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, COLUMNS)))
-    """(n, COLUMNS) in the order of decision"""
+    """(n, COLUMNS) in the order of decision; none where only their changes are recorded"""
     traffic_count: dict[int, NDArray[np.int32]] = field(default_factory=dict)
     """by system id: (bins,) frames received in each bin of time, as far as there were any"""
     traffic_lost: dict[int, NDArray[np.int32]] = field(default_factory=dict)
@@ -170,8 +171,9 @@ def _read_decisions(recorded: Recorded) -> Iterator[float]:
     lines = DecisionLines(recorded.folder / DECISIONS, shares.append)
     points: list[NDArray[np.float64]] = []
     foreign = 0
+    changes_only = recorded.scenario is not None and recorded.scenario.record.decisions == "changes"
     try:
-        for some, others in lines.blocks():
+        for some, others in lines.blocks(set_points=not changes_only):
             points.append(some)
             for line in others:
                 record = line.record()
@@ -185,6 +187,8 @@ def _read_decisions(recorded: Recorded) -> Iterator[float]:
     except OSError as error:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
         recorded.problems.append(f"{DECISIONS} {why}: plan, tracking error and competition cannot be shown.")
+    else:
+        recorded.problems += [CHANGES_ONLY] * changes_only
     if broken := foreign + lines.passed_over:
         lines_are = "1 line that is" if broken == 1 else f"{broken} lines that are"
         recorded.problems.append(f"{DECISIONS} has {lines_are} no decision, cut short or foreign; passed over.")

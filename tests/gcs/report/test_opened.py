@@ -171,6 +171,17 @@ def test_figures_have_the_tables_values(flight: gcs.Recording) -> None:
     assert [one.get_label() for one in above.get_lines()] == ["1", "101", "201"]
 
 
+def test_without_all_set_points_the_tracking_error_is_no_figure_and_that_is_said(tmp_path: Path) -> None:
+    """By set points to 5 cm no errors of 3 cm are known."""
+    short = {"goal": {"duration_s": 6.0}, "record": {"decisions": "changes"}}
+    flight = gcs.open(fly(small(**short), tmp_path, "--plain").folder)
+    said = "decisions.jsonl holds set points only where they change, to 5 cm (record: decisions: changes): "
+    assert flight.problems == [said + "the tracking error cannot be shown."]
+    assert "error" not in flight.figures
+    assert "motion" in flight.figures
+    assert flight.findings.recorded.problems == flight.problems
+
+
 def test_a_figure_or_vehicle_that_is_not_there_is_named(flight: gcs.Recording) -> None:
     with pytest.raises(ValueError, match="'altitude' is no figure; the figures are paths, "):
         flight.plot("altitude")

@@ -69,7 +69,7 @@ def _put_number(text: Any, begin: int, out: Any, at: int) -> tuple[int, int]:
         k += 6
         out[at] = text[k]
         k, at = k + 1, at + 1
-        if text[k] >= ord("0"):
+        if _is_digit(text[k]):
             out[at] = ord(".")
             at += 1
         while _is_digit(text[k]):

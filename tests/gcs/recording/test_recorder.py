@@ -129,6 +129,18 @@ def test_lines_of_a_tick_are_those_that_json_makes_one_by_one() -> None:
     assert decision_lines([TickSetPoints(0.3, [])]) == decision_lines([TickSetPoints(0.3, SetPoints.of([]))]) == []
 
 
+def test_numbers_of_every_size_at_every_place_are_written_as_json_writes_them() -> None:
+    random = np.random.default_rng(6)
+    shortest = [float(f"{digit}e{exponent}") for exponent in range(-12, 20) for digit in range(1, 10)]
+    any_bits = random.integers(0, 2**64, 2000, np.uint64).view(np.float64)
+    sizes = [0.0, 5e-324, *shortest, *any_bits[np.isfinite(any_bits)].tolist()]
+    for number in [one for size in sizes for one in (size, -size)]:
+        places = [tuple(number if k == place else 1.0 for k in range(6)) for place in range(6)]
+        points = [SetPoint(place + 1, one[:3], one[3:]) for place, one in enumerate(places)]
+        expected = [json_line(set_point(0.3, *point)) for point in points]
+        assert decision_lines([TickSetPoints(0.3, SetPoints.of(points))]) == expected, number
+
+
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_a_set_point_without_a_number_is_refused(bad: float) -> None:
     with pytest.raises(ValueError, match="JSON"):

@@ -48,11 +48,6 @@ from numpy.typing import NDArray
 
 from gcs.telemetry.plausibility import MOST_W, STEP_J
 
-__all__ = [
-    "ACCOUNT", "COUNTED", "DRAWN", "GAP_S", "IMPOSSIBLE_POWER", "IMPOSSIBLE_TOTAL", "MOST_HISTORY", "NONE", "POWER",
-    "SECOND_HAND", "SHARE", "SOURCES", "TOTAL", "EnergySource", "new_account", "take", "take_all",
-]  # fmt: skip
-
 GAP_S = 5.0
 _GAP_S = GAP_S
 _SWAP_SHARE = 0.2

@@ -13,12 +13,6 @@ from typing import Any
 from cython.cimports.gcs.telemetry.plausibility import FAR, FAST, JUMP, NO_NUMBER, POSSIBLE
 from cython.cimports.libc.math import fabs, isfinite, sqrt
 
-__all__ = [
-    "DOUBTED_S", "FAR", "FARTHEST_M", "FAST", "FASTEST_M_S", "JUMP", "JUMP_M", "LEAST_SHARE", "MOST_J", "MOST_SHARE",
-    "MOST_W", "NO_NUMBER", "POSSIBLE", "STEP_J", "capacity", "charge", "counted", "globe", "impossible_count",
-    "impossible_place", "impossible_power", "place_fault",
-]  # fmt: skip
-
 FARTHEST_M = 1e6
 FASTEST_M_S = 300.0
 JUMP_M = 10.0

@@ -135,12 +135,6 @@ class Body:
         p, q, r = body_rates(angles[0], angles[1], rates[0], rates[1], rates[2])
         return p, -q, -r
 
-    @property
-    def reference_ned(self) -> tuple[Vec3, Vec3]:
-        """Position and velocity that the guidance really flies."""
-        p, v = self.plant.row.reference_position, self.plant.row.reference_velocity
-        return self.seen(p[0], p[1], p[2]), (v[0], -v[1], -v[2])
-
     def stands(self) -> bool:
         """`landed`."""
         return self.ground and self.plant.stands()

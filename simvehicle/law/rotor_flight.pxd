@@ -3,7 +3,7 @@ from simvehicle.law.rows cimport Command, Parameters, RotorState
 from simvehicle.world.rows cimport AirframeRow, Gust, Weather
 
 cpdef enum:
-    NOISE_SIZE = 17
+    NOISE_SIZE = 17  # normal numbers that a step takes: the wind's, then the estimate's
 
 cdef double _GRAVITY_M_S2, _LEAST_COSINE, _OBSERVER_1_S, _STRONGEST_M_S2
 
@@ -22,10 +22,6 @@ cdef double _step(
 cdef void fly_row(
     RotorState* s, const Command* c, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,
     Py_ssize_t count, const double* noise, double t, double dt, Py_ssize_t steps, double* thrust) noexcept nogil
-cpdef void fly_rows(
-    double[:, ::1] states, double[:, ::1] commands, double[:, ::1] parameters, const double[:, ::1] frames,
-    const double[:, ::1] weathers, const double[:, ::1] gusts, const double[:, :, ::1] noise, const double[::1] times,
-    double dt, double[:, ::1] thrust) noexcept nogil
 @cython.locals(stood=cython.bint)
 cdef void turn_row(
     RotorState* s, double* wanted, const Parameters* p, const AirframeRow* a, const Weather* w, const Gust* gusts,

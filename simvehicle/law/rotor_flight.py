@@ -15,7 +15,6 @@ from typing import Any
 import cython
 import cython.cimports.simvehicle.law.dynamics as dynamics
 import cython.cimports.simvehicle.law.power as power
-import cython.cimports.simvehicle.law.rows as rows
 import cython.cimports.simvehicle.law.step as step
 import cython.cimports.simvehicle.world.power as rotor_power
 import cython.cimports.simvehicle.world.rotors as rotors
@@ -26,7 +25,7 @@ from cython.cimports.simvehicle.law.arithmetic import bounded
 from cython.cimports.simvehicle.law.rotor_flight import NOISE_SIZE
 from cython.cimports.simvehicle.world.error_step import step_errors
 from cython.cimports.simvehicle.world.rows import ERROR_SIZE, GUST_NOISE
-from cython.cimports.simvehicle.world.wind import blow, discrete_of, gusts_at
+from cython.cimports.simvehicle.world.wind import blow, discrete_of
 from numpy.typing import NDArray
 
 from simvehicle.law.params import Airframe, VehicleParams
@@ -54,9 +53,6 @@ from simvehicle.world.rotors import quaternion
 from simvehicle.world.rows import WEATHER, WEATHER_SIZE
 from simvehicle.world.wind import start_gust
 
-Row = NDArray[np.float64]
-
-"""Normal numbers that a step takes: the wind's, then the estimate's."""
 _GRAVITY_M_S2 = airframes.GRAVITY_M_S2
 _LEAST_COSINE = 1e-6
 _OBSERVER_1_S = 1.5  # both poles of the disturbance observer
@@ -187,44 +183,6 @@ def fly_row(
         thrust[k] = _step(s, c, p, a, w, gusts, count, noise + k * NOISE_SIZE, decays, spin, t + k * dt, dt)
     if known.started != 0.0:
         step.set_reference(known, c, p, t + steps * dt)
-
-
-def fly_rows(
-    states: Row,
-    commands: Row,
-    parameters: Row,
-    frames: Row,
-    weathers: Row,
-    gusts: Row,
-    noise: Row,
-    times: Row,
-    dt: float,
-    thrust: Row,
-) -> None:
-    """Fly vehicles on, in place and unchecked, as `step.fly_rows`.
-
-    Args:
-        states: (n, ROTOR_STATE_SIZE).
-        commands: (n, COMMAND_SIZE).
-        parameters: packed params of `on_rotors`.
-        frames: packed airframes.
-        weathers: (n, WEATHER_SIZE).
-        gusts: discrete ones, (m, DISCRETE_SIZE), that blow on all.
-        noise: (n, k, NOISE_SIZE).
-        times: (n,), s.
-        dt: a step, s.
-        thrust: (n, k), written: the rotors' thrust per mass, m/s², after every step.
-    """
-    for vehicle in range(states.shape[0]):
-        s, c, p = (
-            rows.rotors_of(states, vehicle),
-            rows.command_of(commands, vehicle),
-            rows.parameters_of(parameters, vehicle),
-        )
-        a, w = rotors.airframe_at(frames[vehicle]), rows.weather_of(weathers, vehicle)
-        gust, steps = gusts_at(gusts), thrust.shape[1]
-        of_vehicle, out = cython.address(noise[vehicle, 0, 0]), cython.address(thrust[vehicle, 0])
-        fly_row(s, c, p, a, w, gust, gusts.shape[0], of_vehicle, times[vehicle], dt, steps, out)
 
 
 def turn_row(

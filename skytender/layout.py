@@ -17,8 +17,7 @@ def places(fields: dict[str, Any]) -> dict[str, Any]:
 
 def size(fields: dict[str, Any]) -> int:
     """Numbers of a struct."""
-    stop: int = _span(fields).stop
-    return stop
+    return _span(fields).stop
 
 
 def _span(field: Any) -> slice:

@@ -146,8 +146,7 @@ def raw(one: Instance | Schedule) -> bytes:
 
 def plain(one: Instance | Schedule) -> dict[str, Any]:
     """The same as dicts and lists, as JSON has them."""
-    built: dict[str, Any] = msgspec.json.decode(msgspec.json.encode(one))
-    return built
+    return msgspec.json.decode(msgspec.json.encode(one))
 
 
 def schema() -> dict[str, Any]:

@@ -145,8 +145,7 @@ class Plan:
     def _document(self, row: PlannedRow) -> Document:
         """The scenario's data before anything is set, grids written out."""
         if self.campaign.generate is None:
-            document: Document = pickle.loads(_parsed(self.text, self.file))
-            return document
+            return pickle.loads(_parsed(self.text, self.file))
         self._allowed(self.campaign)
         arguments = dict(self.campaign.arguments)
         for key, value in row.values.items():
@@ -239,5 +238,4 @@ def _written_out(document: Document) -> Document:
 @functools.lru_cache(4)
 def _generator(name: str, modules: tuple[str, ...]) -> Callable[..., Any]:
     plugins.look_in(modules)
-    found: Callable[..., Any] = plugins.find(name, "__call__")
-    return found
+    return plugins.find(name, "__call__")

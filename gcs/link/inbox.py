@@ -144,8 +144,7 @@ class Inbox:
         return self._order[: cut.runs], AnswerRuns(FrameSpans(data, spans[: cut.frames]), rows[: cut.runs])
 
     def _bytes(self, begin: int, end: int) -> bytes:
-        data: bytes = cython.address(self._data[0])[begin:end]
-        return data
+        return cython.address(self._data[0])[begin:end]
 
     def _datagram(self, k: int) -> Any:
         return cython.cast(cython.pointer(Datagram), cython.address(self._bounds[k, 0]))

@@ -69,8 +69,7 @@ class Intake:
 
 def numbered(count: int, *, shared: bool) -> int:
     """Number of the address that is counted so: as datagrams from there are marked."""
-    number: int = count << 1 | (SHARED_BY if shared else ALONE)
-    return number
+    return count << 1 | (SHARED_BY if shared else ALONE)
 
 
 def _begin(table: Ints, t_ms: int) -> bool:

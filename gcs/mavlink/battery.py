@@ -81,8 +81,7 @@ def status_volts(rows: NDArray[Any]) -> NDArray[np.float64]:
 def _cells_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:
     each_mv = np.hstack([rows["voltages"], rows["voltages_ext"]]).astype(np.int64)
     beyond = np.logical_or.accumulate(each_mv == NO_CELL, axis=1)
-    total_mv: NDArray[np.int64] = np.where(beyond, 0, each_mv).sum(axis=1)
-    return total_mv
+    return np.where(beyond, 0, each_mv).sum(axis=1)
 
 
 def _status_total_mv(rows: NDArray[Any]) -> NDArray[np.int64]:

@@ -77,8 +77,7 @@ def split(datagram: bytes) -> Split:
         else:
             tries += 1
             at = next_marker(data, at + 1, size)
-    made: Split = _new(Split, (frames, malformed + (frame_end != size), unknown, older, frame_end))
-    return made
+    return _new(Split, (frames, malformed + (frame_end != size), unknown, older, frame_end))
 
 
 def _begins_frame(data: Any, at: int, size: int) -> bool:

@@ -117,8 +117,7 @@ def _covers(corners: FloatArray, p_ned: FloatArray) -> Bools:
     level = (n0 > n) != (n1 > n)
     with np.errstate(divide="ignore", invalid="ignore"):
         crossed = level & (e < e0 + (e1 - e0) * (n - n0) / (n1 - n0))
-    odd: Bools = crossed.sum(axis=1) % 2 == 1
-    return odd
+    return crossed.sum(axis=1) % 2 == 1
 
 
 def _lengths(v: FloatArray) -> FloatArray:
@@ -142,8 +141,7 @@ def _cut(a: FloatArray, b: FloatArray, from_ne: FloatArray, to_ne: FloatArray) -
     ends = [((end[on_line] - a) * along).sum(axis=1) / square for end in (from_ne, to_ne)]
     shares = np.concatenate([crossing, *ends])
     shares = np.unique(np.concatenate([[0.0], shares[(shares > 0.0) & (shares < 1.0)], [1.0]]))
-    cut: FloatArray = a + shares[:, None] * along
-    return cut
+    return a + shares[:, None] * along
 
 
 def _heights(scenario: Scenario) -> tuple[float, float]:

@@ -55,8 +55,7 @@ class SlowLinks:
 
     def slow(self) -> NDArray[np.bool_]:
         """(n,) of which vehicles whatever they report has been flown long ago; of none before the first ages."""
-        slow: NDArray[np.bool_] = (self._newest_s >= SLOW_S) & (self._newest_s < np.inf)
-        return slow
+        return (self._newest_s >= SLOW_S) & (self._newest_s < np.inf)
 
 
 def _receive(

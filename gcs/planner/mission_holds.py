@@ -214,8 +214,7 @@ def braking(one: OnMission) -> FloatArray:
 
 def _line(p_ned: Vec3, v_ned: Vec3, for_s: float) -> FloatArray:
     count = int(elementary.norm(v_ned) * for_s / ALONG_M) + 1
-    line: FloatArray = np.array(p_ned) + np.linspace(0.0, for_s, count + 1)[:, np.newaxis] * np.array(v_ned)
-    return line
+    return np.array(p_ned) + np.linspace(0.0, for_s, count + 1)[:, np.newaxis] * np.array(v_ned)
 
 
 def _along(one: OnMission, length_m: float) -> list[Vec3]:
@@ -276,8 +275,7 @@ def _bend(one: OnMission, stretch: FloatArray) -> FloatArray:
     ahead = np.array(one.v_ned) / speed_m_s
     along_m = (away * ahead).sum(axis=1)
     beside = away - np.maximum(along_m, 0.0)[:, np.newaxis] * ahead
-    bend: FloatArray = stretch[(beside * beside).sum(axis=1) > one.stopping.strays_m * one.stopping.strays_m]
-    return bend
+    return stretch[(beside * beside).sum(axis=1) > one.stopping.strays_m * one.stopping.strays_m]
 
 
 def _meet(mine: FloatArray, theirs: FloatArray, p_ned: Vec3, other_ned: Vec3, wanted_m: float) -> bool:

@@ -77,8 +77,7 @@ def meeting(boxes: FloatArray) -> Flags:
     """(n, n) whose boxes (n, 4) overlap."""
     low, high = boxes[:, :2], boxes[:, 2:]
     begins = low[:, np.newaxis] <= high[np.newaxis]
-    meet: Flags = np.all(begins & begins.transpose(1, 0, 2), axis=2)
-    return meet
+    return np.all(begins & begins.transpose(1, 0, 2), axis=2)
 
 
 def coloured(meet: Flags) -> list[int]:

@@ -198,15 +198,13 @@ class Router:
         if ((low <= p_ned) & (p_ned <= high)).all():
             return p_ned
         if self._walled:
-            nearest: FloatArray = np.clip(p_ned, low, high)
-            return nearest
+            return np.clip(p_ned, low, high)
         along = other_ned - p_ned
         with np.errstate(divide="ignore", invalid="ignore"):
             t1, t2 = (low - p_ned) / along, (high - p_ned) / along
         begin = np.nanmax(np.append(np.minimum(t1, t2), 0.0))
         end = np.nanmin(np.append(np.maximum(t1, t2), 1.0))
-        entered: FloatArray = np.clip(p_ned + (begin if begin <= end else 0.0) * along, low, high)
-        return entered
+        return np.clip(p_ned + (begin if begin <= end else 0.0) * along, low, high)
 
     def _towards(self, from_ned: FloatArray, to_ned: FloatArray) -> FloatArray:
         """The farthest place on the line that keeps what `from_ned` keeps of the clearance."""
@@ -217,8 +215,7 @@ class Router:
             place = from_ned + middle * (to_ned - from_ned)
             clear = clear_m(self.sight, from_ned, place, self.clearance_m, least) >= least - _ROUNDING_M
             low, high = (middle, high) if clear else (low, middle)
-        farthest: FloatArray = from_ned + low * (to_ned - from_ned)
-        return farthest
+        return from_ned + low * (to_ned - from_ned)
 
     def _clearance_m(self, p_ned: FloatArray) -> float:
         return float(clear_m(self.sight, p_ned, p_ned, self.clearance_m))
@@ -239,5 +236,4 @@ class Router:
 def _around_cell(wide: int) -> IntArray:
     """Offsets (k, 3) in cells, at most `wide` each way, from the nearest to the farthest."""
     offsets = np.array(list(itertools.product(range(-wide, wide + 1), repeat=3)))
-    ordered: IntArray = offsets[np.argsort(np.square(offsets).sum(axis=1), kind="stable")]
-    return ordered
+    return offsets[np.argsort(np.square(offsets).sum(axis=1), kind="stable")]

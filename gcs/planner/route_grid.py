@@ -238,8 +238,7 @@ class CostField:
     def _open_cells(self) -> IntArray:
         """Cells yet to settle, in order."""
         kept = np.unique(self.keys & _CELL)
-        open_cells: IntArray = kept[self.cost[kept] < 0]
-        return open_cells
+        return kept[self.cost[kept] < 0]
 
     def _down(self, grid: Cells, start: int) -> IntArray:
         return _descend(grid.weight, grid.count_e, grid.count_d, self.cost, start, self.goal)

@@ -106,5 +106,4 @@ def _measure(
 def _apart(way: Floats, row: int, a: int, b: int) -> float:
     """Distance in m of two places of a way."""
     dn, de, dd = way[row, b, 0] - way[row, a, 0], way[row, b, 1] - way[row, a, 1], way[row, b, 2] - way[row, a, 2]
-    apart_m: float = math.sqrt(dn * dn + de * de + dd * dd)
-    return apart_m
+    return math.sqrt(dn * dn + de * de + dd * dd)

@@ -68,8 +68,7 @@ class Chunk:
 
     def places(self, message: int | str) -> IntArray:
         """(n,) where in the file the rows of `table` begin."""
-        places: IntArray = self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
-        return places
+        return self.begin + self.heads[self._msgids == codec.layout(message).msgid, AT]
 
     def table(self, message: int | str) -> NDArray[Any]:
         """Every frame of one message as a structured array (n,): t_us, sysid, compid, seq, then the message's fields

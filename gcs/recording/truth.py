@@ -27,8 +27,7 @@ def read(folder: Path, sysid: int, names: Sequence[str] = MOTION) -> NDArray[np.
             numbers = np.fromfile(file, dtype="<f8")
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
-    rows: NDArray[np.float64] = numbers[record_places(numbers, len(known))[:-1, np.newaxis] + columns]
-    return rows
+    return numbers[record_places(numbers, len(known))[:-1, np.newaxis] + columns]
 
 
 def record_places(numbers: NDArray[np.float64], width: int) -> NDArray[np.int64]:

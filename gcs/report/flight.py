@@ -123,8 +123,7 @@ def _angle(series: Series, t_s: Floats) -> Floats:
     silent, latest = _silences(reported_s, t_s)
     turned = np.interp(t_s, reported_s, np.unwrap(values))
     turned[silent] = values[latest[silent]]
-    wrapped: Floats = np.arctan2(np.sin(turned), np.cos(turned))
-    return wrapped
+    return np.arctan2(np.sin(turned), np.cos(turned))
 
 
 def _targets(found: Findings) -> dict[str, list[list[float]]]:
@@ -207,8 +206,7 @@ def _changes(series: Series) -> list[float]:
     """The times at which a state changes."""
     if not len(series.t_s):
         return []
-    times: list[float] = series.t_s[np.flatnonzero(np.r_[True, np.diff(series.values) != 0])].tolist()
-    return times
+    return series.t_s[np.flatnonzero(np.r_[True, np.diff(series.values) != 0])].tolist()
 
 
 def _events(found: Findings) -> list[Event]:

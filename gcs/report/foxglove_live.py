@@ -86,6 +86,5 @@ def _free_port() -> int:
                 tried.bind(("127.0.0.1", port))
             except OSError:
                 continue
-            taken: int = tried.getsockname()[1]
-            return taken
+            return tried.getsockname()[1]
     raise OSError("no port is free on this machine")

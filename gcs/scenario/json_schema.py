@@ -44,8 +44,7 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 def editor_schema() -> dict[str, Any]:
     """JSON Schema (2020-12) of a scenario file, to be read only; values that are right one by one but not
     together are not in it."""
-    schema: dict[str, Any] = json.loads(SHIPPED.read_text(encoding="utf-8"))
-    return schema
+    return json.loads(SHIPPED.read_text(encoding="utf-8"))
 
 
 def of_models() -> dict[str, Any]:

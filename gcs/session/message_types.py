@@ -376,8 +376,7 @@ SessionMessage = SessionLine | SnapshotMessage | Reply | End
 
 def plain(line: SessionMessage) -> dict[str, Any]:
     """A line as plain data, for JSON."""
-    content: dict[str, Any] = msgspec.to_builtins(line)
-    return content
+    return msgspec.to_builtins(line)
 
 
 def schema() -> dict[str, Any]:

@@ -105,8 +105,7 @@ class Spreads:
         jumped_m = np.minimum(np.sqrt((off * off).sum(axis=1)), MOST_JUMP_M)
         lost_s = snapshot.time_s - self._fix_lost_s
         drifted_m = np.where(lost_s >= 0.0, np.minimum(LOST_M + DRIFT_M_S * lost_s, MOST_DRIFT_M), 0.0)
-        spreads_m: Floats = self._reported_m + jumped_m + drifted_m
-        return spreads_m
+        return self._reported_m + jumped_m + drifted_m
 
     def _follow_jumps(
         self, time_s: float, p_ned: Floats, v_ned: Floats, age_s: Floats, flying: NDArray[np.bool_], late: bool

@@ -59,59 +59,49 @@ class FleetColumns(NamedTuple):
     @property
     def alive(self) -> Flags:
         """(n,)"""
-        column: Flags = self.flags[IS_ALIVE]
-        return column
+        return self.flags[IS_ALIVE]
 
     @property
     def steerable(self) -> Flags:
         """(n,) whether it is in a mode in which it may fly set points."""
-        column: Flags = self.flags[IS_STEERABLE]
-        return column
+        return self.flags[IS_STEERABLE]
 
     @property
     def flying(self) -> Flags:
         """(n,)"""
-        column: Flags = self.flags[IS_FLYING]
-        return column
+        return self.flags[IS_FLYING]
 
     @property
     def fresh(self) -> Flags:
         """(n,)"""
-        column: Flags = self.flags[IS_FRESH]
-        return column
+        return self.flags[IS_FRESH]
 
     @property
     def p_ned(self) -> Floats:
         """(n, 3) m; NaN where it is unknown, as in `p_now_ned`."""
-        column: Floats = self.places[P_NED]
-        return column
+        return self.places[P_NED]
 
     @property
     def v_ned(self) -> Floats:
         """(n, 3) m/s."""
-        column: Floats = self.places[V_NED]
-        return column
+        return self.places[V_NED]
 
     @property
     def p_now_ned(self) -> Floats:
         """(n, 3) m."""
-        column: Floats = self.places[P_NOW_NED]
-        return column
+        return self.places[P_NOW_NED]
 
     @property
     def age_s(self) -> Floats:
         """(n,)"""
-        column: Floats = self.figures[AGE_S]
-        return column
+        return self.figures[AGE_S]
 
     @property
     def ground_down_m(self) -> Floats:
         """(n,) NaN where it is unknown."""
-        column: Floats = self.figures[GROUND_DOWN_M]
-        return column
+        return self.figures[GROUND_DOWN_M]
 
     @property
     def remaining_j(self) -> Floats:
         """(n,)"""
-        column: Floats = self.figures[REMAINING_J]
-        return column
+        return self.figures[REMAINING_J]

@@ -51,8 +51,7 @@ class _LazyCommands(click.Group):
         if cmd_name not in COMMANDS:
             return None
         name = cmd_name.replace("-", "_")
-        command: click.Command = getattr(import_module(f"simvehicle.cli.{name}"), name)
-        return command
+        return getattr(import_module(f"simvehicle.cli.{name}"), name)
 
 
 @click.group(

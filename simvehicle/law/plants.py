@@ -103,8 +103,7 @@ class Plant:
     @property
     def now(self) -> Floats:
         """Its row as floats."""
-        now: Floats = self.state[0].tolist()
-        return now
+        return self.state[0].tolist()
 
     def stands(self) -> bool:
         """Whether it stands on the ground: at rest at or below its height, as it reports itself."""

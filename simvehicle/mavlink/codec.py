@@ -106,8 +106,7 @@ def packed(content: Any) -> bytes:
             values[slot] = as_bytes(values[slot])
         for slot, _ in reversed(row.arrays):
             values[slot : slot + 1] = values[slot]
-    payload: bytes = row.packer.pack(*values)
-    return payload
+    return row.packer.pack(*values)
 
 
 def as_bytes(text: str | bytes) -> bytes:

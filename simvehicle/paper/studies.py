@@ -265,8 +265,7 @@ def _implicit(step_s: float, epsilon: float) -> Law:
 
 def _explicit(step_s: float, epsilon: float) -> Law:
     def law(x1: float, x2: float, x3: float, signal: float) -> tuple[float, float, float]:
-        x: tuple[float, float, float] = comparators.explicit(x1, x2, x3, signal, step_s, epsilon)
-        return x
+        return comparators.explicit(x1, x2, x3, signal, step_s, epsilon)
 
     return law
 
@@ -281,8 +280,7 @@ def _differentiators(step_s: float) -> dict[str, tuple[Law, tuple[int, int], tup
     high_gain = (comparators.HIGH_GAIN_K1, comparators.HIGH_GAIN_K2, comparators.HIGH_GAIN_ALPHA)
 
     def sliding(x: float, u1: float, _u: float, signal: float) -> tuple[float, float, float]:
-        following: tuple[float, float, float] = comparators.sliding_mode(x, u1, signal, step_s, alpha, lambda_)
-        return following
+        return comparators.sliding_mode(x, u1, signal, step_s, alpha, lambda_)
 
     def linear(x1: float, x2: float, _: float, signal: float) -> tuple[float, float, float]:
         x1, x2 = comparators.high_gain(x1, x2, signal, step_s, *high_gain)

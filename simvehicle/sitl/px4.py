@@ -118,5 +118,4 @@ def _to_body(quaternion: Quaternion, ned: NDArray[np.float64]) -> NDArray[np.flo
     """A vector (3,) of NED in the body's axes: v - 2 w (u × v) + 2 u × (u × v), for the quaternion (w, u)."""
     w, u = quaternion[0], np.array(quaternion[1:])
     across = np.cross(u, ned)
-    turned: NDArray[np.float64] = ned - 2.0 * w * across + 2.0 * np.cross(u, across)
-    return turned
+    return ned - 2.0 * w * across + 2.0 * np.cross(u, across)

@@ -53,8 +53,7 @@ def _second_order(g: Any, i: int, h: float, a: float, n1: float, n2: float) -> f
     y1 = a * g[i] + c11 * n1
     g[i + 1] = a * g[i + 1] + a * h * g[i] + c21 * n1 + math.sqrt(max(q22 - c21 * c21, 0.0)) * n2
     g[i] = y1
-    shaped: float = _ROOT3 * y1 + (1.0 - _ROOT3) * g[i + 1]
-    return shaped
+    return _ROOT3 * y1 + (1.0 - _ROOT3) * g[i + 1]
 
 
 def blow(

@@ -68,5 +68,4 @@ class Encodings:
 
 
 def _distinct(*columns: NDArray[Any]) -> list[list[int]]:
-    rows: list[list[int]] = np.unique(np.column_stack([column.astype(np.int64) for column in columns]), axis=0).tolist()
-    return rows
+    return np.unique(np.column_stack([column.astype(np.int64) for column in columns]), axis=0).tolist()

@@ -114,10 +114,7 @@ def reasons() -> dict[str, Reason]:
 
 
 def _rows(name: str) -> dict[str, Any]:
-    content: dict[str, Any] = yaml.safe_load(
-        resources.files("gcs.report.paper").joinpath(name).read_text(encoding="utf-8")
-    )
-    return content
+    return yaml.safe_load(resources.files("gcs.report.paper").joinpath(name).read_text(encoding="utf-8"))
 
 
 def judge(claim: Claim, measured: Measurement, known: Mapping[str, Reason] = MappingProxyType({})) -> Judged:

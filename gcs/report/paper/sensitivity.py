@@ -74,8 +74,7 @@ def write_plans(path: Path) -> dict[str, list[int]]:
     rows = [*itertools.chain.from_iterable([i] * len(SPEEDS) for i in range(len(STARTS))), *range(len(STARTS))]
 
     def padded(plan: Floats) -> list[Any]:
-        whole: list[Any] = np.concatenate([plan, np.zeros((longest - len(plan), 3))]).tolist()
-        return whole
+        return np.concatenate([plan, np.zeros((longest - len(plan), 3))]).tolist()
 
     content = {
         "start_velocity_nwu": [*(list(SPEEDS) * len(STARTS)), *[EXAMPLE_2_SPEED] * len(STARTS)],

@@ -127,5 +127,4 @@ def decisions(folder: Path) -> Iterator[dict[str, Any]]:
 
 def summary(folder: Path) -> dict[str, Any]:
     """The session's summary.json. Raises OSError."""
-    content: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    return content
+    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))

@@ -34,8 +34,7 @@ def make(folder: Path, names: list[str]) -> dict[str, Any]:
     """Let `simvehicle paper` write these figures into `folder`; its numbers, by figure. Raises PaperError."""
     _call(folder, "--only", ",".join(names))
     content: dict[str, Any] = json.loads((folder / "vehicle.json").read_text(encoding="utf-8"))
-    figures: dict[str, Any] = content["figures"]
-    return figures
+    return content["figures"]
 
 
 def energies(folder: Path, plans: Path) -> dict[str, NDArray[Any]]:

@@ -63,8 +63,7 @@ def _distances(supervisor: Supervisor) -> Numbers:
         of, to = np.array([(columns.row[one], columns.row[target]) for one, target in followed.items()], np.int64).T
         n, e, d = (columns.p_ned[of] - columns.p_ned[to]).T
         found[of] = np.sqrt(n * n + e * e + d * d)
-    distances: Numbers = found.tolist()
-    return distances
+    return found.tolist()
 
 
 def _issues(supervisor: Supervisor, view: VehicleView, lost_share: float | None) -> list[str]:

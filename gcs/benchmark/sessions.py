@@ -11,18 +11,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Any
 
-from gcs.benchmark.format import (
-    INSTANCE,
-    BenchmarkBase,
-    BenchmarkReceiver,
-    BenchmarkTanker,
-    Corner,
-    FormatError,
-    Instance,
-    Schedule,
-    ScheduledService,
-    Vec3,
-)
+from gcs.benchmark import format
 from gcs.refuelling.policies import RefuellingRequest
 from gcs.scenario.model import Pursuer, Scenario
 from gcs.telemetry.state import VehicleView
@@ -40,11 +29,11 @@ EARLY_S = 1.0
 """A tanker sets out so long before its schedule needs it to."""
 
 
-def instance_of(scenario: Scenario) -> Instance:
+def instance_of(scenario: Scenario) -> format.Instance:
     """The instance of a session that begins now: receivers are its pursuers, the horizon is its end."""
     horizon_s, rules = scenario.goal.duration_s, scenario.refuelling
     receivers = [
-        BenchmarkReceiver(
+        format.BenchmarkReceiver(
             one.sysid, _path(one, scenario), max(scenario.planner.cruise_m_s, SLOWEST_M_S), one.battery.capacity_j,
             one.battery.capacity_j * one.battery.initial_percent / 100.0, one.battery.hover_w + one.battery.avionics_w,
             rules.lands_at * one.battery.capacity_j,
@@ -52,25 +41,25 @@ def instance_of(scenario: Scenario) -> Instance:
         for one in scenario.vehicles.pursuers
     ]  # fmt: skip
     tankers = [
-        BenchmarkTanker(
+        format.BenchmarkTanker(
             one.sysid, one.start_m if one.airborne else _above(one.start_m, one.takeoff_m), one.speed_m_s,
             one.battery.capacity_j, one.battery.capacity_j * one.battery.initial_percent / 100.0,
             one.battery.hover_w + one.battery.avionics_w, one.reserve_j,
         )
         for one in scenario.vehicles.tankers
     ]  # fmt: skip
-    bases = [BenchmarkBase(base.name, base.above_m, float(base.stock_j), base.rate_w) for base in scenario.bases]
-    return Instance(
-        INSTANCE, scenario.name, "session", 0.0, scenario.seed, horizon_s, MEETS_S + rules.hold_s, rules.rate_w,
+    bases = [format.BenchmarkBase(base.name, base.above_m, float(base.stock_j), base.rate_w) for base in scenario.bases]
+    return format.Instance(
+        format.INSTANCE, scenario.name, "session", 0.0, scenario.seed, horizon_s, MEETS_S + rules.hold_s, rules.rate_w,
         receivers, tankers, bases,
     )  # fmt: skip
 
 
-def _above(place: Vec3, height_m: float) -> Vec3:
+def _above(place: format.Vec3, height_m: float) -> format.Vec3:
     return (place[0], place[1], place[2] - height_m)
 
 
-def _path(pursuer: Pursuer, scenario: Scenario) -> list[Corner]:
+def _path(pursuer: Pursuer, scenario: Scenario) -> list[format.Corner]:
     """Where a pursuer flies: its way points at the planner's speed, or with its target."""
     start = pursuer.start_m if pursuer.airborne else _above(pursuer.start_m, pursuer.takeoff_m)
     sysid = None if pursuer.waypoints_m else scenario.vehicles.target_of(pursuer)
@@ -85,8 +74,8 @@ def _path(pursuer: Pursuer, scenario: Scenario) -> list[Corner]:
     return _corners([_above(place, scenario.formation.height_m) for place in places], target.speed_m_s)
 
 
-def _corners(places: Sequence[Vec3], speed_m_s: float) -> list[Corner]:
-    corners: list[Corner] = [(0.0, *places[0])]
+def _corners(places: Sequence[format.Vec3], speed_m_s: float) -> list[format.Corner]:
+    corners: list[format.Corner] = [(0.0, *places[0])]
     for before, place in pairwise(places):
         way_m = elementary.distance(before, place)
         if way_m > 0.0:
@@ -94,17 +83,17 @@ def _corners(places: Sequence[Vec3], speed_m_s: float) -> list[Corner]:
     return corners
 
 
-def document_of(instance: Instance) -> dict[str, Any]:
+def document_of(instance: format.Instance) -> dict[str, Any]:
     """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept.
 
     Where there are bases, vehicles start on the ground below, as they land there. Raises FormatError where there is no
     vehicle, and for receivers that are lost at different shares of their capacity: a scenario has one.
     """
     if not instance.receivers and not instance.tankers:
-        raise FormatError(f"{instance.name} has no receiver and no tanker; a session needs a vehicle")
+        raise format.FormatError(f"{instance.name} has no receiver and no tanker; a session needs a vehicle")
     lands_at = [one.lands_at_j / one.capacity_j for one in instance.receivers]
     if lands_at and max(lands_at) - min(lands_at) > ALIKE:
-        raise FormatError(
+        raise format.FormatError(
             f"{instance.name}: receivers are lost at {100.0 * min(lands_at):.1f} to {100.0 * max(lands_at):.1f} % of "
             "their capacity; a scenario has one share for all (refuelling.lands_at)"
         )
@@ -151,7 +140,7 @@ def document_of(instance: Instance) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _start(place: Vec3, instance: Instance) -> dict[str, Any]:
+def _start(place: format.Vec3, instance: format.Instance) -> dict[str, Any]:
     if instance.bases and place[2] < 0.0:
         return {"start_m": [*place[:2], 0.0], "takeoff_m": -place[2]}
     return {"start_m": list(place), "airborne": True}
@@ -171,8 +160,8 @@ class Scheduled:
     scenario's matter (`refuelling.until`, `limit_j`). Services of bases are not ordered by it.
     """
 
-    def __init__(self, schedule: Schedule) -> None:
-        self._left: dict[int, list[ScheduledService]] = {}
+    def __init__(self, schedule: format.Schedule) -> None:
+        self._left: dict[int, list[format.ScheduledService]] = {}
         for one in sorted(schedule.services, key=lambda one: one.start_s):
             if one.tanker is not None and one.receiver is not None:
                 self._left.setdefault(one.tanker, []).append(one)

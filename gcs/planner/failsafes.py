@@ -15,16 +15,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from gcs.planner import return_ways
 from gcs.planner.foreign_returns import BEGINS_S, ForeignReturn, foreign_returns, layers_of
-from gcs.planner.return_ways import (
-    LAYER_SPARE_M,
-    OVER_M,
-    boxes_of,
-    coloured,
-    highest_obstacle_m,
-    highest_place_m,
-    meeting,
-)
 from gcs.scenario.accuracy import widest_m
 from gcs.scenario.model import Scenario, VehicleBase, keeps_apart
 from skytender import elementary
@@ -67,7 +59,7 @@ def shared_heights(scenario: Scenario) -> list[tuple[int, ...]]:
         return []
     vehicles = [vehicle for vehicle in scenario.vehicles.launched if vehicle.real is None]
     heights = {sysid: failsafe.altitude_m for sysid, failsafe in failsafes_of(scenario).items()}
-    meet, found = meeting(boxes_of(vehicles, scenario)), dict[float, set[int]]()
+    meet, found = return_ways.meeting(return_ways.boxes_of(vehicles, scenario)), dict[float, set[int]]()
     pair_m, _ = widest_m(scenario)
     for i, j in np.argwhere(np.triu(meet, 1)).tolist():
         one, other = vehicles[i], vehicles[j]
@@ -138,12 +130,12 @@ def _timetable(
     give stays. Ours climb at once, above all others, and come down with them."""
     every = scenario.vehicles.all
     rows = [row for row, vehicle in enumerate(every) if not vehicle.is_foreign]
-    boxes = boxes_of(every, scenario)[rows]
-    layers, below = coloured(meeting(boxes)), layers_of(scenario)
-    gap_m = scenario.planner.separation_m + widest_m(scenario)[0] + LAYER_SPARE_M
+    boxes = return_ways.boxes_of(every, scenario)[rows]
+    layers, below = return_ways.coloured(return_ways.meeting(boxes)), layers_of(scenario)
+    gap_m = scenario.planner.separation_m + widest_m(scenario)[0] + return_ways.LAYER_SPARE_M
     over_m = max(
-        highest_place_m(every, scenario) + OVER_M,
-        highest_obstacle_m(scenario.obstacles) + OVER_M if below else 0.0,
+        return_ways.highest_place_m(every, scenario) + return_ways.OVER_M,
+        return_ways.highest_obstacle_m(scenario.obstacles) + return_ways.OVER_M if below else 0.0,
         *(alone[v.sysid].altitude_m - v.start_m[2] for v in vehicles),
     )
     first = max(below.values(), default=-1) + 1
@@ -181,7 +173,7 @@ def failsafe_of(vehicle: VehicleBase, scenario: Scenario) -> Failsafe:
     params, usual = vehicle.params, Failsafe()
     altitude_m = params.get("RTL_RETURN_ALT")
     if altitude_m is None:
-        over_m = highest_obstacle_m(scenario.obstacles) + OVER_M + vehicle.start_m[2]
+        over_m = return_ways.highest_obstacle_m(scenario.obstacles) + return_ways.OVER_M + vehicle.start_m[2]
         altitude_m = min(max(usual.altitude_m, math.ceil(over_m)), MOST_ALTITUDE_M)
     return Failsafe(
         params.get("COM_DL_LOSS_T", usual.loss_s),

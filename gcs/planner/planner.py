@@ -17,21 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from gcs.mavlink.setpoints import SetPoint, SetPoints
-from gcs.planner import fuzzy_escape, goals
+from gcs.planner import fuzzy_escape, goals, leader
 from gcs.planner.fence import FenceBorder
 from gcs.planner.floors import FLOOR_M, Floors
 from gcs.planner.guide import STRAIGHT, RouteFollower
-from gcs.planner.leader import (
-    ARRIVED,
-    GOES_ON,
-    HOLDS,
-    STAYS,
-    LeaderRows,
-    Moving,
-    SpeedLimits,
-    aim,
-    lead,
-)
 from gcs.planner.leader_limits import CATCH_UP_SPEED
 from gcs.planner.link_age import SlowLinks
 from gcs.planner.neighbours import IntArray
@@ -93,7 +82,7 @@ class Planner(TickPlanner):
         self._sysids: Sequence[int] = [vehicle.sysid for vehicle in vehicles.all]
         self._row = {sysid: row for row, sysid in enumerate(self._sysids)}
         n = len(self._row)
-        self._leaders = LeaderRows(n, rules.repulsion_range_m, fuzzy_escape.new_memory(n))
+        self._leaders = leader.LeaderRows(n, rules.repulsion_range_m, fuzzy_escape.new_memory(n))
         self._led = np.zeros(n, np.bool_)
         self._here = np.zeros((n, 3))
         """where vehicles are now; NaN where that is unknown"""
@@ -122,7 +111,7 @@ class Planner(TickPlanner):
         self._around = LeaderSurroundings(scenario)
         self._floors = Floors(self._row[v.sysid] for v in vehicles.all if not v.airborne)
         brake_m_s2 = BRAKE_SHARE * rules.acceleration_m_s2 if rules.safety else math.inf
-        self._limits = SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
+        self._limits = leader.SpeedLimits(rules.leash_m, LOOKAHEAD_S, brake_m_s2)
         self._guides: dict[str, RouteFollower] | None = None
         self._clearance_m = 2.0 * (rules.clearance_m + LEAST_MARGIN_M + widest_m(scenario)[1])
         """of routes"""
@@ -162,9 +151,9 @@ class Planner(TickPlanner):
             exempt, everyone = self._around.exempt(part, team, request.snapshot, request.rendezvous)
             if not everyone:
                 movers = movers or self._around.movers(request.snapshot, team, self._met_at(columns))
-                moving = Moving(*movers, exempt)
+                moving = leader.Moving(*movers, exempt)
             around = (self.obstacles, moving, self._around.attractors(request.snapshot, part), self._field, period_s)
-            lead(leaders, part.rows, here, self._limits, *around, escape=self._rules.escape)
+            leader.lead(leaders, part.rows, here, self._limits, *around, escape=self._rules.escape)
             if request.given:
                 self._take(part, request.given, period_s)
         values = leaders.begin_and_v
@@ -233,9 +222,10 @@ class Planner(TickPlanner):
         courses = self._courses
         led = [row for row in courses.rows.tolist() if self._led[row]]
         self._going = np.array([row for row in led if courses.goes_on(row)], np.int64)
-        self._course.fill(HOLDS)
+        self._course.fill(leader.HOLDS)
         self._course[led] = [
-            ARRIVED if courses.ended[row] else GOES_ON if courses.goes_on(row) else STAYS for row in led
+            leader.ARRIVED if courses.ended[row] else leader.GOES_ON if courses.goes_on(row) else leader.STAYS
+            for row in led
         ]
 
     def anchor(self, sysids: Sequence[int], p_ned: FloatArray) -> None:
@@ -299,9 +289,9 @@ class Planner(TickPlanner):
         way."""
         leaders, courses, cruise_m_s = self._leaders, self._courses, self._rules.cruise_m_s
         arguments = leaders.table, self._course, courses.goal_ned, cruise_m_s, courses.reached_m
-        if aim(*arguments) and courses.go_on(self._going, leaders.q_ned):
+        if leader.aim(*arguments) and courses.go_on(self._going, leaders.q_ned):
             self._choose_courses()
-            aim(*arguments)
+            leader.aim(*arguments)
 
     def _keep_formation(self, columns: FleetColumns, pursuing: Mapping[int, int] | None) -> None:
         """Each pursuer's slot around its target, assigned anew when the set of pursuers in the air changes.

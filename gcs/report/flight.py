@@ -23,16 +23,8 @@ from gcs.report.findings import Findings
 from gcs.report.pack import Pack
 from gcs.scenario.model import Obstacle
 from gcs.scenario.parts.world import bodies
+from gcs.session import messages
 from gcs.session.message_types import BrokenRow, MemberRow, ServedRow, SessionLine, plain
-from gcs.session.messages import (
-    event_row,
-    first_broken,
-    goal_of,
-    goal_state,
-    obstacle_of,
-    session_message,
-    vehicle_of,
-)
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.health import Health
 
@@ -76,10 +68,10 @@ def flight(found: Findings, pack: Pack) -> dict[str, Any] | None:
         "targets": _targets(found),
         "words": _words(found),
         "health": _health(found),
-        "events": [msgspec.to_builtins(event_row(event)) for event in _events(found)][-MOST_EVENTS:],
+        "events": [msgspec.to_builtins(messages.event_row(event)) for event in _events(found)][-MOST_EVENTS:],
         "history": [{key: getattr(service, key) for key in ServedRow.__struct_fields__} for service in found.services],
         "threshold": rules.competition.share if rules is not None else 0.9,
-        "goal": msgspec.to_builtins(goal_state(rules, None, _broken(found))),
+        "goal": msgspec.to_builtins(messages.goal_state(rules, None, _broken(found))),
         **_worlds(found),
     }
 
@@ -139,10 +131,10 @@ def _targets(found: Findings) -> dict[str, list[list[float]]]:
 def _session(found: Findings) -> dict[str, Any]:
     """The message of type "session"; without a scenario, the vehicles that flew."""
     if found.scenario is not None:
-        return session_message(found.scenario, None, source="replay", clock="replay", control=False)
+        return messages.session_message(found.scenario, None, source="replay", clock="replay", control=False)
     members = [MemberRow(v.sysid, v.role, v.label, None, [], v.sysid - 1) for v in found.vehicles]
     name = found.recorded.folder.resolve().name
-    goal = goal_of(None)
+    goal = messages.goal_of(None)
     return plain(
         SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)
     )
@@ -162,9 +154,9 @@ def _worlds(found: Findings) -> dict[str, Any]:
     listed = []
     for since_s, world in entries:
         there = [solids.setdefault(one, len(solids)) for one in bodies(world, "obstacle")]
-        paths = {str(target.sysid): vehicle_of(target, 0).path_ned for target in world.vehicles.targets}
+        paths = {str(target.sysid): messages.vehicle_of(target, 0).path_ned for target in world.vehicles.targets}
         listed.append((max(since_s, 0.0), there, paths))
-    return {"solids": [msgspec.to_builtins(obstacle_of(one, "")) for one in solids], "worlds": listed}
+    return {"solids": [msgspec.to_builtins(messages.obstacle_of(one, "")) for one in solids], "worlds": listed}
 
 
 def _words(found: Findings) -> dict[str, list[list[Any]]]:
@@ -226,4 +218,4 @@ def _decided(found: Findings) -> Iterator[Event]:
 
 def _broken(found: Findings) -> list[BrokenRow]:
     violations = (record for record in found.recorded.decisions if record["kind"] == "violation")
-    return first_broken(sorted(violations, key=lambda record: float(record["at_s"])))
+    return messages.first_broken(sorted(violations, key=lambda record: float(record["at_s"])))

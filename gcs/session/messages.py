@@ -21,32 +21,7 @@ from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
 from gcs.scenario.parts.mission import plan_of
 from gcs.scenario.weather import CALM
-from gcs.session.message_types import (
-    BaseRow,
-    BatteryRow,
-    BrokenRow,
-    CompetitionRow,
-    End,
-    EventRow,
-    FenceRow,
-    GoalRow,
-    GoalStateRow,
-    MemberRow,
-    ObstacleRow,
-    PlanBRow,
-    PlanItemRow,
-    PlanRow,
-    Reply,
-    ServedRow,
-    ServiceRow,
-    SessionLine,
-    SnapshotMessage,
-    StockRow,
-    TrafficRow,
-    VehicleRow,
-    WindRow,
-    plain,
-)
+from gcs.session import message_types as types
 from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import State, health, health_issues, state
@@ -70,7 +45,7 @@ def vehicle_row(
     down: bool = False,
     ordered: autopilots.End | None = None,
     unanswered_s: float = 0.0,
-) -> VehicleRow:
+) -> types.VehicleRow:
     """One vehicle at `now_s`: its state, link and health (gcs/telemetry/health.py). Its place in the plan is left open.
 
     `down`, `ordered`, `unanswered_s`: as `health_issues` takes them.
@@ -79,7 +54,7 @@ def vehicle_row(
     issues = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered, unanswered_s=unanswered_s)
     wrong = health(issues)
     received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
-    return VehicleRow(
+    return types.VehicleRow(
         sysid=view.sysid,
         role=view.role,
         label=view.label,
@@ -121,12 +96,12 @@ def vehicle_row(
     )
 
 
-def battery_rows(batteries: Collection[VehicleBattery], now_s: float) -> list[BatteryRow] | UnsetType:
+def battery_rows(batteries: Collection[VehicleBattery], now_s: float) -> list[types.BatteryRow] | UnsetType:
     """All batteries of a vehicle with several, or with another than number 0; else unset."""
     if all(one.id == 0 for one in batteries) and len(batteries) <= 1:
         return UNSET
     return [
-        BatteryRow(
+        types.BatteryRow(
             id=one.id,
             compid=one.compid,
             function=FUNCTIONS.get(one.function, ""),
@@ -139,24 +114,24 @@ def battery_rows(batteries: Collection[VehicleBattery], now_s: float) -> list[Ba
     ]
 
 
-def traffic_row(aircraft: TrafficView) -> TrafficRow:
+def traffic_row(aircraft: TrafficView) -> types.TrafficRow:
     """One aircraft by its ADSB_VEHICLE."""
-    return TrafficRow(aircraft.callsign, aircraft.p_ned, aircraft.v_ned, aircraft.age_s)
+    return types.TrafficRow(aircraft.callsign, aircraft.p_ned, aircraft.v_ned, aircraft.age_s)
 
 
-def event_row(event: Event) -> EventRow:
+def event_row(event: Event) -> types.EventRow:
     """One event."""
-    return EventRow(event.t_s, event.sysid, event.level, event.text, event.kind)
+    return types.EventRow(event.t_s, event.sysid, event.level, event.text, event.kind)
 
 
 def reply_message(given: object, ok: bool, text: str) -> dict[str, Any]:
     """The message of type "reply" to a line whose "id" was `given`."""
-    return plain(Reply(given if isinstance(given, str | int) else None, ok, text))
+    return types.plain(types.Reply(given if isinstance(given, str | int) else None, ok, text))
 
 
 def end_message(outcome: str, status: int, text: str = "") -> dict[str, Any]:
     """The message of type "end"."""
-    return plain(End(outcome, text or outcome, status))
+    return types.plain(types.End(outcome, text or outcome, status))
 
 
 def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:
@@ -176,23 +151,25 @@ def snapshot_message(
     """The present state; `speed` is session time over wall time so far, `events` are those that were not sent yet;
     `unanswered_s`: vehicles for whose answers the session stands still, and for how long, in wall time."""
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
-    return plain(
-        SnapshotMessage(
+    return types.plain(
+        types.SnapshotMessage(
             t_s=supervisor.time_s,
             duration_s=scenario.goal.duration_s,
             speed=speed,
             phase=phase,
             vehicles=_vehicles(supervisor, unanswered_s or {}),
             traffic=[traffic_row(aircraft) for aircraft in snapshot.traffic],
-            competition=CompetitionRow(**explain.competition_of(schedule.competition_state, scenario.competition)),
+            competition=types.CompetitionRow(
+                **explain.competition_of(schedule.competition_state, scenario.competition)
+            ),
             services=services_of(schedule.open_services, snapshot, scenario),
-            history=[ServedRow(**row) for row in explain.history_of(schedule.services)],
-            bases=[StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
+            history=[types.ServedRow(**row) for row in explain.history_of(schedule.services)],
+            bases=[types.StockRow(stock.base.name, stock.remaining_j, stock.base.stock_j) for stock in schedule.stocks],
             refuelled=refuelled,
             goal=goal_state(
                 supervisor.worlds.judged,
                 supervisor.metrics.pursuit_held_s,
-                [BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
+                [types.BrokenRow(one.part, one.text, one.t_s) for one in supervisor.goal_watch.broken()],
             ),
             inspected=supervisor.inspection.latest(snapshot.time_s),
             events=[event_row(event) for event in events],
@@ -200,13 +177,15 @@ def snapshot_message(
     )
 
 
-def services_of(services: Iterable[Service], snapshot: FleetSnapshot, scenario: Scenario) -> list[ServiceRow]:
+def services_of(services: Iterable[Service], snapshot: FleetSnapshot, scenario: Scenario) -> list[types.ServiceRow]:
     """Services under way, each with its reasons."""
     tanker_m_s: dict[int | None, float] = {tanker.sysid: tanker.speed_m_s for tanker in scenario.vehicles.tankers}
     base_ned: dict[str | None, Vec3] = {base.name: base.position_m for base in scenario.bases}
     rules = scenario.refuelling, scenario.competition
     return [
-        ServiceRow(**explain.service_of(one, snapshot, *rules, tanker_m_s.get(one.tanker, 0.0), base_ned.get(one.base)))
+        types.ServiceRow(
+            **explain.service_of(one, snapshot, *rules, tanker_m_s.get(one.tanker, 0.0), base_ned.get(one.base))
+        )
         for one in services
     ]
 
@@ -243,7 +222,7 @@ def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[st
     }
 
 
-def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list[VehicleRow]:
+def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list[types.VehicleRow]:
     snapshot, competition_state = supervisor.snapshot, supervisor.schedule.competition_state
     services = supervisor.schedule.open_services
     notes = explain.notes_of(services, supervisor.schedule.participation)
@@ -281,8 +260,8 @@ def session_message(
 ) -> dict[str, Any]:
     """The message of type "session"; `clock` is the scenario's own unless given, `control`: commands are taken."""
     mode = clock or scenario.clock.mode
-    return plain(
-        SessionLine(
+    return types.plain(
+        types.SessionLine(
             name=scenario.name,
             folder=folder,
             source=source,
@@ -294,46 +273,48 @@ def session_message(
             ring_m=scenario.formation.ring_m or None,
             vehicles=_members(scenario),
             obstacles=[obstacle_of(shape, f"{shape.kind} {i + 1}") for i, shape in enumerate(scenario.obstacles)],
-            bases=[BaseRow(base.name, base.position_m) for base in scenario.bases],
+            bases=[types.BaseRow(base.name, base.position_m) for base in scenario.bases],
             goal=goal_of(scenario),
             origin=(scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m),
             plans=plans_of(scenario) or UNSET,
-            wind=None if scenario.wind == CALM else WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
+            wind=None if scenario.wind == CALM else types.WindRow(scenario.wind.speed_m_s, scenario.wind.from_deg),
         )
     )
 
 
-def _members(scenario: Scenario) -> list[MemberRow]:
+def _members(scenario: Scenario) -> list[types.MemberRow]:
     members = [vehicle_of(vehicle, colour) for colour, vehicle in enumerate(scenario.vehicles.all)]
     failsafes, foreign = failsafes_of(scenario), foreign_returns_of(scenario)
     for member in members:
         if (own := failsafes.get(member.sysid)) is not None:
             after_s = own.loss_s if own.down_after_s else 0.0  # by the timetable
-            member.plan_b = PlanBRow(own.altitude_m, own.level_after_s + after_s, own.down_after_s + after_s)
+            member.plan_b = types.PlanBRow(own.altitude_m, own.level_after_s + after_s, own.down_after_s + after_s)
         elif (other := foreign.get(member.sysid)) is not None:
-            member.plan_b = PlanBRow(other.height_m, other.begins_after_s, other.lands_after_s)
+            member.plan_b = types.PlanBRow(other.height_m, other.begins_after_s, other.lands_after_s)
     return members
 
 
-def plan_row(plan: MissionPlan, source: str, sysid: int | None, origin: Origin, home_alt_m: float | None) -> PlanRow:
+def plan_row(
+    plan: MissionPlan, source: str, sysid: int | None, origin: Origin, home_alt_m: float | None
+) -> types.PlanRow:
     """A plan in the common frame; home_alt_m: of the vehicle's home above the sea, where it is known."""
     if home_alt_m is None:
         home_alt_m = plan.home.height_m if plan.home is not None and math.isfinite(plan.home.height_m) else origin[2]
-    return PlanRow(
+    return types.PlanRow(
         source=source,
         sysid=sysid,
         items=[_item(item, number, origin, home_alt_m) for number, item in enumerate(plan.mission, plan.first)],
-        fence=[FenceRow(area.inclusion, outline_ne(area, origin)) for area in plan.fence],
+        fence=[types.FenceRow(area.inclusion, outline_ne(area, origin)) for area in plan.fence],
         rally_ned=[place_ned(point, origin, home_alt_m) for point in plan.rally],
         home_ned=None if plan.home is None else place_ned(plan.home, origin, home_alt_m),
         left_out=list(plan.left_out),
     )
 
 
-def _item(item: MissionItem, number: int, origin: Origin, home_alt_m: float) -> PlanItemRow:
+def _item(item: MissionItem, number: int, origin: Origin, home_alt_m: float) -> types.PlanItemRow:
     place = item.place
     of_earth = isinstance(place, GlobalPlace) and math.isfinite(place.height_m)
-    return PlanItemRow(
+    return types.PlanItemRow(
         number=number,
         command=item.name,
         frame=item.frame_name,
@@ -345,7 +326,7 @@ def _item(item: MissionItem, number: int, origin: Origin, home_alt_m: float) -> 
     )
 
 
-def plans_of(scenario: Scenario) -> list[PlanRow]:
+def plans_of(scenario: Scenario) -> list[types.PlanRow]:
     """The scenario's own fence and rally points, and the missions of its vehicles; none where it has none."""
     origin = (scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.alt_m)
     missions = [
@@ -356,32 +337,34 @@ def plans_of(scenario: Scenario) -> list[PlanRow]:
     return missions if own is None else [own, *missions]
 
 
-def scenario_plan(scenario: Scenario) -> PlanRow | None:
+def scenario_plan(scenario: Scenario) -> types.PlanRow | None:
     """The scenario's own fence and rally points, on the ground; None where it has none."""
     sides = ((True, scenario.fence.inside), (False, scenario.fence.outside))
-    fence = [FenceRow(inside, [*area.border_ned, area.border_ned[0]]) for inside, areas in sides for area in areas]
+    fence = [
+        types.FenceRow(inside, [*area.border_ned, area.border_ned[0]]) for inside, areas in sides for area in areas
+    ]
     if not fence and not scenario.rally_m:
         return None
     rally = [(north_m, east_m, 0.0) for north_m, east_m in scenario.rally_m]
-    return PlanRow("scenario", None, [], fence, rally, None, [])
+    return types.PlanRow("scenario", None, [], fence, rally, None, [])
 
 
-def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[BrokenRow]:
+def first_broken(violations: Iterable[Mapping[str, Any]]) -> list[types.BrokenRow]:
     """How each part of the goal was first broken, and when, by the records of it in the order of their times."""
-    first: dict[str, BrokenRow] = {}
+    first: dict[str, types.BrokenRow] = {}
     for record in violations:
         part, at_s = str(record["part"]), float(record["at_s"])
         when = "" if record.get("by") == "truth" else f" ({at_s:.1f} s)"  # by truth the text has it
-        first.setdefault(part, BrokenRow(part, f"{part}: {record['text']}{when}", at_s))
+        first.setdefault(part, types.BrokenRow(part, f"{part}: {record['text']}{when}", at_s))
     return list(first.values())
 
 
-def goal_of(scenario: Scenario | None) -> GoalRow:
+def goal_of(scenario: Scenario | None) -> types.GoalRow:
     """Goal of the session; a limit is None where nothing is demanded, or no scenario is known."""
     if scenario is None:
-        return GoalRow(None, None, None, None, None, 0)
+        return types.GoalRow(None, None, None, None, None, 0)
     goal, limits = scenario.goal, asked(scenario)
-    return GoalRow(
+    return types.GoalRow(
         separation_m=limits.get("separation"),
         clearance_m=limits.get("clearance"),
         traffic_m=limits.get("traffic"),
@@ -391,24 +374,26 @@ def goal_of(scenario: Scenario | None) -> GoalRow:
     )
 
 
-def goal_state(scenario: Scenario | None, pursue_held_s: float | None, broken: list[BrokenRow]) -> GoalStateRow:
+def goal_state(
+    scenario: Scenario | None, pursue_held_s: float | None, broken: list[types.BrokenRow]
+) -> types.GoalStateRow:
     """The goal, and how far it is."""
-    return GoalStateRow(**msgspec.structs.asdict(goal_of(scenario)), pursue_held_s=pursue_held_s, broken=broken)
+    return types.GoalStateRow(**msgspec.structs.asdict(goal_of(scenario)), pursue_held_s=pursue_held_s, broken=broken)
 
 
-def vehicle_of(vehicle: VehicleBase, colour: int) -> MemberRow:
+def vehicle_of(vehicle: VehicleBase, colour: int) -> types.MemberRow:
     """The vehicles, and their routes where they have one; a closed path ends where it begins."""
     path = list(getattr(vehicle, "path_m", None) or getattr(vehicle, "waypoints_m", None) or ())
     if getattr(vehicle, "closed", False):
         path.append(path[0])
-    return MemberRow(vehicle.sysid, vehicle.role, vehicle.label, vehicle.battery.capacity_j, path, colour)
+    return types.MemberRow(vehicle.sysid, vehicle.role, vehicle.label, vehicle.battery.capacity_j, path, colour)
 
 
-def obstacle_of(shape: Obstacle, default_label: str) -> ObstacleRow:
+def obstacle_of(shape: Obstacle, default_label: str) -> types.ObstacleRow:
     """An obstacle to draw: outline from above (its last point is its first), centre, and where it begins and ends."""
     (n0, e0, d0), (n1, e1, d1) = shape.low_m, shape.high_m
     up_m = shape.radius_m if shape.kind == "sphere" else 0.0
-    return ObstacleRow(
+    return types.ObstacleRow(
         name=shape.name,
         label=shape.name or default_label,
         kind=shape.kind,

@@ -28,15 +28,7 @@ from gcs.mavlink.ids import AUTOPILOT
 from gcs.mavlink.services.vehicle_events import EVENT
 from gcs.mavlink.vehicle_kinds import KINDS
 from gcs.scenario.model import Scenario
-from gcs.session.message_types import (
-    CompetitionRow,
-    MemberRow,
-    PlanRow,
-    SessionLine,
-    SnapshotMessage,
-    VehicleRow,
-    plain,
-)
+from gcs.session import message_types as types
 from gcs.session.messages import battery_rows, event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
@@ -109,7 +101,7 @@ class Observer:
         """the last STATUSTEXTs, that an EVENT may repeat"""
         self._aims: dict[int, Vec3] = {}
         self._mission_items: dict[int, int] = {}
-        self.plans: Sequence[PlanRow] = ()
+        self.plans: Sequence[types.PlanRow] = ()
         """missions, fences and rally points to show beside the scenario's own"""
         self.changed = True
         """whether `session` has changed since it was last sent; the sender resets it"""
@@ -242,8 +234,8 @@ class Observer:
                 line["plans"] = line.get("plans", []) + msgspec.to_builtins(list(self.plans))
             line["vehicles"] += [msgspec.to_builtins(self._found(s)) for s in self.sysids if s not in known]
             return line | {"speed": None}
-        return plain(
-            SessionLine(
+        return types.plain(
+            types.SessionLine(
                 name=self._name,
                 folder=self._folder,
                 source=self._source,
@@ -278,7 +270,7 @@ class Observer:
         *,
         speed: float | None,
         phase: str,
-        amend: Callable[[SnapshotMessage, FleetSnapshot], object] = lambda *_: None,
+        amend: Callable[[types.SnapshotMessage, FleetSnapshot], object] = lambda *_: None,
     ) -> dict[str, Any]:
         """The message of type "snapshot" at `t_s`, with the events since the last one in the order of their times.
 
@@ -291,14 +283,14 @@ class Observer:
             further = f"{len(self._events)} further events are left out"
             events.append(Event(t_s, 0, "warning", further, "session"))
             self._events = []
-        line = SnapshotMessage(
+        line = types.SnapshotMessage(
             t_s=t_s,
             duration_s=self.duration_s,
             speed=speed,
             phase=phase,
             vehicles=self._rows(view),
             traffic=[traffic_row(aircraft) for aircraft in view.traffic],
-            competition=CompetitionRow({}, {}, None, None, None, threshold=0.9),  # the default share
+            competition=types.CompetitionRow({}, {}, None, None, None, threshold=0.9),  # the default share
             services=[],
             history=[],
             refuelled=0,
@@ -307,7 +299,7 @@ class Observer:
             events=[event_row(event) for event in events],
         )
         amend(line, view)
-        return plain(line)
+        return types.plain(line)
 
     # vehicles
 
@@ -355,10 +347,10 @@ class Observer:
             self._events.append(Event(t_s, adapter.sysid, "info", moved.why, "link"))
         self.changed = True
 
-    def _found(self, sysid: int) -> MemberRow:
+    def _found(self, sysid: int) -> types.MemberRow:
         view = self.fleet.snapshot(0.0).vehicle(sysid)
         capacity_j = view.capacity_j if math.isfinite(view.capacity_j) else None
-        return MemberRow(sysid, view.role, view.label, capacity_j, [], sysid - 1)
+        return types.MemberRow(sysid, view.role, view.label, capacity_j, [], sysid - 1)
 
     # rows of the snapshot
 
@@ -384,7 +376,7 @@ class Observer:
         said = f"{mav.command_name(ack.command)}: {result_in_words(ack.result)}"
         self._events.append(Event(t_s, sysid, "info" if accepted else "warning", said, "ack"))
 
-    def _rows(self, snapshot: FleetSnapshot) -> list[VehicleRow]:
+    def _rows(self, snapshot: FleetSnapshot) -> list[types.VehicleRow]:
         rows = []
         for reported in snapshot.vehicles:
             adapter, view = self._adapter(reported.sysid), self._seen(reported)

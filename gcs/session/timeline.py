@@ -23,16 +23,8 @@ from gcs.refuelling.participation import Participation
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import WORLD, Worlds
+from gcs.session import messages
 from gcs.session.message_types import BrokenRow, CompetitionRow, ServedRow, SnapshotMessage
-from gcs.session.messages import (
-    CONTEST_EVERY_S,
-    CONTEST_S,
-    distance_m,
-    first_broken,
-    goal_state,
-    services_of,
-    states_of,
-)
 from gcs.supervisor.operator import ENDS
 from gcs.telemetry.events import Event
 from gcs.telemetry.state import FleetSnapshot
@@ -215,21 +207,21 @@ class Timeline(Moments):
         is_open = [service for service in services if service.phase is not Phase.DONE]
         line.duration_s = scenario.goal.duration_s
         line.competition = CompetitionRow(**explain.competition_of(competition_state, scenario.competition))
-        line.services = services_of(is_open, snapshot, scenario)
+        line.services = messages.services_of(is_open, snapshot, scenario)
         line.history = [ServedRow(**row) for row in explain.history_of(services)]
         line.refuelled = sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services)
-        line.goal = goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s, snapshot))
+        line.goal = messages.goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s, snapshot))
         if pursue_held_s is None:
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
         states, notes = (
-            states_of(snapshot, competition_state, is_open),
+            messages.states_of(snapshot, competition_state, is_open),
             explain.notes_of(is_open, self.participation(t_s, self._on_missions)),
         )
         targets, places = self._targets(t_s), {row.sysid: row.p_ned for row in line.vehicles}
         for row in line.vehicles:
             row.v, row.tau = competition_state.v.get(row.sysid), competition_state.tau.get(row.sysid)
             row.note, row.state = notes.get(row.sysid, ""), states[row.sysid]
-            row.target_m = distance_m(row.p_ned, places.get(targets.get(row.sysid, -1)))
+            row.target_m = messages.distance_m(row.p_ned, places.get(targets.get(row.sysid, -1)))
 
     def _broken_at(self, t_s: float, snapshot: FleetSnapshot) -> list[BrokenRow]:
         """Parts of the goal that were broken by a time: as the session judged them at its end, by truth; where it left
@@ -242,7 +234,7 @@ class Timeline(Moments):
                 if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
             ]
         flying = {view.sysid for view in snapshot.vehicles if view.flying}
-        return first_broken(
+        return messages.first_broken(
             record
             for record in self.violations
             if record["at_s"] <= t_s and not (record["part"] == "lost" and flying.issuperset(record["sysids"]))
@@ -274,7 +266,10 @@ class Timeline(Moments):
 
     def contest(self, t_s: float) -> list[tuple[float, dict[str, float]]]:
         """The competition's states of the last minute before `t_s`, as a session's line tells them."""
-        times = [t_s - CONTEST_S + k * CONTEST_EVERY_S for k in range(round(CONTEST_S / CONTEST_EVERY_S))]
+        times = [
+            t_s - messages.CONTEST_S + k * messages.CONTEST_EVERY_S
+            for k in range(round(messages.CONTEST_S / messages.CONTEST_EVERY_S))
+        ]
         states = ((at_s, self._competition_at(at_s).v) for at_s in times)
         return [(at_s, {str(sysid): v for sysid, v in of.items()}) for at_s, of in states if of]
 

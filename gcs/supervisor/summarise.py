@@ -10,22 +10,7 @@ from dataclasses import asdict
 from importlib.metadata import version
 from typing import TYPE_CHECKING, cast
 
-from gcs.recording.summary import (
-    BaseSummary,
-    CheckedItem,
-    ClosestSummary,
-    EnergySummary,
-    FaultSummary,
-    GoalPartSummary,
-    LinkSummary,
-    MissionSummary,
-    RefuellingSummary,
-    Role,
-    Summary,
-    SummaryPart,
-    VehicleLinkSummary,
-    VehicleSummary,
-)
+from gcs.recording import summary
 from gcs.scenario.goal import Nearest
 from skytender.mavlink import PYMAVLINK
 
@@ -44,18 +29,18 @@ def summarise(
     completed: bool,
     wall_time_s: float,
     lag_s: float,
-) -> Summary:
+) -> summary.Summary:
     """Summary of a session that has ended; the link must still be open."""
     scenario, metrics, schedule = supervisor.scenario, supervisor.metrics, supervisor.schedule
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
-    goal = [GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
+    goal = [summary.GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
     links = link.links()
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
     for service in schedule.services:
         credited_j[service.tanker if service.base is None else service.base] += service.energy_j
-    return Summary(
+    return summary.Summary(
         schema=1,
         scenario=scenario.name,
         seed=scenario.seed,
@@ -89,9 +74,9 @@ def summarise(
         believed_min_clearance_m=_finite(believed.clearance.m),
         believed_min_traffic_m=_finite(believed.traffic.m),
         vehicles=[
-            VehicleSummary(
+            summary.VehicleSummary(
                 sysid=view.sysid,
-                role=cast(Role, view.role),
+                role=cast(summary.Role, view.role),
                 final_mode=str(view.mode) if view.alive else "dead",
                 final_mode_name=view.mode_name if view.alive else "dead",
                 max_tracking_error_m=metrics.max_tracking_error_m.get(view.sysid),
@@ -99,18 +84,18 @@ def summarise(
                 control_effort=view.control_effort,
                 energy=_ledger(view, credited_j[view.sysid]),
                 missing_streams=supervisor.externals.missing_streams(view.sysid),
-                check_list=[CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
+                check_list=[summary.CheckedItem(**item._asdict()) for item in supervisor.preflight.items(view.sysid)],
                 mission=_mission(supervisor, view.sysid),
                 refused_messages=link.signature_refusals.get(view.sysid, 0),
-                links=[VehicleLinkSummary(**one._asdict()) for one in links.get(view.sysid, ())],
+                links=[summary.VehicleLinkSummary(**one._asdict()) for one in links.get(view.sysid, ())],
             )
             for view in snapshot.vehicles
         ],
-        refuelling=[RefuellingSummary(**service.record()) for service in schedule.services],
+        refuelling=[summary.RefuellingSummary(**service.record()) for service in schedule.services],
         tanker_idle_s=schedule.tanker_idle_s,
         refuel_order=[service.receiver for service in schedule.refuelled],
         bases=[
-            BaseSummary(
+            summary.BaseSummary(
                 name=stock.base.name,
                 initial_j=stock.base.stock_j,
                 given_j=stock.given_j - stock.taken_back_j,
@@ -119,8 +104,8 @@ def summarise(
             )
             for stock in schedule.stocks
         ],
-        faults=[FaultSummary(**fault) for fault in supervisor.fault_outcomes()],
-        link=LinkSummary(
+        faults=[summary.FaultSummary(**fault) for fault in supervisor.fault_outcomes()],
+        link=summary.LinkSummary(
             received=supervisor.received,
             sent=supervisor.sent,
             lost=supervisor.gaps.lost,
@@ -131,9 +116,9 @@ def summarise(
     )
 
 
-def _ledger(view: VehicleView, credited_j: int) -> EnergySummary:
+def _ledger(view: VehicleView, credited_j: int) -> summary.EnergySummary:
     returned_j = view.received_j if view.role == "tanker" else 0  # a tanker receives only what comes back to it
-    return EnergySummary(
+    return summary.EnergySummary(
         initial_j=view.initial_j,
         drawn_j=view.drawn_j,
         received_j=view.received_j,
@@ -144,12 +129,12 @@ def _ledger(view: VehicleView, credited_j: int) -> EnergySummary:
     )
 
 
-def _mission(supervisor: Supervisor, sysid: int) -> MissionSummary | None:
+def _mission(supervisor: Supervisor, sysid: int) -> summary.MissionSummary | None:
     flight = supervisor.missions.flights.get(sysid)
     if flight is None:
         return None
     count = len(flight.items)
-    return MissionSummary(
+    return summary.MissionSummary(
         items=count,
         reached=count if flight.done else min(flight.index, count),
         flown_at_s=_finite(flight.done_s),
@@ -160,8 +145,8 @@ def _mission(supervisor: Supervisor, sysid: int) -> MissionSummary | None:
     )
 
 
-def _closest(nearest: Nearest) -> ClosestSummary:
-    return ClosestSummary(distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s)
+def _closest(nearest: Nearest) -> summary.ClosestSummary:
+    return summary.ClosestSummary(distance_m=nearest.m, sysids=list(nearest.sysids), what=nearest.what, t_s=nearest.t_s)
 
 
 def _finite(value: float) -> float | None:
@@ -170,7 +155,7 @@ def _finite(value: float) -> float | None:
 
 def load() -> None:
     """Build what the first summary of a process is built of."""
-    for model in SummaryPart.__subclasses__():
+    for model in summary.SummaryPart.__subclasses__():
         model.model_rebuild()
     versions()
 

@@ -4,68 +4,52 @@ from typing import Annotated, ClassVar, Literal, Self
 
 from pydantic import ConfigDict, model_validator
 
+from gcs.scenario import types
 from gcs.scenario.document import conflict_error
 from gcs.scenario.external import External, filled
 from gcs.scenario.parts.mission import Mission
 from gcs.scenario.parts.parameters import parameter_conflicts
-from gcs.scenario.types import (
-    Angles,
-    Exact,
-    Flag,
-    Label,
-    Metres,
-    NotNegative,
-    Number,
-    ParamName,
-    Part,
-    Percent,
-    Route,
-    Seconds,
-    Speed,
-    SysId,
-    Vec3,
-)
 from gcs.scenario.weather import RealAutopilot, Sensors
 
 Airframe = Literal["iris", "hummingbird", "crazyflie"]
 
 
-class Battery(Part):
+class Battery(types.Part):
     """P = hover_w (T/mg)^(3/2) + avionics_w (docs/model/vehicle.md#battery) [choice]."""
 
-    capacity_j: Annotated[float, Exact(ge=1, le=1 << 24)]
+    capacity_j: Annotated[float, types.Exact(ge=1, le=1 << 24)]
     """energy of the full battery, J"""
-    initial_percent: Percent = 100.0
+    initial_percent: types.Percent = 100.0
     """charge at the start, % of the capacity"""
-    hover_w: Annotated[float, Exact(gt=0, le=1e5)] = 200.0
+    hover_w: Annotated[float, types.Exact(gt=0, le=1e5)] = 200.0
     """power of the motors in hover, W"""
-    avionics_w: Annotated[float, Exact(ge=0, le=1e4)] = 10.0
+    avionics_w: Annotated[float, types.Exact(ge=0, le=1e4)] = 10.0
     """power of everything else, W; drawn with motors off too"""
-    resistance_ohm: NotNegative | None = None
+    resistance_ohm: types.NotNegative | None = None
     """with `plant: rotors`: inner resistance, Ω; by default that of a typical battery of its capacity"""
 
 
-class VehicleBase(Part):
+class VehicleBase(types.Part):
     """Keys of every vehicle, whatever its role."""
 
     role: ClassVar[str]
     _external = model_validator(mode="before")(filled)
 
-    sysid: SysId
+    sysid: types.SysId
     """MAVLink system id, 1 to 254; unique"""
-    name: Label | None = None
+    name: types.Label | None = None
     """shown in place of the role; by default `pursuer 3` and the like"""
-    start_m: Vec3
+    start_m: types.Vec3
     """position at the start, m, in the file's axes; on the ground its height is 0"""
-    velocity_m_s: Vec3 = (0.0, 0.0, 0.0)
+    velocity_m_s: types.Vec3 = (0.0, 0.0, 0.0)
     """velocity at the start, m/s, in the file's axes; needs `airborne: true`"""
-    attitude_deg: Angles = (0.0, 0.0, 0.0)
+    attitude_deg: types.Angles = (0.0, 0.0, 0.0)
     """roll, pitch, yaw"""
-    airborne: Flag = False
+    airborne: types.Flag = False
     """starts flying; there is then no ground"""
-    join_s: Seconds = 0.0
+    join_s: types.Seconds = 0.0
     """session time at which it joins, s; its process waits until then"""
-    takeoff_m: Metres = 2.5
+    takeoff_m: types.Metres = 2.5
     """the height above the ground to which it climbs first"""
     battery: Battery
     """capacity, charge and consumption"""
@@ -77,7 +61,7 @@ class VehicleBase(Part):
     """on rotors: whose mass, rotors and drag it has (docs/model/vehicle.md#airframes); by default `iris`"""
     sensors: Sensors | None = None
     """errors of what it knows of its motion; `{}` has typical ones; without it the vehicle knows exactly"""
-    params: dict[ParamName, Number] = {}  # noqa: RUF012 - pydantic copies it
+    params: dict[types.ParamName, types.Number] = {}  # noqa: RUF012 - pydantic copies it
     """further MAVLink parameters"""
     external: External | None = None
     """expected there rather than launched; start_m then means nothing, it is where it is"""
@@ -131,14 +115,14 @@ class Pursuer(VehicleBase):
 
     role = "pursuer"
 
-    target: SysId | None = None
+    target: types.SysId | None = None
     """the target's sysid; without it the first target"""
-    waypoints_m: tuple[Vec3, ...] = ()
+    waypoints_m: tuple[types.Vec3, ...] = ()
     """visited in order, within planner.step_m each, instead of a target; it stays at the last one"""
     mission: Mission = None
     """a .plan of QGroundControl or a QGC WPL 110 file, beside the scenario: its autopilot flies these items by itself,
     instead of a target, and is watched and kept apart"""
-    transfer: Flag | None = None
+    transfer: types.Flag | None = None
     """whether it can take energy in the air, or only a base can serve it; without it external vehicles are asked"""
 
     @property
@@ -158,13 +142,13 @@ class Target(VehicleBase):
 
     role = "target"
 
-    path_m: Route
+    path_m: types.Route
     """corners of its path, m, in the file's axes; flown once all vehicles are in the air"""
-    speed_m_s: Speed
+    speed_m_s: types.Speed
     """speed along the path, m/s"""
-    laps: Annotated[int, Exact(ge=1, le=1_000_000)] = 1
+    laps: Annotated[int, types.Exact(ge=1, le=1_000_000)] = 1
     """how often a closed path is flown"""
-    closed: Flag = False
+    closed: types.Flag = False
     """the path leads from its last point back to its first"""
 
 
@@ -173,15 +157,15 @@ class Tanker(VehicleBase):
 
     role = "tanker"
 
-    reserve_j: NotNegative = 10_000.0
+    reserve_j: types.NotNegative = 10_000.0
     """kept to get home"""
-    speed_m_s: Speed = 5.0
+    speed_m_s: types.Speed = 5.0
     """greatest speed on the way to a receiver and home, m/s"""
-    home_m: Vec3 | None = None
+    home_m: types.Vec3 | None = None
     """where it waits; without it above its start"""
 
 
-class Vehicles(Part):
+class Vehicles(types.Part):
     """By role. A file may add `defaults`: keys that `load` gives to each vehicle that lacks them."""
 
     model_config = ConfigDict(json_schema_extra=lambda schema: schema["properties"].update(defaults={"type": "object"}))

@@ -10,8 +10,8 @@ import yaml
 
 from gcs.campaign.families.accuracy import MOST_S
 from gcs.campaign.families.dense import DENSE_S
-from gcs.campaign.families.makers import FAMILIES, LONGEST_S, family
-from gcs.campaign.families.parts import MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
+from gcs.campaign.families.makers import FAMILIES, family
+from gcs.campaign.families.parts import LONGEST_S, MARGIN_M, OBSTACLE_M, TAKEOFF_M, Document, table_of
 from gcs.campaign.families.silence import COMES_DOWN_S, SILENT_BEFORE_S
 from gcs.campaign.families.tight import DURATION_S
 from gcs.scenario.file import load

@@ -6,17 +6,8 @@ import dataclasses
 from types import SimpleNamespace
 from typing import Any
 
+from gcs.refuelling import policies
 from gcs.refuelling.giver import Giver, ServiceTimes
-from gcs.refuelling.policies import (  # fmt: skip
-    SHIPPED,
-    Auction,
-    EarliestDeadline,
-    GreedyNearest,
-    Hungarian,
-    MostEmptyFirst,
-    Optimal,
-    RefuellingRequest,
-)
 from gcs.scenario.model import RefuellingRules
 
 RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0, lands_at=0.0)
@@ -37,46 +28,48 @@ def view(sysid: int, north_m: float, remaining_j: float, power_w: float = 100.0)
     )
 
 
-def request(candidates: list[Any], tankers: list[Any] | None = None, later: tuple[Any, ...] = ()) -> RefuellingRequest:
+def request(
+    candidates: list[Any], tankers: list[Any] | None = None, later: tuple[Any, ...] = ()
+) -> policies.RefuellingRequest:
     """Tankers at 1 m/s; a service begins when they are there, and takes nothing but the flow."""
     free = tankers or [view(201, 0.0, 10_000.0)]
     ordered = tuple(sorted(candidates, key=lambda v: v.sysid))
     givers = tuple(Giver(v.sysid, v.p_now_ned(), 0.0, 1.0, 1e6, 1000.0) for v in free)
     speed_m_s, times = {v.sysid: 1.0 for v in free}, ServiceTimes(0.0, 1.0, 0.0)
-    return RefuellingRequest(0.0, free[0], ordered, tuple(free), speed_m_s, RULES, givers, later, times)
+    return policies.RefuellingRequest(0.0, free[0], ordered, tuple(free), speed_m_s, RULES, givers, later, times)
 
 
 def test_the_nearest_and_the_emptiest_are_what_they_say() -> None:
     asked = request([view(1, 9.0, 1000.0), view(2, -2.0, 5000.0), view(3, 2.0, 4000.0)])
-    assert GreedyNearest(SCENARIO).choose(asked) == 2
-    assert MostEmptyFirst(SCENARIO).choose(asked) == 1
+    assert policies.GreedyNearest(SCENARIO).choose(asked) == 2
+    assert policies.MostEmptyFirst(SCENARIO).choose(asked) == 1
 
 
 def test_equals_are_decided_by_system_id() -> None:
     asked = request([view(7, 2.0, 5000.0), view(4, -2.0, 5000.0)])
-    for name in SHIPPED:
-        assert SHIPPED[name](SCENARIO).choose(asked) == 4, name
+    for name in policies.SHIPPED:
+        assert policies.SHIPPED[name](SCENARIO).choose(asked) == 4, name
 
 
 def test_the_earliest_deadline_is_the_one_that_lands_first_not_the_emptiest() -> None:
     asked = request([view(1, 1.0, 3000.0, power_w=50.0), view(2, 1.0, 5000.0, power_w=200.0)])
-    assert EarliestDeadline(SCENARIO).choose(asked) == 2
-    assert MostEmptyFirst(SCENARIO).choose(asked) == 1
+    assert policies.EarliestDeadline(SCENARIO).choose(asked) == 2
+    assert policies.MostEmptyFirst(SCENARIO).choose(asked) == 1
 
 
 def test_the_hungarian_pairs_by_the_least_way_and_urgent_ones_first() -> None:
     tankers = [view(201, 0.0, 1.0), view(202, 10.0, 1.0)]
     asked = request([view(1, 9.0, 9000.0), view(2, 12.0, 9000.0), view(3, 60.0, 9000.0)], tankers)
-    assert Hungarian(SCENARIO).assign(asked) == {201: 1, 202: 2}
+    assert policies.Hungarian(SCENARIO).assign(asked) == {201: 1, 202: 2}
     asked = request([view(1, 9.0, 9000.0), view(2, 12.0, 9000.0), view(3, 60.0, 5500.0)], tankers)
-    assert Hungarian(SCENARIO).assign(asked) == {201: 1, 202: 3}  # 55 s are not 50 s of way and 20 s
+    assert policies.Hungarian(SCENARIO).assign(asked) == {201: 1, 202: 3}  # 55 s are not 50 s of way and 20 s
 
 
 def test_the_auction_weighs_a_second_of_way_against_a_second_left() -> None:
     asked = request([view(1, 30.0, 4000.0), view(2, 5.0, 6000.0)])  # 40 + 30 s against 60 + 5 s
-    assert Auction(SCENARIO).choose(asked) == 2
+    assert policies.Auction(SCENARIO).choose(asked) == 2
     asked = request([view(1, 20.0, 4000.0), view(2, 5.0, 6000.0)])
-    assert Auction(SCENARIO).choose(asked) == 1
+    assert policies.Auction(SCENARIO).choose(asked) == 1
 
 
 def test_the_plan_serves_a_near_vehicle_on_the_way_where_the_emptiest_can_wait() -> None:
@@ -86,17 +79,17 @@ def test_the_plan_serves_a_near_vehicle_on_the_way_where_the_emptiest_can_wait()
     2 first: at 1 s, filled with 2.6 kJ by 3.9 s; 1 at 62.9 s: 7.1 s left. So 2 is first.
     """
     asked = request([view(1, 60.0, 7000.0), view(2, 1.0, 7500.0)])
-    assert MostEmptyFirst(SCENARIO).choose(asked) == 1
-    assert Optimal(SCENARIO).choose(asked) == 2
+    assert policies.MostEmptyFirst(SCENARIO).choose(asked) == 1
+    assert policies.Optimal(SCENARIO).choose(asked) == 2
 
 
 def test_two_free_tankers_share_the_work_by_place() -> None:
     tankers = [view(201, 0.0, 10_000.0), view(202, 50.0, 10_000.0)]
     near, far = view(1, 49.0, 3000.0), view(2, 1.0, 3000.0)
     for name in ("optimal", "earliest_deadline", "hungarian", "auction"):
-        assert SHIPPED[name](SCENARIO).assign(request([near, far], tankers)) == {201: 2, 202: 1}  # type: ignore[attr-defined]
-    assert Optimal(SCENARIO).choose(request([near], tankers)) is None
-    assert Optimal(SCENARIO).choose(request([near], tankers[::-1])) == 1
+        assert policies.SHIPPED[name](SCENARIO).assign(request([near, far], tankers)) == {201: 2, 202: 1}  # type: ignore[attr-defined]
+    assert policies.Optimal(SCENARIO).choose(request([near], tankers)) is None
+    assert policies.Optimal(SCENARIO).choose(request([near], tankers[::-1])) == 1
 
 
 def test_who_soon_wants_energy_is_planned_for() -> None:
@@ -108,8 +101,8 @@ def test_who_soon_wants_energy_is_planned_for() -> None:
     half: Any = SimpleNamespace(competition=SimpleNamespace(need_from=0.5))
     three = view(3, -10.0, 5500.0, power_w=300.0)
     asked = request([view(1, 9.0, 4500.0, power_w=50.0), view(2, -1.0, 5000.0, power_w=50.0)], later=(three,))
-    assert Optimal(half).choose(dataclasses.replace(asked, left_s=30.0)) == 2
+    assert policies.Optimal(half).choose(dataclasses.replace(asked, left_s=30.0)) == 2
 
 
 def test_whom_no_plan_keeps_is_flown_to_rather_than_nobody() -> None:
-    assert Optimal(SCENARIO).choose(request([view(1, 90.0, 500.0), view(2, 80.0, 600.0)])) in (1, 2)
+    assert policies.Optimal(SCENARIO).choose(request([view(1, 90.0, 500.0), view(2, 80.0, 600.0)])) in (1, 2)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from gcs.link.external import ExternalLink
-from gcs.link.link import Answers, Key, TickGrants, one_by_one
+from gcs.link.link import Answers, Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink.codec import Frame, Message
 
@@ -72,7 +72,9 @@ class FleetLink:
     def grant_all(self, grants: TickGrants) -> Sequence[bytes]:
         if grants.keys and not self._external.joined.intersection(grants.keys):
             return self._fleet.grant_all(grants)
-        return one_by_one(self, grants)
+        return [
+            raw for key in grants.keys for raw in self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+        ]
 
     def grant(
         self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""

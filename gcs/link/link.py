@@ -107,20 +107,6 @@ class TickLink(Protocol):
         return {}
 
 
-class _Granting(Protocol):
-    def grant(
-        self, key: Key, t_ms: int, unix_us: int, messages: Sequence[Message], relayed: Sequence[bytes], air: bytes = b""
-    ) -> list[bytes]: ...
-
-
-def one_by_one(link: _Granting, grants: TickGrants) -> list[bytes]:
-    """`grant_all` by `grant`."""
-    sent = []
-    for key in grants.keys:
-        sent += link.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
-    return sent
-
-
 class Link(TickLink, Protocol):
     """Link as a session uses it besides."""
 

@@ -8,7 +8,7 @@ from typing import Any
 import pymap3d
 import pytest
 
-from gcs.link.link import Answers, TickGrants, one_by_one
+from gcs.link.link import Answers, TickGrants
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Frame, Message
 from gcs.recording.recorder import Recorder
@@ -111,7 +111,9 @@ class ScriptedLink:
         return raws
 
     def grant_all(self, grants: TickGrants) -> list[bytes]:
-        return one_by_one(self, grants)
+        return [
+            raw for key in grants.keys for raw in self.grant(key, grants.t_ms, grants.unix_us, *grants.content(key))
+        ]
 
     def answers(self, idle: Callable[[], None]) -> Iterator[Answers]:
         """The last first: in which order answers come must not matter."""

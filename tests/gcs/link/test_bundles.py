@@ -4,12 +4,13 @@ import contextlib
 import math
 import random
 import socket
+from itertools import chain
 
 import numpy as np
 import pytest
 
 from gcs.link.bundles import Recipients
-from gcs.link.link import Key, TickGrants, one_by_one
+from gcs.link.link import Key, TickGrants
 from gcs.link.lockstep import LockstepLink
 from gcs.mavlink import codec
 from gcs.mavlink.codec import Message
@@ -99,7 +100,8 @@ def test_datagrams_and_frames_are_those_made_one_by_one(seed: int) -> None:
                 more[key] = messages, relayed, codec.frame(LONG, 8, 4, 1) * draw.choice([0, 0, 20])
         heartbeat_due = {key[0] for key in there if key != TRAFFIC and (tick % 10 == 0 or draw.random() < 0.01)}
         grants = TickGrants(t_ms, 1_767_225_600_000_000 + 1000 * t_ms, there, heartbeat_due, points, more)
-        assert at_once.link.grant_all(grants) == one_by_one(single.link, grants)
+        one_by_one = [single.link.grant(key, t_ms, grants.unix_us, *grants.content(key)) for key in there]
+        assert at_once.link.grant_all(grants) == list(chain.from_iterable(one_by_one))
         for field in (at_once, single):
             field.link.flush()
         assert at_once.received() == single.received()

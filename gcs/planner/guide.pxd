@@ -13,7 +13,7 @@ cpdef enum:
     MOST_POINTS = 32
 
 cdef int _HALVINGS
-cdef double _THERE_M, _LEAST_SLACK, _LOST_SHARE
+cdef double _MOVED_M, _REFRESH_M, _THERE_M, _LEAST_SLACK, _LOST_SHARE
 
 cdef struct Kept:  # what is kept of a vehicle
     double points[32][3]
@@ -31,8 +31,6 @@ cdef struct Rules:
     double least
     double slack
     double reached
-    double moved
-    double refresh
     double floor_d
 
 cdef double _apart(const double* a, const double* b) noexcept nogil

@@ -5,13 +5,13 @@ place on its next two legs that can be seen, so that a vehicle rounds a corner i
 kept as long as it holds:
 
 - a goal that moves takes the route's end along while the last leg stays free, and asks for a new search once it has
-  moved by `moved_m` out of sight, or by `refresh_m` in any case;
-- a new route replaces one that still leads there only if it is shorter by `shorter_share`, so that a vehicle does not
-  flip between two equal ones; a straight line once free is kept until it is blocked by more than `slack_share`;
+  moved by `_MOVED_M` out of sight, or by `_REFRESH_M` in any case;
+- a new route replaces one that still leads there only if it is shorter by `_SHORTER_SHARE`, so that a vehicle does not
+  flip between two equal ones; a straight line once free is kept until it is blocked by more than `_SLACK_SHARE`;
 - a vehicle that was pushed out of sight of its next way point is given a new route from where it is.
 
 Searches in a tick are made, longest waiting first, until they have settled so many cells of the grid that a tick has
-time for the rest of its work (`GuideSettings.budget`); the last one goes on in the next tick. Cells, not seconds, so
+time for the rest of its work (`cells` and `few_cells`); the last one goes on in the next tick. Cells, not seconds, so
 that they are the same searches on every machine; a vehicle that waits keeps its last aim. State is per vehicle and is
 forgotten when a tick leaves the vehicle out. Same calls, same aims; frames NED, lengths in metres, no clock.
 """
@@ -20,7 +20,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import cython
@@ -36,43 +35,17 @@ from gcs.planner.route import Route, Router, SearchPaused
 """States of `Aims`: flies straight; along a route; along one to the place nearest to a goal that lies within a surface;
 holds, for there is no way; keeps its last aim until there is time to search."""
 """[choice] Way points kept of a route; at the end of a longer one the rest is searched."""
+_MOVED_M, _REFRESH_M, _SHORTER_SHARE = 0.5, 3.0, 0.1  # [choice] when to search again, and when to change over
+_SLACK_SHARE, _REACHED_SHARE = 0.2, 0.25  # [choice] of the clearance wanted
 _HALVINGS = 5
 _SEARCH_CELLS = 3_000  # [choice] what a search costs beside the cells that it settles, about 1 ms
 _CELLS_OF_A_VEHICLE = 80  # [choice] what planning and filtering cost each, in the same measure
 _NEVER = math.inf
 _THERE_M = 0.05  # [choice] a way point is reached, whatever can be seen from here
 _LEAST_SLACK = 0.25  # [choice] share of the slack that is left in the narrowest gap
-_LOST_SHARE = 0.2  # [choice] of moved_m: a vehicle without a way point in sight searches again after this way
+_LOST_SHARE = 0.2  # [choice] of _MOVED_M: a vehicle without a way point in sight searches again after this way
 
 States = NDArray[np.int8]
-
-
-@dataclass(frozen=True, slots=True)
-class GuideSettings:
-    """When to search again and when to change over [choice]; Shares are of the clearance wanted."""
-
-    moved_m: float = 0.5
-    refresh_m: float = 3.0
-    shorter_share: float = 0.1
-    slack_share: float = 0.2
-    reached_share: float = 0.25
-    cells: int = 15_000
-    """settled in a tick at least"""
-    few_cells: int = 60_000
-    """and by a few vehicles, whose other work is short"""
-
-    def __post_init__(self) -> None:
-        for name in ("moved_m", "refresh_m", "slack_share", "reached_share"):
-            if not 0.0 < getattr(self, name) < math.inf:
-                raise ValueError(f"{name} is {getattr(self, name)!r}; it must be finite and above 0")
-        if not 0.0 <= self.shorter_share < 1.0 or self.slack_share >= 1.0:
-            raise ValueError(f"shorter_share is {self.shorter_share!r} and slack_share {self.slack_share!r}; below 1")
-        if not 1 <= self.cells <= self.few_cells:
-            raise ValueError(f"cells is {self.cells!r}; it must be from 1 to few_cells, {self.few_cells!r}")
-
-    def budget(self, vehicles: int) -> int:
-        """Cells that may be settled in a tick of so many vehicles."""
-        return max(self.cells, self.few_cells - _CELLS_OF_A_VEHICLE * vehicles)
 
 
 class Aims(NamedTuple):
@@ -102,8 +75,9 @@ _KEPT = np.dtype(
 class RouteFollower:
     """Routes of all vehicles in one world; `aims` is called once in each tick."""
 
-    def __init__(self, router: Router, rules: GuideSettings | None = None) -> None:
-        self._router, self._rules = router, rules or GuideSettings()
+    def __init__(self, router: Router, cells: int = 15_000, few_cells: int = 60_000) -> None:
+        """A tick may settle `cells` [choice] at least, `few_cells` for a few vehicles, whose other work is short."""
+        self._router, self._cells, self._few_cells = router, cells, few_cells
         self._rows: dict[int, int] = {}
         self._asked: tuple[int, ...] | None = None
         self._asked_rows = np.zeros(0, np.int64)
@@ -130,7 +104,7 @@ class RouteFollower:
         asking = np.flatnonzero(wanted)
         if len(asking):
             turn = asking[np.argsort(-self._kept["waits"][rows[asking]], kind="stable")]
-            left = self._rules.budget(len(sysids))
+            left = max(self._cells, self._few_cells - _CELLS_OF_A_VEHICLE * len(sysids))
             count = 0
             while count < len(turn) and left > 0:
                 before = router.settled
@@ -148,15 +122,13 @@ class RouteFollower:
         return Aims(aims, remaining, self._kept["state"][rows].astype(np.int8))
 
     def _step(self, rows: IntArray, p: FloatArray, goals: FloatArray) -> tuple[FloatArray, FloatArray, States]:
-        router, rules = self._router, self._rules
+        router = self._router
         aims, remaining, wanted = p.copy(), np.zeros(len(p)), np.zeros(len(p), dtype=np.int8)
         limits = {
             "clearance": router.clearance_m,
             "least": router.least_clearance_m,
-            "slack": rules.slack_share * router.clearance_m,
-            "reached": rules.reached_share * router.clearance_m,
-            "moved": rules.moved_m,
-            "refresh": rules.refresh_m,
+            "slack": _SLACK_SHARE * router.clearance_m,
+            "reached": _REACHED_SHARE * router.clearance_m,
             "floor_d": router.floor_d,
         }
         _advance(router.sight, self._kept, rows, p, goals, limits, aims, remaining, wanted)
@@ -177,7 +149,7 @@ class RouteFollower:
             onward = self._router.plan(before[len(before) - 1], goal, most_cells)
             if onward is not None and onward.reaches_goal:
                 length_m = float(np.linalg.norm(np.diff(before, axis=0), axis=1).sum()) + onward.length_m
-                if found.length_m >= (1.0 - self._rules.shorter_share) * length_m:
+                if found.length_m >= (1.0 - _SHORTER_SHARE) * length_m:
                     legs = np.concatenate((kept["legs"][at : count - 1], onward.legs_m))
                     found = Route(np.vstack([before[1:], onward.points_ned]), legs, length_m)
         self._paused.clear()
@@ -193,7 +165,7 @@ class RouteFollower:
     def _sees_next(self, row: int, p: FloatArray) -> bool:
         router, at = self._router, int(self._kept["at"][row])
         leg_m = float(self._kept["legs"][row, at])
-        slack_m = self._rules.slack_share * router.clearance_m
+        slack_m = _SLACK_SHARE * router.clearance_m
         level = leg_m - slack_of(leg_m, router.clearance_m, router.least_clearance_m, slack_m)
         return bool(visible(router.sight, p, self._kept["points"][row, at], level, router.floor_d))
 
@@ -274,7 +246,7 @@ def _advance_one(s: Any, kept: Any, here: Any, goal: Any, rules: Any, aim: Any, 
     self_moved = _apart(here, kept.searched_from)
     if kept.size == 0:
         # Compared this way round because infinity less infinity is no number: never searched, never near.
-        elsewhere = not (goal_moved <= rules.moved and self_moved <= rules.moved)
+        elsewhere = not (goal_moved <= _MOVED_M and self_moved <= _MOVED_M)
         remaining[0] = INFINITY
         if kept.state == NO_ROUTE:
             return elsewhere
@@ -288,11 +260,11 @@ def _advance_one(s: Any, kept: Any, here: Any, goal: Any, rules: Any, aim: Any, 
     if kept.state == ROUTED and _apart(points + 3 * last, goal) > 0.0:
         if sees_from(s, here if last == 0 else points + 3 * (last - 1), goal, legs[last], rules.floor_d):
             _copy(goal, points + 3 * last)
-            wanted = goal_moved > rules.refresh
+            wanted = goal_moved > _REFRESH_M
         else:
-            wanted = goal_moved > rules.moved or (at == last and self_moved > rules.moved)
+            wanted = goal_moved > _MOVED_M or (at == last and self_moved > _MOVED_M)
     elif kept.state == PARTIAL:
-        wanted = goal_moved > rules.moved
+        wanted = goal_moved > _MOVED_M
     while True:
         level = legs[at] - slack_of(legs[at], rules.clearance, rules.least, rules.slack)
         seen = sees_from(s, here, points + 3 * at, level, rules.floor_d)
@@ -305,7 +277,7 @@ def _advance_one(s: Any, kept: Any, here: Any, goal: Any, rules: Any, aim: Any, 
             break
         at += 1
     kept.at = at
-    if not seen and not self_moved <= _LOST_SHARE * rules.moved:
+    if not seen and not self_moved <= _LOST_SHARE * _MOVED_M:
         wanted = True
     _copy(points + 3 * at, aim)
     if at < last:

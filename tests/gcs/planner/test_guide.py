@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from walls import CEILING, L_WALL, U_WALL, room, walls
 
-from gcs.planner.guide import NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING, GuideSettings, RouteFollower
+from gcs.planner.guide import NO_ROUTE, PARTIAL, ROUTED, STRAIGHT, WAITING, RouteFollower
 from gcs.planner.route import Router
 from skytender import geometry as ob
 
@@ -98,7 +98,7 @@ def test_a_goal_within_a_surface_is_approached_and_held():
 
 def test_searches_are_spread_over_ticks_longest_waiting_first():
     router = Router(U_WALL, 0.6, floor_m=0.3)
-    follower = RouteFollower(router, GuideSettings(cells=700, few_cells=700))
+    follower = RouteFollower(router, cells=700, few_cells=700)
     n = 6
     p = np.array([[0.0, -2.5 + i, -2.0] for i in range(n)])
     goals = np.array([[12.0, -2.5 + i, -2.0 - i / 3] for i in range(n)])
@@ -112,19 +112,18 @@ def test_searches_are_spread_over_ticks_longest_waiting_first():
     assert served == sorted(served)
     assert max(np.diff(settled)) <= 700
     assert served[1] == 0  # the first search was paused, and its end is that of one without a pause
-    whole = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), GuideSettings(cells=10**9, few_cells=10**9))
+    whole = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), cells=10**9)
     np.testing.assert_array_equal(aims.aim_ned, whole.aims(range(n), p, goals).aim_ned)
 
 
 def test_order_and_company_of_vehicles_do_not_matter():
     rng = np.random.default_rng(3)
     p, goals = rng.uniform([-1, -3, -5], [4, 3, -1], (8, 3)), rng.uniform([8, -6, -5], [12, 6, -1], (8, 3))
-    every = GuideSettings(cells=10**9, few_cells=10**9)
-    together = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(8), p, goals)
-    back = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims(range(7, -1, -1), p[::-1], goals[::-1])
+    together = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), cells=10**9).aims(range(8), p, goals)
+    back = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), cells=10**9).aims(range(7, -1, -1), p[::-1], goals[::-1])
     np.testing.assert_array_equal(together.aim_ned, back.aim_ned[::-1])
     for i in range(8):
-        alone = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), every).aims([i], p[i : i + 1], goals[i : i + 1])
+        alone = RouteFollower(Router(U_WALL, 0.6, floor_m=0.3), cells=10**9).aims([i], p[i : i + 1], goals[i : i + 1])
         np.testing.assert_array_equal(alone.aim_ned[0], together.aim_ned[i])
         np.testing.assert_array_equal(alone.remaining_m[0], together.remaining_m[i])
 
@@ -148,5 +147,3 @@ def test_what_cannot_be_is_refused():
         follower.aims([1, 1], np.zeros((2, 3)), np.zeros((2, 3)))
     with pytest.raises(ValueError, match="finite"):
         follower.aims([1], np.full((1, 3), np.nan), np.zeros((1, 3)))
-    with pytest.raises(ValueError, match="moved_m"):
-        GuideSettings(moved_m=0.0)

@@ -10,8 +10,6 @@ from cython.cimports.cpython.bytes import PyBytes_AS_STRING, PyBytes_FromStringA
 from cython.cimports.libc.string import memcpy
 from cython.cimports.skytender.frames import CHECKSUM_BYTES, FRAME_BYTES, HEADER_BYTES, MAGIC, PAYLOAD_BYTES
 
-__all__ = ["CHECKSUM_BYTES", "FRAME_BYTES", "HEADER_BYTES", "MAGIC", "PAYLOAD_BYTES", "frame"]
-
 
 def write_frame(out: Any, payload: Any, size: int, msgid: int, seed: int, seq: int, sysid: int, compid: int) -> int:
     """Write the frame of a payload of this size; its bytes."""

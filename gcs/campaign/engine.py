@@ -19,8 +19,6 @@ from gcs.campaign.cluster import Cluster, EngineError
 from gcs.campaign.plan import Plan, PlannedRow
 from gcs.campaign.pool import WorkerPool
 
-__all__ = ["CampaignStore", "EngineError", "Progress", "fly"]
-
 FLUSH_EVERY_S = 2.0
 FLUSH_ROWS = 200
 LOOK_EVERY_S = 0.2

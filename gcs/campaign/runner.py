@@ -11,7 +11,8 @@ from types import FrameType
 from typing import Any
 
 from gcs.campaign import table
-from gcs.campaign.engine import CampaignStore, EngineError, Progress, fly
+from gcs.campaign.cluster import EngineError
+from gcs.campaign.engine import CampaignStore, Progress, fly
 from gcs.campaign.plan import Plan, PlannedRow
 from gcs.extras import require
 

@@ -21,8 +21,6 @@ from gcs.mavlink import bundle_frames, codec
 from gcs.mavlink.bundle_frames import Bytes, Floats, Ints
 from gcs.mavlink.ids import STATION
 
-__all__ = ["NO_SOCKET", "SHARED_BYTES", "Address", "Bundles", "DatagramGatherer", "Recipients"]
-
 # Bundles for one address are sent as soon as they are SHARED_BYTES long together: its vehicles fly while bundles of
 # others are made. NO_SOCKET: where nothing is to be sent.
 

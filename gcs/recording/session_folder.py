@@ -16,7 +16,7 @@ from pydantic import ValidationError
 from gcs.mavlink import codec
 from gcs.mavlink.gaps import RecordedGaps
 from gcs.mavlink.ids import STATION
-from gcs.recording import rotation, tlog_reader
+from gcs.recording import rotation, tlog_reader, tlog_walk
 from gcs.recording import summary as summaries
 from gcs.recording.decision_types import COMPETITION, holds_what_is_read
 from gcs.recording.decisions_reader import COLUMNS, DecisionLines
@@ -93,7 +93,7 @@ class Recorded:
     """the same of SYSTEM_TIME among the frames received, which a simulated radio does not lose"""
     traffic_bin_s: int = 1
     """length of those bins: doubled as often as it takes for MOST_BINS to hold all"""
-    health_frames: list[tlog_reader.Chunk] = field(default_factory=list)
+    health_frames: list[tlog_walk.Chunk] = field(default_factory=list)
     """vehicles' frames by which their health and their changes are seen, in µs of the session"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
@@ -225,18 +225,18 @@ class Gathering:
         self._gaps = RecordedGaps()
         self._frames = 0
 
-    def add(self, chunk: tlog_reader.Chunk) -> None:
+    def add(self, chunk: tlog_walk.Chunk) -> None:
         """Take in the next stretch."""
         heads = chunk.heads
         if not len(heads):
             return
-        epoch_us = self._epoch_us = int(heads[0, tlog_reader.T_US]) if self._epoch_us is None else self._epoch_us
+        epoch_us = self._epoch_us = int(heads[0, tlog_walk.T_US]) if self._epoch_us is None else self._epoch_us
         for name, pieces in self._pieces.items():
             pieces.append(_columns(chunk, name, epoch_us))
-        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_reader.T_US]) - epoch_us))
+        self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_walk.T_US]) - epoch_us))
         if self._counted:
             self._count(heads, epoch_us)
-            senders = heads[:, tlog_reader.SYSID]
+            senders = heads[:, tlog_walk.SYSID]
             self._recorded.health_frames.append(
                 health_frames(chunk, heads[(senders < STATION[0]) & (senders != self._station)], epoch_us)
             )
@@ -253,11 +253,11 @@ class Gathering:
         """Count frames and gaps bin by bin; a frame that comes again, as relayed ones do, is neither. One that
         comes late makes good its gap in the bin in which it comes."""
         recorded = self._recorded
-        second = (heads[:, tlog_reader.T_US] - epoch_us) // 1_000_000
+        second = (heads[:, tlog_walk.T_US] - epoch_us) // 1_000_000
         # Foreign times, years away, must not make a table of years: so few frames do not fill so many seconds.
         self._frames += len(heads)
         most = min(MOST_SECONDS, FEWEST_SECONDS + SECONDS_A_FRAME * self._frames)
-        sender = heads[:, tlog_reader.SYSID]
+        sender = heads[:, tlog_walk.SYSID]
         mine = (sender < STATION[0]) & (sender != self._station) & (second >= 0) & (second < most)
         second, heads = second[mine], heads[mine]
         while len(second) and int(second.max()) // recorded.traffic_bin_s >= MOST_BINS:
@@ -270,12 +270,12 @@ class Gathering:
                     }
                 )
         bins = second // recorded.traffic_bin_s
-        sysids = heads[:, tlog_reader.SYSID]
-        lost, new = self._gaps.count(sysids, heads[:, tlog_reader.COMPID], heads[:, tlog_reader.SEQ])
+        sysids = heads[:, tlog_walk.SYSID]
+        lost, new = self._gaps.count(sysids, heads[:, tlog_walk.COMPID], heads[:, tlog_walk.SEQ])
         begin, end = (int(bins.min()), int(bins.max()) + 1) if len(bins) else (0, 0)
         shape = STATION[0], end - begin
         cells = sysids * shape[1] + (bins - begin)
-        exempt = new & (heads[:, tlog_reader.MSGID] == _SYSTEM_TIME)
+        exempt = new & (heads[:, tlog_walk.MSGID] == _SYSTEM_TIME)
         frames, *tables = (
             np.bincount(cells, weights, minlength=shape[0] * shape[1]).astype(np.int32).reshape(shape)
             for weights in (None, new, lost, exempt)
@@ -287,14 +287,14 @@ class Gathering:
                 table[sysid] = _added(table.get(sysid), begin, values[sysid, :last])
 
 
-def health_frames(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_reader.Chunk:
+def health_frames(chunk: tlog_walk.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_walk.Chunk:
     """The frames with these heads (n, 6) by which vehicles' health and changes are seen, alone, in µs since the epoch.
 
     Of frames that only repeat themselves one in each HEALTH_EVERY_US is kept, and both ends of each longer silence.
     """
-    t_us, msgids = heads[:, tlog_reader.T_US], heads[:, tlog_reader.MSGID]
+    t_us, msgids = heads[:, tlog_walk.T_US], heads[:, tlog_walk.MSGID]
     # By 16 bits and by 8 the order is found in a fifth of the time.
-    senders = (heads[:, tlog_reader.SYSID] << 8 | heads[:, tlog_reader.COMPID]).astype(np.uint16)
+    senders = (heads[:, tlog_walk.SYSID] << 8 | heads[:, tlog_walk.COMPID]).astype(np.uint16)
     kinds = np.where(msgids < len(_KIND), _KIND[np.minimum(msgids, len(_KIND) - 1)], 0)
     thinned = kinds > 0
     kept = ~thinned
@@ -313,18 +313,18 @@ def health_frames(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: 
     return _alone(chunk, heads[kept], epoch_us)
 
 
-def _alone(chunk: tlog_reader.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_reader.Chunk:
+def _alone(chunk: tlog_walk.Chunk, heads: NDArray[np.int64], epoch_us: int) -> tlog_walk.Chunk:
     """The frames with these heads, which are changed, without those between them."""
-    octets, at = chunk.octets, heads[:, tlog_reader.AT]
+    octets, at = chunk.octets, heads[:, tlog_walk.AT]
     newer = octets[at] == MAGIC
     sizes = octets[at + 1].astype(np.int64) + CHECKSUM_BYTES + np.where(newer, HEADER_BYTES, _HEADER_1_BYTES)
     sizes += np.where(newer & (octets[at + 2] & 1 > 0), _SIGNATURE_BYTES, 0)
     edges = np.stack([at, at + sizes], axis=1).ravel()
     runs = np.diff(edges, prepend=0, append=len(octets))
     kept = np.repeat(np.arange(len(runs)) % 2 == 1, runs)
-    heads[:, tlog_reader.T_US] -= epoch_us
-    heads[:, tlog_reader.AT] = np.cumsum(sizes) - sizes
-    return tlog_reader.Chunk(octets[kept], heads, 1.0, 0)
+    heads[:, tlog_walk.T_US] -= epoch_us
+    heads[:, tlog_walk.AT] = np.cumsum(sizes) - sizes
+    return tlog_walk.Chunk(octets[kept], heads, 1.0, 0)
 
 
 def rows_of(keys: NDArray[Any]) -> dict[int, NDArray[np.int64]]:
@@ -346,7 +346,7 @@ def _added(table: NDArray[np.int32] | None, begin: int, values: NDArray[np.int32
     return table
 
 
-def _columns(chunk: tlog_reader.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
+def _columns(chunk: tlog_walk.Chunk, message: str, epoch_us: int) -> NDArray[Any]:
     """One message's times in session seconds, senders and wanted fields alone."""
     table = chunk.table(message)
     wanted = WANTED.get(message) or FOREIGN[message]

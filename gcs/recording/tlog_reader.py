@@ -27,21 +27,7 @@ from gcs.mavlink.codec import Frame
 from gcs.recording import rotation
 from gcs.recording.times import tlog_times
 from gcs.recording.times.tlog_times import TlogTimes
-from gcs.recording.tlog_walk import (
-    AT,
-    COLUMNS,
-    COMPID,
-    MSGID,
-    SEQ,
-    SYSID,
-    T_US,
-    TIME_BYTES,
-    Chunk,
-    raw_at,
-    walk,
-)
-
-__all__ = ["AT", "COMPID", "MSGID", "SEQ", "SYSID", "TIME_BYTES", "T_US", "Chunk", "Tlog", "raw_at", "read"]
+from gcs.recording.tlog_walk import COLUMNS, TIME_BYTES, Chunk, walk
 
 CHUNK_BYTES = 1 << 24
 LARGEST = codec.LARGEST_FRAME

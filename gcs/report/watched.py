@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter
 from gcs.processes.looks import SETTLED_S, Looks
-from gcs.recording import tlog_reader
+from gcs.recording import tlog_walk
 from gcs.recording.session_folder import Recorded
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
@@ -55,7 +55,7 @@ class Watched:
         for chunk in recorded.health_frames:
             data, heads = chunk.octets.tobytes(), chunk.heads
             # A stamp may be years away.
-            seconds = np.maximum.accumulate(np.append(latest_s, heads[:, tlog_reader.T_US] / 1e6))[1:]
+            seconds = np.maximum.accumulate(np.append(latest_s, heads[:, tlog_walk.T_US] / 1e6))[1:]
             times_s = np.minimum(seconds, recorded.end_s)
             begin = 0
             while begin < len(heads):
@@ -74,9 +74,9 @@ class Watched:
     def _receive(self, data: bytes, heads: NDArray[np.int64], times_s: NDArray[np.float64]) -> None:
         def frame(k: int) -> Frame:
             _, at, *numbers = heads[k].tolist()
-            return Frame._make((*numbers, tlog_reader.raw_at(data, at)))
+            return Frame._make((*numbers, tlog_walk.raw_at(data, at)))
 
-        self._observer.receive_dated(data, heads[:, [tlog_reader.AT, tlog_reader.SYSID]], times_s, frame)
+        self._observer.receive_dated(data, heads[:, [tlog_walk.AT, tlog_walk.SYSID]], times_s, frame)
 
     def _look_before(self, t_s: float) -> None:
         looks = ((due_s, self._look) for due_s in self._looks.before(t_s))

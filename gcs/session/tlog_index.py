@@ -17,7 +17,7 @@ from gcs.mavlink import codec, records
 from gcs.mavlink.codec import Frame
 from gcs.mavlink.gaps import GapCounter, RecordedGaps, resumed
 from gcs.mavlink.ids import STATION
-from gcs.recording import rotation, tlog_reader
+from gcs.recording import rotation, tlog_reader, tlog_walk
 from gcs.recording.frame_heads import frame_keys, last_of_each
 from gcs.recording.tlog_walk import AT, COMPID, MSGID, SEQ, SYSID, T_US, IntArray
 from skytender import mavlink as mav
@@ -112,7 +112,7 @@ class TlogIndex:
         block_bytes: int | None = None,
         metered: Collection[int] = (),
         progress: Callable[[float], None] = lambda _: None,
-        watch: Callable[[tlog_reader.Chunk], object] = lambda _: None,
+        watch: Callable[[tlog_walk.Chunk], object] = lambda _: None,
     ) -> None:
         self.path = path
         self._session = session
@@ -138,7 +138,7 @@ class TlogIndex:
                     _count(gaps, heads[:new])
                 if new < len(heads):
                     latest_us = max(latest_us, int(heads[new, T_US]))
-                    begin = max(int(places[new, 0]) - tlog_reader.TIME_BYTES, 0)
+                    begin = max(int(places[new, 0]) - tlog_walk.TIME_BYTES, 0)
                     from_s = (latest_us - epoch_us) / 1e6
                     block = _Block(begin, from_s, gaps.packed())
                     self._blocks.append(block.with_more(keys[new:], places[new:]))
@@ -202,7 +202,7 @@ class TlogIndex:
         with rotation.open_parts(self.path) as file:
             for place, t_us in sorted(found.items()):
                 file.seek(place)
-                raw = tlog_reader.raw_at(file.read(tlog_reader.LARGEST), 0)
+                raw = tlog_walk.raw_at(file.read(tlog_reader.LARGEST), 0)
                 frame = Frame(raw[5], raw[6], raw[4], int.from_bytes(raw[7:10], "little"), raw)
                 frames.append(RecordedFrame((t_us - self._epoch_us) / 1e6, frame, directions.sent(t_us, frame)))
         # Batteries last: their reports are read with what was armed, given and received. Where everything of a vehicle
@@ -222,7 +222,7 @@ class TlogIndex:
         return at
 
 
-def _placed(chunk: tlog_reader.Chunk) -> IntArray:
+def _placed(chunk: tlog_walk.Chunk) -> IntArray:
     """(n, 2) of each frame its place in the file and its time in µs."""
     return np.column_stack((chunk.begin + chunk.heads[:, AT], chunk.heads[:, T_US]))
 

@@ -24,7 +24,8 @@ from distributed.security import Security
 from sessions import GCS
 
 from gcs.campaign import table
-from gcs.campaign.engine import EngineError, Progress
+from gcs.campaign.cluster import EngineError
+from gcs.campaign.engine import Progress
 from gcs.campaign.file import from_data
 from gcs.campaign.plan import Plan, make
 from gcs.campaign.runner import Runner, make_folder

@@ -70,7 +70,7 @@ def run(
       2    bad input; nothing has flown
       130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
     """
-    from gcs.campaign.engine import EngineError
+    from gcs.campaign.cluster import EngineError
     from gcs.campaign.runner import make_folder
 
     plan = planned(file, sessions, seed, trust=trust)
@@ -216,7 +216,7 @@ def _planned(plan: Plan, folder: Path, number: int) -> PlannedRow:
 
 def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
     from gcs.campaign import statistics, table
-    from gcs.campaign.engine import EngineError
+    from gcs.campaign.cluster import EngineError
     from gcs.campaign.runner import NEEDED, Runner
     from gcs.extras import require
 

@@ -54,7 +54,7 @@ def search(
       2    bad input; nothing has flown
       130  stopped by Ctrl-C
     """
-    from gcs.campaign.engine import EngineError
+    from gcs.campaign.cluster import EngineError
     from gcs.campaign.model import SearchRules
     from gcs.campaign.runner import make_folder
 
@@ -80,7 +80,7 @@ def fly_search(
 ) -> int:
     """Fly what the search in a folder lacks, and write its worst case; the exit status."""
     from gcs.campaign import table
-    from gcs.campaign.engine import EngineError
+    from gcs.campaign.cluster import EngineError
     from gcs.campaign.runner import Runner
     from gcs.campaign.search import Search
     from gcs.extras import require

@@ -9,8 +9,6 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.warnings import distances, gaps, near_obstacles, room, slips, supplies
 from gcs.scenario.warnings.warning import ScenarioWarning
 
-__all__ = ["ScenarioWarning", "warnings"]
-
 
 def warnings(scenario: Scenario) -> list[ScenarioWarning]:
     """All warnings of a scenario; those about single figures first."""

@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from sessions import Outcome, fly, small
 
 from gcs.mavlink import codec
-from gcs.recording import pursuit_held, series, session_folder, tables, tlog_reader, truth
+from gcs.recording import pursuit_held, series, session_folder, tables, tlog_reader, tlog_walk, truth
 from gcs.recording.decisions_reader import DecisionLines
 from gcs.recording.export import export
 from gcs.scenario.file import load
@@ -82,7 +82,7 @@ def flip_times(path: Path, seed: int) -> None:
     rng = np.random.default_rng(seed)
     data = bytearray(path.read_bytes())
     for chunk in tlog_reader.read(path).chunks():
-        for at in chunk.heads[:, tlog_reader.AT].tolist():
+        for at in chunk.heads[:, tlog_walk.AT].tolist():
             if rng.random() < 0.1:
                 bit = int(rng.integers(36, 63))
                 data[chunk.begin + at - 1 - bit // 8] ^= 1 << bit % 8

@@ -60,38 +60,17 @@ def curve_gap2(r0: Any, r1: Any, v0: Any, v1: Any, period_s: float) -> tuple[flo
     return best2, best_share
 
 
-def nearest_pair(
-    before: Floats,
-    now: Floats,
-    v_before: Floats,
-    v_now: Floats,
-    period_s: float,
-    ours: Flags,
-    exempt: Ints,
-    limit_m: float,
-    worth_m: float,
-    found: Floats,
-) -> tuple[float, int, int, float, int]:
-    """The nearest two of n vehicles in an interval: (distance, row, row, share), inf and -1 where there are none; and
-    how many pairs came nearer than `limit_m`, of which `found` (k, 4) takes row, row, distance, share.
-
-    A pair in `exempt` (k, 2) is left out, as is one of which neither is `ours` (n,), and one of which one is, where
-    that one does not close in. v_before, v_now: (n, 3), or (0, 3) for straight ways. Pairs that stay farther apart than
-    both limit_m and worth_m need not be reported.
-    """
-    pair = cython.declare(Pair)
-    pair = find_pair(
-        before, now, v_before, v_now, len(now), len(v_now) > 0, period_s, ours.view(np.uint8), exempt, len(exempt),
-        limit_m, worth_m, found,
-    )  # fmt: skip
-    return pair.distance_m, pair.one, pair.other, pair.share, pair.count
-
-
 def find_pair(
     before: Floats, now: Floats, v_before: Floats, v_now: Floats, n: int, curved: bool, period_s: float,
     ours: NDArray[np.uint8], exempt: Ints, exempted: int, limit_m: float, worth_m: float, found: Floats,
 ) -> Any:  # fmt: skip
-    """`nearest_pair` of the first n rows, with the first `exempted` pairs left out."""
+    """The nearest two of the first n vehicles in an interval: their distance, rows and share, inf and -1 where there
+    are none; and how many pairs came nearer than `limit_m`, of which `found` (k, 4) takes row, row, distance, share.
+
+    One of the first `exempted` pairs in `exempt` (k, 2) is left out, as is one of which neither is `ours` (n,), and one
+    of which one is, where that one does not close in. v_before, v_now: (n, 3), where ways are `curved`. Pairs that stay
+    farther apart than both limit_m and worth_m need not be reported.
+    """
     a = cython.declare(cython.double[3])
     b = cython.declare(cython.double[3])
     va = cython.declare(cython.double[3])
@@ -226,7 +205,7 @@ class FleetWatch:
 
     Tables are kept, and filled in place. last (2, n, 3): places and velocities at the last look, NaN where unknown.
     ways (n, WAY): where each way began, and the least clearance of those that are `ours`, inf for others, and its
-    share. found (MOST_FOUND, 4), as `nearest_pair` has it. shapes: table of skytender/geometry.py.
+    share. found (MOST_FOUND, 4), as `find_pair` has it. shapes: table of skytender/geometry.py.
     """
 
     def __init__(self, last: Floats, shapes: Floats, ways: Floats, found: Floats) -> None:
@@ -250,7 +229,7 @@ class FleetWatch:
         clear_worth_m: float,
     ) -> tuple[int, float, int, int, float, int, int]:
         """One interval: (vehicles that count, least separation, row, row, share, pairs too near, row of the least
-        clearance), as `nearest_pair` has them with `limit_m` and `worth_m`, of those that are `flying` and whose place
+        clearance), as `find_pair` has them with `limit_m` and `worth_m`, of those that are `flying` and whose place
         is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
         p, v: (n, 3) now, NaN where unknown, v also (0, 3). exempt (k, 2): rows of pairs that are left out. Only what

@@ -35,7 +35,7 @@ cdef class Vehicle(Body):
     cdef readonly double gcs_seen_s  # NaN: never
     cdef public unsigned char gcs_main  # system id of the ground station that owns it; 0: none does
     cdef public bint takeover_allowed  # whether another is given control that asks for it
-    cdef SetPoint set_point_now
+    cdef readonly SetPoint set_point_now
     cdef SetPoint set_point_before
     cdef public bint station_leads  # whether the last set point is the station's
     cdef public object separation  # what keeps it apart while it flies by itself; None: nothing

@@ -301,21 +301,6 @@ class Vehicle(Body):
         self.trigger(Trigger.HOLD)
         self.retune()
 
-    @property
-    def setpoint(self) -> OffboardSetPoint | None:
-        """The last offboard set point."""
-        now = cython.address(self.set_point_now)
-        if isnan(now.time_s):
-            return None
-        return OffboardSetPoint(
-            (now.p_ned[0], now.p_ned[1], now.p_ned[2]),
-            (now.v_ned[0], now.v_ned[1], now.v_ned[2]),
-            (now.use_position[0] != 0, now.use_position[1] != 0, now.use_position[2] != 0),
-            None if isnan(now.yaw_ned) else now.yaw_ned,
-            now.time_s,
-            None if isnan(now.yaw_rate) else now.yaw_rate,
-        )
-
     def set_point(self, setpoint: OffboardSetPoint) -> None:
         """Take an offboard set point; it is flown in offboard and refuel, and keeps them alive."""
         wanted = cython.declare(SetPoint)

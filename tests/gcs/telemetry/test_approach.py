@@ -12,12 +12,33 @@ from hypothesis import strategies as st
 
 from gcs.scenario.model import Obstacle
 from gcs.telemetry import approach
-from gcs.telemetry.approach import STRAIGHT, clearances, nearest_pair, nearest_to
+from gcs.telemetry.approach import STRAIGHT, FleetWatch, clearances, nearest_to
 from skytender.geometry import of_scenario
 
 METRES = st.floats(-5.0, 5.0, width=32)
 VECTOR = st.tuples(METRES, METRES, METRES)
 NO_PAIRS = np.empty((0, 2), dtype=np.int64)
+
+
+def nearest_pair(
+    before: Any,
+    now: Any,
+    v_before: Any,
+    v_now: Any,
+    period_s: float,
+    ours: Any,
+    exempt: Any,
+    limit_m: float,
+    worth_m: float,
+    found: Any,
+) -> tuple[float, int, int, float, int]:
+    """(distance, row, row, share, how many are too near) of an interval in which all fly and all places are known."""
+    last = np.zeros((2, len(now), 3))
+    last[0] = before
+    last[1, : len(v_before)] = v_before
+    watch = FleetWatch(last, of_scenario([]), np.empty((len(now), approach.WAY)), found)
+    flying = np.ones(len(now), dtype=bool)
+    return watch.look(now, v_now, period_s, flying, ours, exempt, limit_m, worth_m, 0.0, 0.0)[1:6]
 
 
 def pair(
@@ -132,7 +153,7 @@ def test_a_look_at_a_fleet_takes_in_only_those_whose_place_is_known_then_and_now
     clear_m, clear_at = ways_of_all[:, approach.CLEAR_M], ways_of_all[:, approach.CLEAR_AT]
     p_last[:] = np.nan
     found, expected_found = np.empty((64, 4)), np.empty((64, 4))
-    watch = approach.FleetWatch(last, shapes, ways_of_all, found)
+    watch = FleetWatch(last, shapes, ways_of_all, found)
     near_in_all = too_near_in_all = 0
     for tick in range(60):
         p, v, flying = rng.uniform(-2.0, 2.0, (n, 3)), rng.uniform(-3.0, 3.0, (n, 3)), rng.random(n) < 0.8

@@ -68,7 +68,7 @@ def known(bench: Any) -> Any:
     v = bench.vehicle
     motion = (v.p_ned, v.v_ned, v.attitude_ned, v.mode, v.armed, v.remaining_j)
     order = (
-        v.setpoint,
+        repr(v.set_point_now),  # with NaN for what it has not
         v.home_ned,
         v.mission,
         v.fence,

@@ -122,13 +122,16 @@ class _Surfaces:
 class VelocityAction:
     """Action of a vehicle's agent: three shares, -1 to 1, of the planner's `cruise_m_s`, along north, east and down.
 
-    The set point that was sent last, or the vehicle's place where none was, moves with that velocity for one step; it
-    stays within the planner's `leash_m` of the vehicle. Vectors longer than 1 are shortened.
+    The set point that was sent last, or the vehicle's place where none was, moves with that velocity for one step; its
+    first tick stays within the planner's `leash_m` of the vehicle. Vectors longer than 1 are shortened.
     """
 
     def __init__(self, scenario: Scenario, step_s: float) -> None:
         self.space = Box(-1.0, 1.0, (3,), np.float32)
-        self._speed_m_s, self._leash_m, self._step_s = scenario.planner.cruise_m_s, scenario.planner.leash_m, step_s
+        self._speed_m_s, self._leash_m = scenario.planner.cruise_m_s, scenario.planner.leash_m
+        self._period_s = scenario.clock.period_s
+        self._after_s = step_s - self._period_s
+        """from a step's first tick to its snapshot"""
 
     def __call__(self, action: Any, snapshot: Snapshot, sysid: int) -> tuple[list[float], list[float]]:
         """(p_ned, v_ned) of the set point for the next snapshot's time."""
@@ -138,9 +141,9 @@ class VelocityAction:
         v_ned = [speed_m_s * share for share in shares]
         p_ned, sent = snapshot.p_ned[row].tolist(), snapshot.set_point_p_ned[row]
         begin = sent.tolist() if np.isfinite(sent).all() else p_ned
-        ahead = [b + v * self._step_s - p for b, v, p in zip(begin, v_ned, p_ned, strict=True)]
+        ahead = [b + v * self._period_s - p for b, v, p in zip(begin, v_ned, p_ned, strict=True)]
         keep = min(self._leash_m / max(elementary.norm(ahead), 1e-9), 1.0)
-        return [p + keep * a for p, a in zip(p_ned, ahead, strict=True)], v_ned
+        return [p + keep * a + v * self._after_s for p, a, v in zip(p_ned, ahead, v_ned, strict=True)], v_ned
 
 
 def fastest_m_s(scenario: Scenario) -> float:

@@ -184,9 +184,9 @@ class Session:
         set_points: (p_ned, v_ned) by system id, shape (2, 3): position (m) and velocity (m/s), common NED frame, where
         the vehicle is to be at the time of the snapshot that is returned, and how fast it is to move on from there.
         They take the place of the planner's in this step, and pass the safety filter and its limits as these do; with
-        every_s longer than a period they move on with their velocity. A vehicle that is not in offboard (on its way up,
-        an operator's, down) is sent none, and `Snapshot.set_point_p_ned` says what was sent. Vehicles without one are
-        the planner's. commands: arguments of `command`, given before the step.
+        every_s longer than a period they are on their way there with their velocity. A vehicle that is not in offboard
+        (on its way up, an operator's, down) is sent none, and `Snapshot.set_point_p_ned` says what was sent. Vehicles
+        without one are the planner's. commands: arguments of `command`, given before the step.
 
         Raises ValueError for what makes no set point or command, SessionError where the session does not fly in
         lockstep, has ended, or refuses a command.

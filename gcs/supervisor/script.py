@@ -44,25 +44,27 @@ class Script:
 
     def __init__(self) -> None:
         self._points: Given = {}
-        self._since_s: float | None = None
+        self._at_s: float | None = None
         self._awaited: dict[tuple[int, str], int] = {}
         """numbers of commands by vehicle and token"""
         self._acknowledged: list[Acknowledgement] = []
         self._records: list[dict[str, Any]] = []
 
-    def steer(self, points: Given) -> None:
-        """Let vehicles fly these set points instead of a planner's: at the next tick as they are, and while nothing
-        else is said at later ones where their velocities take them. All others are the planner's."""
-        self._points, self._since_s = points, None
+    def steer(self, points: Given, at_s: float | None = None) -> None:
+        """Let vehicles fly these set points instead of a planner's, while nothing else is said. All others are the
+        planner's.
+
+        at_s: when they are to be there; at ticks before it they are on their way there with their velocities. Without
+        it they hold at each tick as they are.
+        """
+        self._points, self._at_s = points, at_s
 
     def given(self, now_s: float) -> Given:
         """Set points of the tick at a time, which are recorded."""
         if not self._points:
             return self._points
-        if self._since_s is None:
-            self._since_s = now_s
         points = self._points
-        if (after_s := now_s - self._since_s) > 0.0:
+        if self._at_s is not None and (after_s := now_s - self._at_s):
             points = {sysid: (_moved(p, v, after_s), v) for sysid, (p, v) in points.items()}
         columns = zip(*((*p, *v) for p, v in points.values()), strict=True)
         names = list(map(str, points))

@@ -170,16 +170,27 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
     assert (again.returncode, again.stdout.endswith("agree\n")) == (0, True)
 
 
-def test_over_several_periods_a_set_point_moves_on_with_its_velocity(tmp_path: Path) -> None:
-    path, moving = write(tmp_path, five()), ((1.0, 2.0, -5.0), (0.5, -0.25, 0.0))
+def test_a_set_point_is_where_it_is_to_be_at_the_snapshot_that_is_returned(tmp_path: Path) -> None:
+    content = five(planner={"safety": False}, vehicles={"defaults": {"airborne": True}})
+    for vehicle in content["vehicles"]["pursuers"]:
+        vehicle["start_m"][2] = -5.0
+    path, v_ned = write(tmp_path, content), np.array([0.5, -0.25, 0.0])
+
+    def place(time_s: float) -> np.ndarray:
+        return (6.0, 0.0, -5.0) + v_ned * time_s
+
     with gcs.Session(path, lockstep=True, every_s=0.5, out=tmp_path / "out") as session:
-        session.step()
-        session.step({1: moving})
+        snapshot = session.step()
+        for time_s in (0.5, 1.0, 1.5):
+            snapshot = session.step({1: (place(time_s), v_ned)})
+            assert snapshot.time_s == time_s
+            assert snapshot.set_point_p_ned[0].tolist() == place(time_s).tolist()
+            assert snapshot.set_point_v_ned[0].tolist() == v_ned.tolist()
         session.step()
     told = decisions(session.folder, "steered")
-    assert [round(10 * line["t_s"]) for line in told] == [1, 2, 3, 4, 5]
-    for index, line in enumerate(told):
-        assert [line[axis]["1"] for axis in "ned"] == pytest.approx([1 + 0.05 * index, 2 - 0.025 * index, -5.0])
+    assert [round(10 * line["t_s"]) for line in told] == list(range(1, 16))
+    for line in told:
+        assert [line[axis]["1"] for axis in "ned"] == pytest.approx(place(line["t_s"]))
 
 
 def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:

@@ -73,7 +73,9 @@ class Program:
             if command == NEXT:
                 self._asked = True
                 points = request.get("set_points") or {}
-                supervisor.script.steer(as_points((int(sysid), values) for sysid, values in points.items()))
+                given_ms = -(-supervisor.time_ms // self._every_ms) * self._every_ms  # time of the snapshot
+                given = as_points((int(sysid), values) for sysid, values in points.items())
+                supervisor.script.steer(given, given_ms / 1e3)
             elif command == STOP:
                 self.stops = True
             else:

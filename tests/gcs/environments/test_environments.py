@@ -176,6 +176,16 @@ def test_functions_of_the_users_take_the_place_of_the_defaults(make: Callable[..
     assert seen[0].after is seen[1].after
 
 
+def test_an_agent_flies_as_fast_as_it_is_commanded_at_any_step(make: Callable[..., ParallelSessionEnv]) -> None:
+    env = make(scenario(goal={"duration_s": 5.0}), every_s=0.5)
+    env.reset(seed=1)
+    west = np.array([0.0, -0.3, 0.0], np.float32)
+    flown = [env.step({"pursuer_1": west, "pursuer_2": STILL})[0]["pursuer_1"] for _ in range(10)]
+    speed_m_s = 0.3 * env.session.scenario.planner.cruise_m_s
+    assert [seen[4] for seen in flown[6:]] == pytest.approx([-speed_m_s] * 4, rel=0.02)
+    assert flown[6][1] - flown[-1][1] == pytest.approx(3 * 0.5 * speed_m_s, rel=0.02)
+
+
 def test_a_lost_vehicle_ends_its_agents_episode(make: Callable[..., ParallelSessionEnv]) -> None:
     env = make(
         scenario(goal={"duration_s": 20.0}, faults=[{"fault": "kill", "sysid": 2, "at_s": 1.0}], vehicles_per_process=1)

@@ -131,7 +131,10 @@ class Session:
         """of the last snapshot"""
         self._sent: dict[int, SentCommand] = {}
         """commands without an outcome, by number"""
-        self._numbers = itertools.count(1)
+        self._numbers, self._ids = itertools.count(1), itertools.count(1)
+        """of commands, and of requests"""
+        self._unseen: list[FleetMessage] = []
+        """snapshots that no call has returned yet: one that was interrupted returns none"""
         self._truth: TruthTails | None = None
         self._world = self.scenario
         """with what the program has changed"""
@@ -214,16 +217,16 @@ class Session:
         """
         self._check_acts()
         sysid = acting.known(sysid, self._sysids)
-        name, number = acting.checked_command(command, params)
-        if number is not None:
-            content = {"command": SEND, "mav_cmd": number, "params": acting.checked_params(name, params)}
+        name, mav_cmd = acting.checked_command(command, params)
+        if mav_cmd is not None:
+            content = {"command": SEND, "mav_cmd": mav_cmd, "params": acting.checked_params(name, params)}
         elif params:
             content = {"command": name, "target": acting.known(params[0], self._sysids)}
         else:
             content = {"command": name}
-        command_id = next(self._numbers)
-        text = self._ask({**content, "sysid": sysid, "id": command_id})
-        sent = self._sent[command_id] = SentCommand(command_id, sysid, name, text)
+        number = next(self._numbers)
+        text = self._ask({**content, "sysid": sysid, "number": number})
+        sent = self._sent[number] = SentCommand(number, sysid, name, text)
         return sent
 
     def inject(self, fault: Fault | Mapping[str, Any]) -> None:
@@ -314,23 +317,32 @@ class Session:
         return self._channel is not None and not self._channel.closed
 
     def _exchange(self, content: Mapping[str, Any]) -> FleetMessage | Reply | None:
-        """The session's answer; None where it has ended, and its summary is there then."""
+        """The session's answer; None where it has ended, and its summary is there then.
+
+        Before it come those to calls that were interrupted, as by Ctrl-C: what they asked for is carried out.
+        """
         assert self._channel is not None
         with self._turn:
-            self._channel.say(content)
-            if (line := self._channel.receive()) is None:
-                self._end()
-        return line
+            request = next(self._ids)
+            self._channel.say({**content, "id": request})
+            while (line := self._channel.receive()) is not None:
+                if isinstance(line, FleetMessage):
+                    self._unseen.append(line)
+                if line.id == request:
+                    return line
+            self._end()
+        return None
 
     def _next(self, points: Mapping[int, list[float]]) -> Snapshot | None:
         """The next snapshot; None at the end."""
-        message = self._exchange({"command": NEXT, "set_points": points} if points else {"command": NEXT})
-        if message is None:
+        if self._exchange({"command": NEXT, "set_points": points} if points else {"command": NEXT}) is None:
             return None
-        assert isinstance(message, FleetMessage)
+        messages, self._unseen = self._unseen, []
+        message = messages[-1]
+        message.events = [row for one in messages for row in one.events]
         self._time_s = message.t_s
         ended = []
-        for row in message.acknowledged:
+        for row in (row for one in messages for row in one.acknowledged):
             if (sent := self._sent.pop(row.number, None)) is not None:
                 sent.outcome, sent.result = row.outcome, row.result
                 ended.append(sent)

@@ -193,6 +193,51 @@ def test_a_set_point_is_where_it_is_to_be_at_the_snapshot_that_is_returned(tmp_p
         assert [line[axis]["1"] for axis in "ned"] == pytest.approx(place(line["t_s"]))
 
 
+class Interrupted:
+    """A planner of which one call is ended by Ctrl-C."""
+
+    def __init__(self, scenario: gcs.Scenario) -> None:
+        self.starts = {vehicle.sysid: vehicle.start_m for vehicle in scenario.vehicles.all}
+
+    def plan(self, vehicle: gcs.VehicleView, situation: gcs.Situation) -> tuple[Any, Any]:
+        if vehicle.sysid == 2 and situation.time_s == pytest.approx(0.7):
+            raise KeyboardInterrupt
+        return self.starts[vehicle.sysid], STILL
+
+
+@pytest.mark.parametrize(
+    "act",
+    [
+        gcs.Session.folder.fget,
+        lambda session: session.command(3, "return"),
+        lambda session: session.inject({"fault": "blackout", "sysid": 5, "for_s": 1.0}),
+        lambda session: session.obstacles.move("pillar", (14.0, 0.0)),
+    ],
+    ids=["step", "command", "inject", "move"],
+)
+def test_after_an_interrupt_a_session_goes_on(act: Callable[[gcs.Session], Any], tmp_path: Path) -> None:
+    content = five(vehicles={"defaults": {"airborne": True}})
+    for vehicle in content["vehicles"]["pursuers"]:
+        vehicle["start_m"][2] = -5.0
+    with gcs.Session(
+        write(tmp_path, content), lockstep=True, every_s=0.5, planner=Interrupted, out=tmp_path / "out"
+    ) as session:
+        session.step()
+        session.step()
+        hold = session.command(4, "hold")
+        with pytest.raises(KeyboardInterrupt):
+            session.step({1: ((7.0, 0.0, -5.0), STILL)})
+        act(session)
+        seen = [session.step({1: ((north, 0.0, -5.0), STILL)}) for north in (8.0, 9.0)]
+    assert [snapshot.time_s for snapshot in seen] == [1.5, 2.0]
+    assert seen[0].set_point_p_ned[0, 0] > 7.0
+    assert seen[0].acknowledged[0] is hold
+    assert hold.outcome == "accepted"
+    assert "Hold accepted" in [event.text for event in seen[0].events if event.sysid == 4]
+    flown = [line["n"]["1"] for line in decisions(session.folder, "steered")]
+    assert flown == [7.0] * 5 + [8.0] * 5 + [9.0] * 5
+
+
 def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
     path = write(tmp_path, five(vehicles_per_process=5))
     with gcs.Session(path, lockstep=True, out=tmp_path / "out") as session:

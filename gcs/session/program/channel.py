@@ -1,8 +1,8 @@
 """The program in Python that steps a session, as its supervisor sees it (docs/protocol/socket.md#programs-that-act).
 
 A channel of its own, which the supervisor inherits: newline-delimited JSON. The program asks for the next snapshot, and
-says with that what is to be flown meanwhile; between two of them it commands and injects, and each is answered. In
-lockstep the session waits for it.
+says with that what is to be flown meanwhile; between two of them it commands and injects, and each is answered, in
+order. In lockstep the session waits for it.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import select
 import socket
+from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -39,24 +40,43 @@ class Program:
         self._every_ms = every_ms
         self._lockstep = lockstep
         self._open = True
-        self._asked = False
+        self._requests: deque[dict[str, Any]] = deque()
+        """that have to wait until the snapshot is given that was asked for before them"""
+        self._asked: int | None = None
+        """`id` of the request for a snapshot that is to come"""
         self.stops = False
         """whether it wants the session to end"""
 
     @property
     def awaited(self) -> bool:
         """Whether the session must not go on before it has said something."""
-        return self._lockstep and self._open and not self._asked and not self.stops
+        return self._lockstep and self._open and self._asked is None and not self.stops
 
     def wants(self, time_s: float) -> bool:
         """Whether it has asked for the snapshot of this session time."""
-        return self._asked and round(1e3 * time_s) % self._every_ms == 0
+        return self._asked is not None and round(1e3 * time_s) % self._every_ms == 0
 
     def serve(self, supervisor: Supervisor, blocks: Iterable[Sequence[int]], timeout_s: float) -> bool:
         """Do what it asks for, waiting for that up to a time; whether it has said anything.
 
         `blocks`: system ids of the vehicles in each process.
         """
+        said = self._read(supervisor, 0.0 if self._requests else timeout_s)
+        while self._requests and self._asked is None:
+            request = self._requests.popleft()
+            if request.get("command") == NEXT:
+                self._asked = request["id"]
+                points = request.get("set_points") or {}
+                given_ms = -(-supervisor.time_ms // self._every_ms) * self._every_ms  # time of the snapshot
+                given = as_points((int(sysid), values) for sysid, values in points.items())
+                supervisor.script.steer(given, given_ms / 1e3)
+            else:
+                answer = _obey(request, supervisor, blocks)
+                self._send(Reply(request["id"], answer.taken, answer.text))
+        return said
+
+    def _read(self, supervisor: Supervisor, timeout_s: float) -> bool:
+        """Take in what it says within a time; whether that is anything. Its end, and STOP, wait for nothing."""
         if not self._open or not select.select([self._socket], [], [], timeout_s)[0]:
             return False
         try:
@@ -65,22 +85,14 @@ class Program:
             said = b""
         self._open = bool(said)
         if not said:
+            self._requests.clear()
             supervisor.script.steer({})
         *lines, self._unread = (self._unread + said).split(b"\n")
-        for line in lines:
-            request = msgspec.json.decode(line)
-            command = request.get("command")
-            if command == NEXT:
-                self._asked = True
-                points = request.get("set_points") or {}
-                given_ms = -(-supervisor.time_ms // self._every_ms) * self._every_ms  # time of the snapshot
-                given = as_points((int(sysid), values) for sysid, values in points.items())
-                supervisor.script.steer(given, given_ms / 1e3)
-            elif command == STOP:
+        for request in map(msgspec.json.decode, lines):
+            if request.get("command") == STOP:
                 self.stops = True
             else:
-                answer = _obey(request, supervisor, blocks)
-                self._send(Reply(request.get("id"), answer.taken, answer.text))
+                self._requests.append(request)
         return True
 
     def remember(self, events: Iterable[Event]) -> None:
@@ -90,8 +102,9 @@ class Program:
     def give(self, supervisor: Supervisor) -> None:
         """Answer with the present snapshot, and the events since the last one."""
         events, self._events = self._events, []
-        self._asked = False
-        self._send(fleet_message(supervisor, events))
+        message = fleet_message(supervisor, events)
+        message.id, self._asked = self._asked, None
+        self._send(message)
 
     def _send(self, message: FleetMessage | Reply) -> None:
         with contextlib.suppress(OSError):
@@ -104,10 +117,10 @@ def _obey(request: Mapping[str, Any], supervisor: Supervisor, blocks: Iterable[S
     if command in COMMANDS:
         answer = supervisor.obey(request)
         if answer.taken:
-            supervisor.script.ordered(request["id"], request["sysid"], command)
+            supervisor.script.ordered(request["number"], request["sysid"], command)
         return answer
     if command == SEND:
-        return supervisor.command(request["id"], request["sysid"], request["mav_cmd"], request["params"])
+        return supervisor.command(request["number"], request["sysid"], request["mav_cmd"], request["params"])
     if command == INJECT:
         return _inject(request["fault"], supervisor, blocks)
     if command == CHANGE:

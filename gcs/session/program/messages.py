@@ -1,7 +1,8 @@
 """Lines between a session and the program in Python that steps it (docs/protocol/socket.md#programs-that-act).
 
-The program's are objects with a text `command`: one of the requests below, or an operator's command with its `id`. The
-session answers NEXT with the fleet, a column for each thing, and everything else but STOP with a reply. Positions in m
+The program's are objects with a text `command`, one of the requests below or an operator's, and an `id`. The session
+answers NEXT with the fleet, a column for each thing, and everything else but STOP with a reply, each with the request's
+`id` and in the order of the requests: the program may have given up waiting for one. Positions in m
 and velocities in m/s, common NED frame; numbers that are not known, or infinite, are null, as msgspec writes them.
 """
 
@@ -59,3 +60,5 @@ class FleetMessage(Struct, tag_field="type", tag="fleet"):
     refuelled: int
     events: list[EventRow]
     acknowledged: list[AcknowledgedRow]
+    id: int | None = None
+    """the request's"""

@@ -71,11 +71,10 @@ class Objects:
             if not self._channel.read():
                 return False
             while (frame := self._channel.pop()) is not None:
-                key, content = pickle.loads(frame)
                 try:
-                    self._host.reply(key, content)
+                    self._host.reply(*pickle.loads(frame))
                 except BaseException:
-                    self._channel.send(answer(key, (), (), last=True))
+                    self._channel.send(answer(PLANNER, (), (), last=True))  # without rows it is the same of all
                     raise
         except OSError:
             return False

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from gcs.scenario.document import KeyPath, Problem, ScenarioError, dotted, shown
+from gcs.scenario.types import plain_numbers
 
 
 def plain(data: dict[Any, Any], name: str) -> dict[str, Any]:
     """The same, with numpy's scalars and arrays as numbers and lists. Raises ScenarioError for anything else."""
     try:
-        made: dict[str, Any] = _plain(data, (), name)
-    except RecursionError:
+        made: dict[str, Any] = _plain(plain_numbers(data), (), name)
+    except (RecursionError, ValueError):
         raise ScenarioError([Problem(name, None, None, "a list or a block of keys holds itself")]) from None
     return made
 
 
 def _plain(value: Any, path: KeyPath, name: str) -> Any:
-    if isinstance(value, np.generic | np.ndarray):
-        value = value.tolist()
     if isinstance(value, dict):
         return {_plain(key, path, name): _plain(one, (*path, str(key)), name) for key, one in value.items()}
     if isinstance(value, list | tuple):

@@ -15,6 +15,7 @@ from typing import Any
 
 from gcs.scenario.document import Document, KeyPath, Problem, ScenarioError, did_you_mean, dotted, options, parse
 from gcs.scenario.json_schema import editor_schema
+from gcs.scenario.types import plain_numbers
 from gcs.scenario.yaml_dialect import SHORT
 
 EACH = "*"
@@ -39,7 +40,7 @@ def read_settings(texts: Iterable[str]) -> dict[str, Any]:
 def apply(document: Document, settings: Mapping[str, Any]) -> None:
     """Set key paths in a document. Raises ScenarioError with a sentence for each path that names nothing."""
     problems = []
-    for key, value in settings.items():
+    for key, value in plain_numbers(dict(settings)).items():
         label = f"set {key}={_shown(value)}"
         try:
             check(key)

@@ -29,7 +29,7 @@ from gcs.scenario.rules import (
     RefuellingRules,
 )
 from gcs.scenario.station import Forward, Station, station_conflicts
-from gcs.scenario.types import Count, Exact, Flag, Part, Plane, explained
+from gcs.scenario.types import Count, Exact, Flag, Part, Plane, explained, plain_numbers
 from gcs.scenario.weather import CALM, Wind
 from skytender import elementary
 
@@ -169,6 +169,7 @@ class Scenario(Part):
         """The same with another clock or seed, a signing key for all external vehicles, or further addresses to forward
         to; what is left out stays. ValueError where a value cannot be had."""
         clock: dict[str, Any] = {}
+        speed, seed = plain_numbers(speed), plain_numbers(seed)
         if lockstep:
             clock = {"mode": "lockstep"}
         elif speed is not None:

@@ -4,6 +4,7 @@ With the validation context {"axes": "paper"} geometry is turned from paper axes
 """
 
 import math
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -91,6 +92,24 @@ Angles = Annotated[tuple[Degrees, Degrees, Degrees], AfterValidator(_into_ned)]
 Route = Annotated[tuple[Vec3, ...], Field(min_length=1)]
 
 
+def plain_numbers(value: Any) -> Any:
+    """The same with NumPy's numbers, texts and arrays as Python's, in lists and blocks of keys too. Raises ValueError
+    for one that holds itself."""
+    numpy = sys.modules.get("numpy")  # what is not imported has made nothing
+    try:
+        return value if numpy is None else _plain(value, (numpy.generic, numpy.ndarray))
+    except RecursionError:
+        raise ValueError("a list or a block of keys holds itself") from None
+
+
+def _plain(value: Any, kinds: Any) -> Any:
+    if isinstance(value, kinds):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {_plain(key, kinds): _plain(one, kinds) for key, one in value.items()}
+    return type(value)([_plain(one, kinds) for one in value]) if type(value) in (list, tuple) else value
+
+
 def explained(error: ValidationError, part: type[BaseModel], data: dict[str, Any], what: str) -> str:
     """Mistakes in the keys of a part that is not read from a file, as one sentence; `what`: words for that part."""
     problems = Document(part.__name__, data, what).explain(error, part.model_json_schema())
@@ -108,6 +127,7 @@ else:
         def __call__(cls, *values: Any, **keys: Any) -> Any:
             if values:
                 raise TypeError(f"{cls.__name__} takes its keys by name: {cls.__name__}(**keys) for a block of them")
+            keys = plain_numbers(keys)
             try:
                 return super().__call__(**keys)
             except ValidationError as error:

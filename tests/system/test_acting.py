@@ -143,11 +143,11 @@ def test_faults_of_process_radio_battery_and_tanker_repeat_and_are_decided_again
                 pass
             for fault in (
                 {"fault": "kill", "sysid": 2},
-                {"fault": "loss", "share": 0.4, "for_s": 3.0},
+                {"fault": "loss", "share": np.float64(0.4), "for_s": np.float32(3.0)},
                 {"fault": "delay", "delay_s": 0.3, "for_s": 2.0, "at_s": 9.0},
                 {"fault": "tanker_out", "sysid": 201, "for_s": 2.0},
-                {"fault": "battery", "sysid": 1, "share": 0.1},
-                {"fault": "gps_jump", "sysid": 101, "jump_m": [1.0, 2.0], "for_s": 3.0},
+                {"fault": "battery", "sysid": np.int64(1), "share": 0.1},
+                {"fault": "gps_jump", "sysid": 101, "jump_m": np.array([1.0, 2.0]), "for_s": 3.0},
                 {"fault": "motor", "sysid": 2, "at_s": 9.5},  # it is dead by then
             ):
                 session.inject(fault_of(**fault))

@@ -19,7 +19,7 @@ from gcs.scenario.document import did_you_mean
 from gcs.scenario.model import START_CLEARANCE_M, Scenario, route_conflicts
 from gcs.scenario.parts.bases import base_conflicts
 from gcs.scenario.parts.surroundings import Attractor, Obstacle
-from gcs.scenario.types import Part, Vec3, explained
+from gcs.scenario.types import Part, Vec3, explained, plain_numbers
 
 WORLD = "world"
 """Kind of decision of a change."""
@@ -115,12 +115,8 @@ def new_path(
         points = np.empty(0)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError("path_m is a list of places (n, e, d) in m, such as [(0, 0, -5), (10, 0, -5)]")
-    route = {
-        "path_m": points.tolist(),
-        "speed_m_s": target.speed_m_s if speed_m_s is None else speed_m_s,
-        "closed": closed,
-        "laps": laps,
-    }
+    speed_m_s = target.speed_m_s if speed_m_s is None else speed_m_s
+    route = plain_numbers({"path_m": points, "speed_m_s": speed_m_s, "closed": closed, "laps": laps})
     change = {"change": PATH, "sysid": sysid, **route}
     changed(scenario, change)
     return change
@@ -256,18 +252,11 @@ def _made(kind: str, content: Any) -> Any:
 
 
 def _validated(name: str, part: type[Part], content: Mapping[str, Any]) -> Any:
-    data = {key: _plain(value) for key, value in content.items() if value is not None}
+    data = plain_numbers({key: value for key, value in content.items() if value is not None})
     try:
         return part.model_validate(data)
     except ValidationError as error:
         raise ValueError(explained(error, part, data, f"the {name}")) from None
-
-
-def _plain(value: Any) -> Any:
-    """Tuples for the lists of JSON and NumPy's arrays."""
-    if isinstance(value, np.ndarray | np.generic):
-        value = value.tolist()
-    return tuple(map(_plain, value)) if isinstance(value, list | tuple) else value
 
 
 def _shifted(one: Body, by: Vec3) -> dict[str, Any]:

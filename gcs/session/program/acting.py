@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from gcs.planner.request import FARTHEST
 from gcs.scenario.document import did_you_mean
 from gcs.scenario.faults import Fault
+from gcs.scenario.types import plain_numbers
 from gcs.supervisor.operator import COMMANDS
 from skytender import mavlink as mav
 
@@ -135,10 +136,11 @@ def keys_of(fault: Fault | Mapping[str, Any], sysids: Collection[int]) -> Any:
         fault = fault.model_dump(mode="json", exclude_unset=True)
     if not isinstance(fault, Mapping):
         return repr(fault)
-    if fault.get("sysid") is not None:
-        known(fault["sysid"], sysids)
-    for key, value in fault.items():
-        for number in value if isinstance(value, Sequence | np.ndarray) else (value,):
+    keys = plain_numbers(dict(fault))
+    if keys.get("sysid") is not None:
+        known(keys["sysid"], sysids)
+    for key, value in keys.items():
+        for number in value if isinstance(value, Sequence) else (value,):
             if isinstance(number, int | float) and not abs(number) <= sys.float_info.max:
                 raise ValueError(f"{key} of a fault must be a finite number, not {number!r:.40}")
-    return dict(fault)
+    return keys

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import gcs
+from gcs.scenario.file import find
 
 
 @pytest.mark.parametrize(
@@ -86,3 +88,23 @@ def test_options_of_a_campaign(keys: dict[str, Any], sentence: str) -> None:
 def test_a_campaign_of_plain_data_is_named_as_what_it_is() -> None:
     with pytest.raises(gcs.ScenarioError, match=r"^campaign: the campaign lacks the key 'name'"):
         gcs.Campaign({"schema": 1})
+
+
+def test_numpys_numbers_and_arrays_are_taken_as_pythons() -> None:
+    one, jump = np.int64(1), np.array([1, 2])
+    assert gcs.Fault(fault="gps_jump", sysid=one, jump_m=jump) == gcs.Fault(fault="gps_jump", sysid=1, jump_m=(1, 2))
+    assert gcs.Attractor(point_m=[np.float32(0.5), one, 2]) == gcs.Attractor(point_m=(0.5, 1, 2))
+    changes = {"vehicles.pursuers.0.start_m": np.array([9, 0, 0]), "planner.cruise_m_s": np.float32(1.5)}
+    scenario = gcs.load(find("demo"), set={"seed": np.int64(4), **changes})
+    assert (scenario.seed, scenario.planner.cruise_m_s) == (4, 1.5)
+    assert scenario.vehicles.pursuers[0].start_m[0] == 9.0
+    flown = gcs.Session(scenario, seed=np.int64(3), speed=np.float32(2.0)).scenario  # type: ignore[arg-type]
+    assert (flown.seed, flown.clock.speed) == (3, 2.0)
+    assert type(flown.seed) is int
+    for wrong, shown in ((np.complex128(1), "a Python complex"), (jump, "a list"), (np.float64(1.5), "1.5")):
+        with pytest.raises(ValueError, match=f"sysid must be a whole number, not {shown}$"):
+            gcs.Fault(fault="motor", sysid=wrong)
+    inside: list[Any] = [one]
+    inside.append(inside)
+    with pytest.raises(ValueError, match=r"^a list or a block of keys holds itself$"):
+        gcs.Fault(fault="gps_jump", jump_m=inside)

@@ -74,5 +74,5 @@ def test_no_sentence_is_quoted_twice() -> None:
 
 
 def test_a_sentence_that_no_program_prints_is_found() -> None:
-    assert "exists already and is left as it is; give --out another folder" in printed()
-    assert "exists already and is replaced; give --out another folder" not in printed()
+    assert "exists already and is left as it is; give another folder" in printed()
+    assert "exists already and is replaced; give another folder" not in printed()

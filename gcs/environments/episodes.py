@@ -11,6 +11,7 @@ from typing import Any, Unpack
 
 import numpy as np
 from gymnasium import Space
+from gymnasium.spaces import Box
 
 from gcs.environments.drawing import FleetDrawing
 from gcs.environments.options import Options
@@ -18,6 +19,7 @@ from gcs.environments.spaces import Observation, VelocityAction
 from gcs.environments.transition import Transition, is_lost, nearness
 from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot
+from gcs.session.program.acting import known
 from gcs.session.program.turn import SessionError
 from gcs.session.python import Session
 
@@ -36,10 +38,6 @@ class Episodes:
     ) -> None:
         """agents: system ids of vehicles that are agents; every pursuer without it. Raises ValueError, and what
         `gcs.Session` raises of the scenario."""
-        if unknown := sorted(set(options) - Options.__optional_keys__):
-            raise TypeError(
-                f"environments have no option {unknown[0]!r}: {', '.join(sorted(Options.__optional_keys__))}"
-            )
         for given, space in (("observation", "observation_space"), ("action", "action_space")):
             if (given in options) != (space in options):
                 raise ValueError(f"{given} and {space} go together: give both, or neither")
@@ -146,9 +144,7 @@ class Episodes:
             raise SessionError("the episode has ended and cannot be stepped any more: call reset for the next one")
         set_points, act = {}, self._options.get("action", self._action)
         for sysid, action in actions.items():
-            if not self.action_space().contains(action):
-                raise ValueError(f"the action {action!r:.80} of vehicle {sysid} is not in {self.action_space()}")
-            point = act(action, before, sysid)
+            point = act(_inside(action, self.action_space(), sysid), before, sysid)
             if point is not None:
                 set_points[sysid] = point
         after, ended = before, True
@@ -189,14 +185,37 @@ class Episodes:
         stack.close()
 
 
+def check_names(options: Iterable[str], agents: str) -> None:
+    """See that an environment has these keywords; `agents`: its own for the agents. Raises TypeError."""
+    names = {*Options.__optional_keys__, agents}
+    if unknown := sorted(set(options) - names):
+        raise TypeError(f"environments have no option {unknown[0]!r}: {', '.join(sorted(names))}")
+
+
+def _inside(action: Any, space: Space[Any], sysid: int) -> Any:
+    """The action as the space has it: numbers of a box may be of another type, such as Python's. Raises ValueError."""
+    given = action
+    try:
+        if isinstance(space, Box):
+            with np.errstate(over="ignore"):
+                given = np.asarray(action).astype(space.dtype, casting="same_kind")
+        inside = space.contains(given)
+    except (TypeError, ValueError, OverflowError):
+        inside = False
+    if not inside:
+        raise ValueError(f"the action {action!r:.80} of vehicle {sysid} is not in {space}")
+    return given
+
+
 def _checked(agents: Iterable[int] | None, scenario: Scenario) -> list[int]:
     """System ids of the agents in order. Raises ValueError."""
-    known = sorted(vehicle.sysid for vehicle in scenario.vehicles.all)
-    chosen = [vehicle.sysid for vehicle in scenario.vehicles.pursuers] if agents is None else list(agents)
+    there = sorted(vehicle.sysid for vehicle in scenario.vehicles.all)
+    if agents is None:
+        chosen, none = [vehicle.sysid for vehicle in scenario.vehicles.pursuers], f"{scenario.name} has no pursuer"
+    else:
+        chosen, none = [known(sysid, there) for sysid in agents], "agents is empty"
     if not chosen:
-        raise ValueError(f"there is no agent: {scenario.name} has no pursuer; name vehicles of {known} as agents")
-    if missing := [sysid for sysid in chosen if sysid not in known]:
-        raise ValueError(f"there is no vehicle {missing[0]} to be an agent: {scenario.name} has {known}")
+        raise ValueError(f"there is no agent: {none}; name vehicles of {there} as agents")
     if twice := [sysid for sysid in chosen if chosen.count(sysid) > 1]:
         raise ValueError(f"vehicle {twice[0]} is named as an agent twice; name each once")
     return sorted(chosen)

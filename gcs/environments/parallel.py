@@ -13,7 +13,7 @@ from gymnasium.utils.seeding import np_random
 from numpy.typing import NDArray
 from pettingzoo import ParallelEnv
 
-from gcs.environments.episodes import Episodes
+from gcs.environments.episodes import Episodes, check_names
 from gcs.environments.options import Options
 from gcs.scenario.model import Scenario
 from gcs.session.python import Session
@@ -35,6 +35,7 @@ class ParallelSessionEnv(ParallelEnv[str, Any, Any]):  # type: ignore[misc]  # i
         agents: Iterable[int] | None = None,
         **options: Unpack[Options],
     ) -> None:
+        check_names(options, "agents")
         self._episodes = Episodes(scenario, agents, **options)
         roles = {vehicle.sysid: vehicle.role for vehicle in self._episodes.scenario.vehicles.all}
         self._sysids = {f"{roles[sysid]}_{sysid}": sysid for sysid in self._episodes.agents}

@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Unpack
 
 import gymnasium
 
-from gcs.environments.episodes import Episodes
+from gcs.environments.episodes import Episodes, check_names
 from gcs.environments.options import Options
 from gcs.environments.parallel import LARGEST_DRAWN_SEED
 from gcs.scenario.model import Scenario
@@ -29,6 +29,7 @@ class SessionEnv(gymnasium.Env[Any, Any]):
         agent: int | None = None,
         **options: Unpack[Options],
     ) -> None:
+        check_names(options, "agent")
         self._episodes = Episodes(scenario, None if agent is None else (agent,), **options)
         self._agent = self._episodes.agents[0]
         if agent is None:

@@ -139,6 +139,8 @@ class Session:
         self._world = self.scenario
         """with what the program has changed"""
         self._summary: Summary | None = None
+        self._broken: str | None = None
+        """how it ended, where it has no summary"""
 
     @property
     def folder(self) -> Path:
@@ -151,7 +153,9 @@ class Session:
     def summary(self) -> Summary:
         """Result: outcome, distances, energy, refuellings, digest. Raises SessionError before the end."""
         if self._summary is None:
-            raise SessionError("the session has not ended: read `summary` after the loop, or after the with block")
+            raise SessionError(
+                self._broken or "the session has not ended: read `summary` after the loop, or after the with block"
+            )
         return self._summary
 
     def __enter__(self) -> Self:
@@ -196,7 +200,7 @@ class Session:
         """
         self._check_acts()
         points = {} if set_points is None else acting.checked_set_points(set_points, self._sysids)
-        for one in commands:
+        for one in acting.checked_commands(commands):
             self.command(*one)
         snapshot = self._next(points)
         if snapshot is None:
@@ -301,8 +305,10 @@ class Session:
     def _check_flies(self) -> None:
         if self._summary is not None:
             raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: make another one")
-        if not self._open:
+        if self._channel is None:
             raise SessionError("the session does not fly; use it as `with Session(...) as session:`")
+        if not self._open:
+            raise SessionError(self._broken or "the session flies on to its end by itself: call `finish`")
 
     def _check_acts(self) -> None:
         if self.scenario.clock.mode != "lockstep":
@@ -404,7 +410,9 @@ class Session:
         verdict = process.verdict
         if verdict is None:
             how = "was stopped" if process.status is None else f"ended with status {process.status}"
-            raise SessionError(f"the supervisor {how} before the session's end; its files are in {self.folder}")
-        if verdict.get("error"):
-            raise SessionError(str(verdict["error"]))
+            self._broken = f"the supervisor {how} before the session's end; its files are in {self.folder}"
+        else:
+            self._broken = verdict.get("error")
+        if self._broken:
+            raise SessionError(self._broken)
         self._summary = Summary.model_validate_json((self.folder / FILE).read_text(encoding="utf-8"))

@@ -91,11 +91,11 @@ def make_folder(out: Path | None, name: str) -> Path:
             break
         except FileExistsError:
             if out is not None or not folder.is_dir():
-                raise RunError(f"{folder} exists already and is left as it is; give --out another folder") from None
+                raise RunError(f"{folder} exists already and is left as it is; give another folder") from None
             suffix += 1
             folder = folder.with_name(f"{name}-{stamp}-{suffix}")
         except OSError as error:
-            raise RunError(f"cannot make the folder {folder}: {error.strerror}; give --out a place to write") from None
+            raise RunError(f"cannot make the folder {folder}: {error.strerror}; give a place to write") from None
     try:
         (folder / "vehicles").mkdir()
     except OSError as error:

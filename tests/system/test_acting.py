@@ -10,6 +10,7 @@ from typing import Any
 
 import jsonschema
 import numpy as np
+import psutil
 import pytest
 import yaml
 from commands import gcs as run_gcs
@@ -193,6 +194,17 @@ def test_a_set_point_is_where_it_is_to_be_at_the_snapshot_that_is_returned(tmp_p
         assert [line[axis]["1"] for axis in "ned"] == pytest.approx(place(line["t_s"]))
 
 
+def test_what_ended_a_session_is_said_again(tmp_path: Path) -> None:
+    with gcs.Session(write(tmp_path, five()), lockstep=True, out=tmp_path / "out") as session:
+        session.step()
+        supervisor = next(one for one in psutil.Process().children() if str(tmp_path) in " ".join(one.cmdline()))
+        supervisor.kill()
+        calls = [session.step, lambda: session.command(1, "hold"), lambda: list(session), session.stop]
+        for call in calls:
+            with pytest.raises(gcs.SessionError, match=r"^the supervisor ended with status -9 before"):
+                call()
+
+
 class Interrupted:
     """A planner of which one call is ended by Ctrl-C."""
 
@@ -267,6 +279,9 @@ def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
         ):
             with pytest.raises(ValueError, match=sentence):
                 session.command(*command)  # type: ignore[arg-type]
+        for commands in (1, "hold", [1, "hold"], [(1,)], [(1, "hold"), None]):
+            with pytest.raises(ValueError, match=r"^commands are tuples such as \(1, 'hold'\), and .* is none$"):
+                session.step({}, commands)  # type: ignore[arg-type]
         for fault, sentence in (
             ({"fault": "moter", "sysid": 1}, "did you mean 'motor'"),
             ({"fault": "motor"}, "motor needs the sysid"),
@@ -291,6 +306,11 @@ def test_mistakes_are_one_sentence_each(tmp_path: Path) -> None:
         with pytest.raises(gcs.SessionError, match=r"^Pursuer 1 flies by the plan already\.$"):
             session.command(1, "rejoin")
     assert not decisions(session.folder, "steered", "command", "inject")
+    again = gcs.Session(path, lockstep=True, out=tmp_path / "out")
+    with pytest.raises(gcs.SessionError, match=r"out exists already and is left as it is; give another folder$"):
+        again.__enter__()
+    with pytest.raises(gcs.SessionError, match=r"^the session does not fly; use it as `with Session"):
+        again.step()
     with gcs.Session(path, speed=50.0, out=tmp_path / "real") as session:
         for asks in (session.step, lambda: session.command(1, "hold"), lambda: session.inject({})):
             with pytest.raises(gcs.SessionError, match=r"need Session.*lockstep=True"):

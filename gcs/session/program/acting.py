@@ -6,7 +6,7 @@ import math
 import operator
 import struct
 import sys
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -63,6 +63,15 @@ def _check_pair(sysid: int, pair: ArrayLike) -> None:
         if not abs(number) <= FARTHEST:
             shown = "NaN" if math.isnan(number) else f"{number:g}"
             raise ValueError(f"{what} holds {shown}, which is no place or speed: m and m/s up to {FARTHEST:g}")
+
+
+def checked_commands(commands: Iterable[Sequence[Any]]) -> list[Sequence[Any]]:
+    """Arguments of `command`, a tuple each. Raises ValueError."""
+    rows = list(commands) if isinstance(commands, Iterable) else [commands]
+    for row in rows:
+        if isinstance(row, str) or not isinstance(row, Sequence) or len(row) < 2:
+            raise ValueError(f"commands are tuples such as (1, 'hold'), and {row!r:.40} is none")
+    return rows
 
 
 def checked_command(command: str | int, params: Sequence[float]) -> tuple[str, int | None]:

@@ -158,7 +158,7 @@ def test_an_existing_folder_is_left_as_it_is_and_one_that_cannot_be_made_is_name
     (here / "there").mkdir()
     done = said(command, "two.yaml", "--out", "there")
     assert done.returncode == 2
-    assert "gcs: there exists already and is left as it is; give --out another folder" in done.stderr.splitlines()
+    assert "gcs: there exists already and is left as it is; give another folder" in done.stderr.splitlines()
     assert os.listdir(here / "there") == []
     done = said(command, "two.yaml", "--out", "/proc/session")
     assert done.returncode == 2

@@ -176,6 +176,17 @@ def test_functions_of_the_users_take_the_place_of_the_defaults(make: Callable[..
     assert seen[0].after is seen[1].after
 
 
+def test_actions_are_numbers_of_any_type(make: Callable[..., ParallelSessionEnv]) -> None:
+    env, given = make(scenario(goal={"duration_s": 0.5})), [0.25, -0.5, 0.0]
+    digests = []
+    for action in (np.array(given, np.float32), np.array(given), given):
+        env.reset(seed=1)
+        while env.agents:
+            infos = env.step({"pursuer_1": action, "pursuer_2": np.zeros(3, int)})[4]
+        digests.append(infos["pursuer_1"]["digest"])
+    assert len(set(digests)) == 1
+
+
 def test_an_agent_flies_as_fast_as_it_is_commanded_at_any_step(make: Callable[..., ParallelSessionEnv]) -> None:
     env = make(scenario(goal={"duration_s": 5.0}), every_s=0.5)
     env.reset(seed=1)
@@ -262,8 +273,9 @@ def test_gymnasiums_vector_environments_fly_several_sessions() -> None:
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ({"agents": [9]}, "there is no vehicle 9 to be an agent: small has [1, 2, 101]"),
-        ({"agents": []}, "there is no agent"),
+        ({"agents": [9]}, "there is no vehicle 9 in this session: it has 1 to 2, 101"),
+        ({"agents": ["2"]}, "'2' is no system id: give a vehicle's number, one of 1 to 2, 101"),
+        ({"agents": []}, "there is no agent: agents is empty; name vehicles of [1, 2, 101] as agents"),
         ({"agents": [2, 1, 2]}, "vehicle 2 is named as an agent twice; name each once"),
         ({"observation": lambda *_: 0}, "observation and observation_space go together: give both, or neither"),
         ({"action_space": Discrete(2)}, "action and action_space go together"),
@@ -276,6 +288,8 @@ def test_wrong_options_are_refused_in_a_sentence(options: dict[str, Any], senten
         gcs.parallel_env(scenario(), **options)
     with pytest.raises(TypeError, match=r"environments have no option 'rewards': .*reward"):
         gcs.parallel_env(scenario(), rewards=1)  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match=r"environments have no option 'agents': action, .*, agent, "):
+        gymnasium.make(ID, scenario=scenario(), agents=[1])
 
 
 def test_wrong_calls_are_refused_in_a_sentence(make: Callable[..., ParallelSessionEnv]) -> None:
@@ -287,6 +301,9 @@ def test_wrong_calls_are_refused_in_a_sentence(make: Callable[..., ParallelSessi
     env.reset(seed=1)
     with pytest.raises(ValueError, match="of vehicle 1 is not in Box"):
         env.step({"pursuer_1": np.full(3, 2.0, np.float32), "pursuer_2": STILL})
+    for wrong in ([0.0, 0.0], [0.0, 0.0, 1.1], [0.0, 0.0, 1e300], [0.0, 0.0, np.nan], [0.0, 0.0, 1j], "north", None):
+        with pytest.raises(ValueError, match=r"^the action .* of vehicle 1 is not in Box"):
+            env.step({"pursuer_1": wrong, "pursuer_2": STILL})
     with pytest.raises(
         ValueError, match=r"^there is no action of pursuer_2: step takes one of each agent of `agents`$"
     ):

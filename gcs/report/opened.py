@@ -30,7 +30,7 @@ from gcs.recording.tables import Column
 from gcs.report import page, plots
 from gcs.report.charts import Charts
 from gcs.report.findings import Findings, ServiceFinding
-from gcs.scenario.document import path_of
+from gcs.scenario.document import did_you_mean, path_of
 from gcs.scenario.model import Scenario
 
 ENERGY, SERVICES = "energy", "services"
@@ -162,13 +162,18 @@ def open(
     """Read a session's folder or a recording (.tlog, .tlog.raw, .rlog, ArduPilot's .BIN, PX4's .ulg) into tables.
 
     others: recordings beside it, as in `gcs replay`. only: names of the tables that are kept, for long recordings; all
-    without it. What cannot be read is in `problems`. Raises RecordingError where nothing can be.
+    without it. What cannot be read is in `problems`. Raises RecordingError where nothing can be, ValueError where
+    `only` names no table of it.
     """
     wanted = "a session's folder or a recording"
     paths = [Path(path_of(one, "the source", wanted)) for one in (source, *others)]
     tables = _Gathered(only)
     with _refusals(), beside(paths) as opened:
         problems = opened.problems + export(opened.path, tables)
+    there = [*tables.rows, *(name for name in (ENERGY, SERVICES) if name not in tables.rows)]
+    if missed := [name for name in only or () if name not in there]:
+        known = f"the tables are {', '.join(there)}"
+        raise ValueError(f"{missed[0]!r} is no table here; {known}{did_you_mean(str(missed[0]), there)}")
     return Recording(paths, tables.whole(), problems)
 
 

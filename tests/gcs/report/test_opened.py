@@ -121,6 +121,9 @@ def test_only_some_tables_are_kept(flown: Outcome, flight: gcs.Recording) -> Non
     few = gcs.open(flown.folder, only=["ATTITUDE"])
     assert sorted(few) == ["ATTITUDE", "energy", "services"]
     assert few["ATTITUDE"].equals(flight["ATTITUDE"])
+    assert sorted(gcs.open(flown.folder, only=("energy",))) == ["energy", "services"]
+    with pytest.raises(ValueError, match=r"^'ATTITUD' is no table here; the tables are .*; did you mean 'ATTITUDE'\?$"):
+        gcs.open(flown.folder, only=["energy", "ATTITUD"])
 
 
 def record(t_us: int, message: Any, sysid: int) -> bytes:

@@ -73,6 +73,8 @@ class CheckedVehicle:
     """AVAILABLE_MODES' fields by mode_index"""
     neighbours: dict[int, str] = field(default_factory=dict)
     """other vehicles that acknowledged a command to it, with that command's name, by system id"""
+    asked: Sequence[Message] = ()
+    """the last messages of a question to it"""
     rates_count_from_s: float = 0.0
     """when it was first received or, where it was waited for, when it was ready: one that boots sends less"""
     running_s: float | None = None
@@ -275,7 +277,7 @@ class Dialogue:
         assert self.vehicle is not None
         self._asked += 1
         self._due_s = now_s + question.repeat_s
-        messages = question.ask(self.vehicle)
+        self.vehicle.asked = messages = question.ask(self.vehicle)
         if not question.elsewhere:
             self._commands = {_fields(one).command for one in messages if one.msgid in _COMMANDS}
         return messages

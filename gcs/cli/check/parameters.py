@@ -9,7 +9,7 @@ from typing import Any
 from gcs.cli.check.asking import MAVPROXY, MAVSDK, QGC, judged, to_vehicle
 from gcs.cli.check.dialogue import CheckedVehicle, Question, ReceivedMessage, Verdict
 from gcs.cli.check.predicates import OK, answered
-from gcs.mavlink.codec import Message
+from gcs.mavlink.codec import Message, layout
 from skytender import mavlink as mav
 
 LIST_S = 10.0
@@ -34,12 +34,16 @@ def _ask_parameters(vehicle: CheckedVehicle) -> Sequence[Message]:
 def _parameters_reported(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict | None:
     indices = {h.fields.param_index for h in received if h.name == "PARAM_VALUE"}
     count = _count(vehicle)
-    return OK if count and len(indices & set(range(count))) == count else None
+    return OK if count and indices.issuperset(range(count)) else None
 
 
-def _parameters_missing(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
+def _parameters_missing(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verdict:
     count = _count(vehicle)
-    return Verdict("missing", f"{len(vehicle.parameters)} of {count} came" if count else "none came")
+    if not count or len(vehicle.parameters) < count:
+        return Verdict("missing", f"{len(vehicle.parameters)} of {count} came" if count else "none came")
+    indices = {h.fields.param_index for h in received if h.name == "PARAM_VALUE"}
+    absent = next(index for index in range(count) if index not in indices)
+    return Verdict("wrong", f"{count} of {count} came, but none with param_index {absent}")
 
 
 def _encoding_fault(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
@@ -106,6 +110,14 @@ def _is_that_one(vehicle: CheckedVehicle, content: Any) -> bool:
     return bool(content.param_id == _any_parameter(vehicle).param_id)
 
 
+def _echo_fault(vehicle: CheckedVehicle, content: Any) -> str:
+    """By the bytes: these may be an integer's, or NaN."""
+    (asked,) = vehicle.asked
+    sent = layout(asked.msgid).record(*asked.values).param_value
+    same = content.param_value.raw == sent.raw
+    return "" if same else f"{content.param_id} was set to {sent:.9g} and came back as {content.param_value:.9g}"
+
+
 PARAMETERS = [
     Question(
         "parameter-list",
@@ -143,7 +155,7 @@ PARAMETERS = [
             QGC: "says that the parameter write failed",
             MAVPROXY: "tries again",
         },
-        answered("PARAM_VALUE", ours=_is_that_one),
+        answered("PARAM_VALUE", _echo_fault, ours=_is_that_one),
         _set_one,
         when=_no_parameters,
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
@@ -137,13 +138,16 @@ def _counted(vehicle: CheckedVehicle, name: str) -> list[float]:
 
 
 def streamed(name: str, at_least_hz: float) -> Callable[[CheckedVehicle, Sequence[ReceivedMessage]], Verdict]:
-    """The message has come unasked, since rates count, about as often as is wanted."""
+    """The message has come unasked, since rates count, about as often as is wanted, at last with finite numbers."""
 
     def at_end(vehicle: CheckedVehicle, _: Sequence[ReceivedMessage]) -> Verdict:
         arrivals_s = _counted(vehicle, name)
         window_s = max(times[-1] for times in vehicle.arrivals_s.values()) - vehicle.rates_count_from_s
         if not arrivals_s:
             return Verdict("missing", f"not heard in {window_s:.1f} s")
+        numbers = ((field, x) for field, x in vehicle.of(name)._asdict().items() if isinstance(x, float))
+        if odd := [f"{field} is {x}" for field, x in numbers if not math.isfinite(x)]:
+            return Verdict("wrong", ", ".join(odd))
         if len(arrivals_s) < 0.8 * at_least_hz * window_s - 1.0:
             return Verdict("late", f"{len(arrivals_s) / window_s:.1f} Hz, wanted {at_least_hz:g} Hz")
         return OK

@@ -163,21 +163,26 @@ def test_the_workflow_of_the_docs_flies_the_demo_in_another_repository_as_in_the
 
 
 @pytest.mark.slow
-def test_the_actions_steps_fly_every_seed(wheel: Path, runner: dict[str, str], tmp_path: Path) -> None:
+def test_the_actions_steps_fly_every_seed_each_time_that_it_is_used(
+    wheel: Path, runner: dict[str, str], tmp_path: Path
+) -> None:
     """What a runner puts for the expressions in `env` is put here."""
     action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
     assert action["inputs"]["scenario"]["default"] in shipped_names()
     brief = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
     (Path(runner["PWD"]) / "field.yaml").write_text(yaml.safe_dump(brief))
-    given = {
-        "PACKAGE": str(wheel), "SCENARIO": "field.yaml", "SEEDS": "3 4",
-        "FOLDER": str(tmp_path / "temp" / "sessions"), "GITHUB_OUTPUT": str(tmp_path / "output"),
-    }  # fmt: skip
+    given = {"PACKAGE": str(wheel), "SCENARIO": "field.yaml", "SEEDS": "3 4"}
+    own = {"GITHUB_OUTPUT": str(tmp_path / "output"), "RUNNER_TEMP": str(tmp_path / "temp")}
+    Path(own["RUNNER_TEMP"]).mkdir()
     listed = action["runs"]["steps"]
-    assert {name for step in listed for name in step.get("env", ())} == given.keys() - {"GITHUB_OUTPUT"}
-    steps(listed, runner | given)
-    folder = Path(given["FOLDER"])
-    assert Path(given["GITHUB_OUTPUT"]).read_text() == f"folder={folder}\n"
-    flown = {seed: yaml.safe_load((folder / seed / "scenario.yaml").read_text())["seed"] for seed in ("3", "4")}
+    assert {name for step in listed for name in step.get("env", ())} == given.keys()
+    for use in (given, given | {"SEEDS": ""}):
+        steps(listed, runner | own | use)
+    said = Path(own["GITHUB_OUTPUT"]).read_text().splitlines()
+    first, second = (Path(line.removeprefix("folder=")) for line in said)
+    flown = {seed: yaml.safe_load((first / seed / "scenario.yaml").read_text())["seed"] for seed in ("3", "4")}
     assert flown == {"3": 3, "4": 4}
-    assert {path.name for path in folder.glob("*.xml")} == {"3.xml", "4.xml"}
+    assert {path.name for path in first.glob("*.xml")} == {"3.xml", "4.xml"}
+    assert sorted(path.name for path in second.iterdir()) == ["own", "own.xml"]
+    (upload,) = (step["with"] for step in listed if "upload" in step.get("uses", ""))
+    assert upload["path"] == action["outputs"]["folder"]["value"] == "${{ steps.fly.outputs.folder }}"

@@ -16,6 +16,8 @@ ABANDONED = 75
 AUTOPILOT_GONE = 76
 """The autopilot that a vehicle flies cannot be started, was not ready, or has ended."""
 INTERRUPTED = 130
+STANDARD_OUTPUT = "standard output"
+"""in the place of a file's name"""
 
 
 def leave(status: int) -> NoReturn:

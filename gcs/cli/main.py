@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 
 from gcs.extras import MissingExtra
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, leave
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, STANDARD_OUTPUT, leave
 from skytender.loading import uncollected
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -96,7 +96,7 @@ def run_argv(argv: list[str] | None = None) -> int:
             click.echo(f"gcs: {error}", err=True)
             return BAD_INPUT
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
-            click.echo(f"gcs: {error.filename or 'standard output'} cannot be written: {error.strerror}", err=True)
+            click.echo(f"gcs: {error.filename or STANDARD_OUTPUT} cannot be written: {error.strerror}", err=True)
             return NOT_DONE
         place = traceback.extract_tb(error.__traceback__)[-1]
         where = f"{Path(place.filename).name}:{place.lineno}"

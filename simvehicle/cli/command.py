@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
@@ -12,7 +13,7 @@ from typing import Any
 
 import click
 
-from skytender.exit import BAD_INPUT, INTERRUPTED
+from skytender.exit import BAD_INPUT, CANNOT_WRITE, INTERRUPTED, STANDARD_OUTPUT
 
 COMMANDS = ("ardupilot", "fork-server", "paper", "px4", "traffic")
 """Each in a module of its name, with `_` for `-`."""
@@ -151,7 +152,7 @@ def run_argv(argv: Sequence[str]) -> int:
 
 
 def reported(run: Callable[[], int | None]) -> int:
-    """Run, and say in one sentence what click refuses; the exit status."""
+    """Run, and say in one sentence what click refuses, or that the disk is full; the exit status."""
     try:
         status = run()
     except click.ClickException as error:
@@ -159,6 +160,12 @@ def reported(run: Callable[[], int | None]) -> int:
         return BAD_INPUT
     except (KeyboardInterrupt, click.Abort):
         return INTERRUPTED
+    except OSError as error:
+        if error.errno != errno.ENOSPC:
+            raise
+        unwritten = error.filename or STANDARD_OUTPUT
+        print(f"simvehicle: cannot write {unwritten}: {error.strerror}", file=sys.stderr)
+        return CANNOT_WRITE
     return int(status or 0)
 
 

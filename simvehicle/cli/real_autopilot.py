@@ -64,7 +64,7 @@ def fly_autopilot(
                     run_supervised([ConnectedUnit(unit, connection, [])], link, own_secret())
             elif connect is not None:
                 with PlainLink(parse_address(connect), connection) as plain:
-                    print(f"vehicle {sysid}: {plain.address} (local port {plain.port})", flush=True)
+                    plain.announce()
                     run_free([ConnectedUnit(unit, None, [plain])])
     except (AddressError, OSError, yaml.YAMLError) as error:
         raise click.UsageError(f"{file}: {error}") from error

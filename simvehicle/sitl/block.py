@@ -22,7 +22,15 @@ from simvehicle.mavlink.context import Store
 from simvehicle.mavlink.dispatcher import Services
 from simvehicle.mavlink.telemetry import UNPROMPTED
 from simvehicle.sitl.keys import Keyring
-from simvehicle.sitl.link import Address, PlainLink, SupervisedLink, parse_address, parse_supervisor
+from simvehicle.sitl.link import (
+    LAST_PORT,
+    Address,
+    AddressError,
+    PlainLink,
+    SupervisedLink,
+    parse_address,
+    parse_supervisor,
+)
 from simvehicle.sitl.loop import ConnectedUnit, run_free
 from simvehicle.sitl.secret import own_secret
 from simvehicle.sitl.supervised import run_supervised
@@ -75,16 +83,17 @@ class Block:
     ) -> None:
         """Build them, without a socket or a file: what is forked from this process can fly them. Raises
         AddressError."""
-        self._addresses = [parse_address(text) for text in connect]
+        parsed = [parse_address(text) for text in connect]
+        self._addresses = [[_own(address, i, len(wanted)) for address in parsed] for i in range(len(wanted))]
         self._supervisor = parse_supervisor(supervised) if supervised is not None else None
-        self._built = [self._build(one, identity, frame) for one in wanted]
+        self._built = [self._build(one, identity, frame, len(parsed)) for one in wanted]
 
-    def _build(self, one: Wanted, identity: Identity, frame: LocalFrame) -> _Built:
+    def _build(self, one: Wanted, identity: Identity, frame: LocalFrame, plain: int) -> _Built:
         vehicle = Vehicle(identity, one.parameters, frame, one.start, one.plant)
         if one.separation is not None:
             vehicle.period_s = one.separation.period_s
             vehicle.separation = Separation(vehicle, one.sysid, one.separation)
-        connections = [Connection(one.sysid) for _ in self._addresses]
+        connections = [Connection(one.sysid) for _ in range(plain)]
         for connection in connections:
             for key, rate_hz in UNPROMPTED.items():
                 connection.streams.set_default(key, rate_hz)
@@ -97,14 +106,14 @@ class Block:
     def fly(self) -> None:
         """Fly them to the end of their session, once.
 
-        Raises AddressError, KeyRefused and OSError before anything flies, OSError with a file name when truth cannot
-        be written.
+        Raises AddressError, KeyRefused and OSError before anything flies, OSError with a file name when standard output
+        or truth cannot be written.
         """
         with ExitStack() as opened:
             seats = [self._seat(one, i, opened) for i, one in enumerate(self._built)]
-            for one, (_, _, plain) in zip(self._built, seats, strict=True):
+            for _, _, plain in seats:
                 for link in plain:
-                    print(f"vehicle {one.wanted.sysid}: {link.address} (local port {link.port})", flush=True)
+                    link.announce()
             if self._supervisor is not None:
                 run_supervised(seats, opened.enter_context(SupervisedLink(self._supervisor)), own_secret())
             else:
@@ -118,16 +127,21 @@ class Block:
         if self._supervisor is not None:
             supervised, *connections = connections
         plain = [
-            opened.enter_context(PlainLink(_own(address, i), connection, keyring=keyring, link_id=number))
-            for number, (address, connection) in enumerate(zip(self._addresses, connections, strict=True))
+            opened.enter_context(PlainLink(address, connection, keyring=keyring, link_id=number))
+            for number, (address, connection) in enumerate(zip(self._addresses[i], connections, strict=True))
         ]
         if one.truth is not None:
             opened.enter_context(one.truth)
         return ConnectedUnit(one.unit, supervised, plain)
 
 
-def _own(address: Address, i: int) -> Address:
-    """The i-th vehicle's: those that wait at a port wait at one each, from the given one upwards."""
+def _own(address: Address, i: int, count: int) -> Address:
+    """The i-th vehicle's of `count`: those that wait at a port wait at one each, from the given one upwards. Raises
+    AddressError where there are not so many."""
     if address.kind != "udpin" or address.port == 0:
         return address
+    if address.port + count - 1 > LAST_PORT:
+        raise AddressError(
+            f"cannot use {address} for {count} vehicles: ports end at {LAST_PORT}; begin at {LAST_PORT + 1 - count}"
+        )
     return address._replace(port=address.port + i)

@@ -14,6 +14,7 @@ from typing import NamedTuple, Self
 from simvehicle.mavlink.codec import ReceivedFrame, speaks_mavlink_1, split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.sitl.keys import Keyring
+from skytender.exit import STANDARD_OUTPUT
 
 RECEIVE_BYTES = 2048
 """Longer datagrams are cut: MAVLink has none."""
@@ -25,6 +26,7 @@ MOST_PEERS = 32
 """A udpin link answers this many."""
 PEER_SILENT_S = 10.0
 """A peer that has been silent for so long is answered no more: a ground station sends HEARTBEAT every second."""
+LAST_PORT = 65535
 _ADDRESS = re.compile(r"(udpin|udpout):(\[[0-9A-Fa-f:.]+\]|[^:\s]+):(\d{1,5})")
 
 
@@ -46,7 +48,7 @@ class Address(NamedTuple):
 def parse_address(text: str) -> Address:
     """Read `udpin:HOST:PORT` or `udpout:HOST:PORT`; raises AddressError."""
     match = _ADDRESS.fullmatch(text)
-    if match is None or int(match[3]) > 65535 or (match[1] == "udpout" and int(match[3]) == 0):
+    if match is None or int(match[3]) > LAST_PORT or (match[1] == "udpout" and int(match[3]) == 0):
         example = "write udpout:HOST:PORT or udpin:HOST:PORT, e.g. udpout:127.0.0.1:14550"
         raise AddressError(f"'{text}' is no connection; {example}")
     return Address(match[1], match[2].strip("[]"), int(match[3]))
@@ -129,6 +131,13 @@ class PlainLink(_Link):
     def port(self) -> int:
         """The local port."""
         return int(self.socket.getsockname()[1])
+
+    def announce(self) -> None:
+        """Say on standard output where the vehicle is. Raises OSError, which names that."""
+        try:
+            print(f"vehicle {self.connection.sysid}: {self.address} (local port {self.port})", flush=True)
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, STANDARD_OUTPUT) from None
 
     def receive(self) -> list[ReceivedFrame]:
         """The intact frames that have come, of MOST_AT_ONCE datagrams at most; their senders are answered from now on.

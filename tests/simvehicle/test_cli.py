@@ -111,6 +111,22 @@ def test_port_in_use_is_named(capfd: pytest.CaptureFixture[str]) -> None:
     assert f"cannot use {address}: the port is in use" in told
 
 
+def test_ports_of_a_block_that_would_count_beyond_the_last_are_refused(capfd: pytest.CaptureFixture[str]) -> None:
+    said = complaint(["--sysid", "1", "--count", "10", "--connect", "udpin:127.0.0.1:65527"], capfd)
+    assert said == "simvehicle: cannot use udpin:127.0.0.1:65527 for 10 vehicles: ports end at 65535; begin at 65526\n"
+
+
+@pytest.mark.parametrize(("argv", "speaker"), [(["--help"], "simvehicle"), (FINE, "vehicle 1")])
+def test_a_full_disk_behind_standard_output_is_one_sentence(argv: list[str], speaker: str) -> None:
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "simvehicle", *argv], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60,
+            check=False,
+        )  # fmt: skip
+    sentence = f"{speaker}: cannot write standard output: No space left on device\n"
+    assert (done.returncode, done.stderr) == (74, sentence)
+
+
 def test_help_is_a_page_for_newcomers_and_loads_no_compiler() -> None:
     script = (
         "import sys; from simvehicle.cli import run_argv; status = run_argv(['--help']);"

@@ -88,7 +88,7 @@ def get(patterns: tuple[str, ...], describe: bool, compids: tuple[int, ...], as_
             _say(name, {of: values.get(name) for of, values in found.items()})
             for line in meanings.lines(name, meant):
                 click.echo(f"{'':<{LONGEST_NAME}}  {line}")
-    return _missing(clients)
+    return _missing(clients, patterns)
 
 
 @params.command("set", short_help="Write parameters, and read them back.")
@@ -110,12 +110,13 @@ def set_(settings: tuple[str, ...], dry_run: bool, compids: tuple[int, ...], as_
         plain = {name: number for name, number in wanted.items() if name not in globs}
         numbers = {address: dict(plain) for address in _addresses(fleet, compids)}
         if globs:
-            for client in _read_to_write(fleet, numbers, globs):
+            clients = _read_to_write(fleet, numbers, globs)
+            if unmatched := _unmatched(clients, globs):
+                raise Refused(f"no vehicle has a parameter named {', '.join(unmatched)}")
+            for client in clients:
                 for pattern in globs:
                     names = fnmatch.filter(client.known, pattern)
                     numbers[client.sysid, client.compid] |= dict.fromkeys(names, wanted[pattern])
-        if not any(numbers.values()):
-            raise Refused(f"no vehicle has a parameter named {', '.join(globs)}")
         return write(fleet, numbers, dry_run=dry_run, plain=as_json, loaded=False)
 
 
@@ -178,7 +179,7 @@ def save(file: Path, patterns: tuple[str, ...], compids: tuple[int, ...], as_jso
         click.echo(json.dumps({"file": str(file), "vehicles": vehicles, "parameters": count}))
     else:
         click.echo(f"{count} parameters of {vehicles} vehicle{'s' * (vehicles != 1)} are in {file}")
-    return _missing(clients)
+    return _missing(clients, patterns)
 
 
 @params.command(short_help="Write a file's parameters to vehicles, and read them back.")
@@ -234,8 +235,14 @@ def _read_to_write(fleet: FleetClient, addresses: Iterable[Address], patterns: S
         raise
 
 
-def _missing(clients: Sequence[ParameterClient]) -> int:
-    """Say what did not come; the exit status of that."""
+def _unmatched(clients: Sequence[ParameterClient], patterns: Sequence[str]) -> list[str]:
+    """Patterns that name no parameter of any component, but those that a component was asked for by name."""
+    names = {name for client in clients for name in (*client.known, *(result.name for result in client.results))}
+    return [pattern for pattern in patterns if not fnmatch.filter(names, pattern)]
+
+
+def _missing(clients: Sequence[ParameterClient], patterns: Sequence[str] = ()) -> int:
+    """Say what did not come, or what of these patterns there is nothing of; the exit status of that."""
     status = 0
     for client in clients:
         for result in client.results:
@@ -245,6 +252,10 @@ def _missing(clients: Sequence[ParameterClient]) -> int:
         if client.incomplete:
             click.echo(f"gcs: vehicle {label(client)}: only {client.incomplete}", err=True)
             status = NOT_DONE
+    unmatched = _unmatched(clients, patterns)
+    if unmatched and not any(client.incomplete for client in clients):
+        click.echo(f"gcs: no vehicle has a parameter named {', '.join(unmatched)}", err=True)
+        status = NOT_DONE
     return status
 
 
@@ -297,13 +308,13 @@ def _setting(text: str) -> tuple[str, int | float]:
     """Name and number of NAME=VALUE. Raises click.UsageError."""
     from gcs.mavlink.parameters.value import parsed
 
-    name, equals, number = text.partition("=")
+    name, equals, number = (part.strip() for part in text.partition("="))
     if not (name and equals):
         raise click.UsageError(f"{text!r} is no setting; write NAME=VALUE, such as FENCE_RADIUS=80.")
     if len(name) > LONGEST_NAME:
         raise click.UsageError(f"{text!r}: a parameter's name has {LONGEST_NAME} letters at most, not {len(name)}.")
     try:
-        return name, parsed(number.strip())
+        return name, parsed(number)
     except ValueError:
         raise click.UsageError(
             f"{text!r}: {number!r} is no number; write NAME=VALUE, such as FENCE_RADIUS=80."

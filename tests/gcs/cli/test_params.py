@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from contextlib import nullcontext
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,6 +13,7 @@ from commands import gcs
 from dialogue import exchange
 from pymavlink.dialects.v20 import common as mav
 
+from gcs.cli.main import run_argv
 from gcs.cli.parameter_writing import LIST_FROM, why, write
 from gcs.mavlink.autopilots import ARDUCOPTER
 from gcs.mavlink.parameters.client import ParameterClient
@@ -157,6 +160,51 @@ def test_a_name_that_is_mistyped_is_compared_with_what_the_vehicle_has_said() ->
     exchange(client, vehicle, 0.0)
     client.expect(["FENCE_ENABEL"])
     assert why(client, client.results[-1]) == "it does not know it; did you mean FENCE_ENABLE?"
+
+
+@pytest.fixture
+def two(monkeypatch: pytest.MonkeyPatch) -> Fleet:
+    """The fleet of two vehicles, of which the second has one parameter more, that commands find."""
+    fleet = Fleet(Vehicle(), Vehicle())
+    fleet.vehicles[2].parameters["FENCE_ENABLE"] = 1.0
+    monkeypatch.setattr("gcs.cli.params.fleet_at", lambda **_: nullcontext(fleet))
+    return fleet
+
+
+@pytest.mark.usefixtures("two")
+@pytest.mark.parametrize(
+    ("names", "status", "out", "err"),
+    [
+        (["P00?"], 0, 10, ""),
+        (["FENCE_*"], 0, 1, ""),
+        (["NOPE*"], 1, 0, "gcs: no vehicle has a parameter named NOPE*\n"),
+        (["P00?", "NOPE*", "NO_[AB]"], 1, 10, "gcs: no vehicle has a parameter named NOPE*, NO_[AB]\n"),
+        (["P00?", "FENCE_ENABLE"], 0, 11, ""),
+        (["P00?", "NOPE"], 1, 10, "gcs: no vehicle has a parameter named NOPE\n"),
+        (["FENCE_ENABLE"], 1, 1, "gcs: vehicle 1: FENCE_ENABLE: it does not know it\n"),
+    ],
+)
+def test_a_name_that_names_nothing_is_said_with_asterisks_too(
+    names: list[str], status: int, out: int, err: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert run_argv(["params", "get", *names]) == status
+    said = capsys.readouterr()
+    assert (len(said.out.splitlines()), said.err) == (out, err)
+    assert run_argv(["params", "save", str(tmp_path / "some.params"), *names]) == status
+    assert capsys.readouterr().err == err
+
+
+def test_nothing_is_written_where_a_name_with_asterisks_names_nothing(
+    two: Fleet, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run_argv(["params", "set", "P001=5", "P00?=6", "NOPE*=1"]) == 2
+    assert capsys.readouterr().err == "gcs: no vehicle has a parameter named NOPE*\n"
+    assert two.vehicles[1].parameters == MANY
+
+
+def test_blanks_around_the_parts_of_a_setting_do_not_count(two: Fleet) -> None:
+    assert run_argv(["params", "set", " P001 = 5 "]) == 0
+    assert [vehicle.parameters["P001"] for vehicle in two.vehicles.values()] == [5.0, 5.0]
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import os
 import signal
 import sys
 
-from skytender.exit import INTERRUPTED
+from skytender.exit import INTERRUPTED, Terminated
 from skytender.loading import uncollected
 
 AGAIN_S = 0.02
@@ -30,13 +30,18 @@ def main() -> None:
 
 
 def raise_again(lost: UnraisableHookArgs) -> None:
-    """A hook: a Ctrl-C in a callback of compiled code, which nothing can be raised through, comes again after it."""
-    if lost.exc_type is not KeyboardInterrupt:
+    """A hook: a Ctrl-C or the like in a callback of compiled code, which nothing can be raised through, comes again
+    after it."""
+    if isinstance(lost.exc_value, Terminated):
+        number = lost.exc_value.number
+    elif lost.exc_type is KeyboardInterrupt:
+        number = signal.SIGINT
+    else:
         sys.__unraisablehook__(lost)
         return
     import threading  # noqa: PLC0415 - what takes long
 
-    later = threading.Timer(AGAIN_S, signal.pthread_kill, (threading.main_thread().ident, signal.SIGINT))
+    later = threading.Timer(AGAIN_S, signal.pthread_kill, (threading.main_thread().ident, number))
     later.daemon = True
     later.start()
 

@@ -20,6 +20,24 @@ STANDARD_OUTPUT = "standard output"
 """in the place of a file's name"""
 
 
+class Terminated(BaseException):
+    """A signal that asks this program to end, raised where it came, so that what was begun is cleaned up."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(number)
+        self.number = number
+
+    @property
+    def status(self) -> int:
+        """The program's exit status, as shells have it."""
+        return 128 + self.number
+
+
+def terminate(number: int, _: object) -> NoReturn:
+    """A handler of signals that raises them."""
+    raise Terminated(number)
+
+
 def leave(status: int) -> NoReturn:
     """End the process with this status, its streams flushed.
 

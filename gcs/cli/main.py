@@ -11,7 +11,7 @@ from pathlib import Path
 import click
 
 from gcs.extras import MissingExtra
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, STANDARD_OUTPUT, leave
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, STANDARD_OUTPUT, Terminated, leave
 from skytender.loading import uncollected
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -91,6 +91,8 @@ def run_argv(argv: list[str] | None = None) -> int:
         return error.exit_code
     except (KeyboardInterrupt, click.Abort):
         return INTERRUPTED
+    except Terminated as signalled:
+        return signalled.status
     except Exception as error:
         if isinstance(error, MissingExtra):
             click.echo(f"gcs: {error}", err=True)

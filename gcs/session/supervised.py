@@ -28,7 +28,7 @@ from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.pydantic_plugins import without_plugins
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
 from gcs.session.plain_text import View, clean, farewell, mute_stdout, shortfalls
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, Terminated, terminate
 from skytender.loading import uncollected
 
 SUPERVISOR = "gcs.session.process"
@@ -55,6 +55,8 @@ class Signals:
         self._write.setblocking(False)
         self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
         self._handlers = {number: signal.signal(number, _ignore) for number in (signal.SIGINT, signal.SIGTERM)}
+        if signal.getsignal(signal.SIGHUP) is terminate:  # the supervisor saves the session also where we are no more
+            self._handlers[signal.SIGHUP] = signal.signal(signal.SIGHUP, signal.SIG_DFL)
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -105,17 +107,28 @@ def make_folder(out: Path | None, name: str) -> Path:
 
 @contextlib.contextmanager
 def new_folder(out: Path | None, name: str) -> Iterator[Path]:
-    """A folder that `make_folder` makes; where Ctrl-C comes before anything is written to it, it is removed."""
-    folder = make_folder(out, name)
+    """A folder that `make_folder` makes; where Ctrl-C, SIGTERM or SIGHUP comes before anything is written to it, it is
+    removed."""
+    handlers = {number: signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP)}
+    for number, handler in handlers.items():
+        if handler is signal.SIG_DFL:  # else the caller ignores it, as nohup does
+            signal.signal(number, terminate)
     try:
-        yield folder
-    except KeyboardInterrupt:
-        if any(path.is_file() and path.stat().st_size for path in folder.rglob("*")):
-            print(f"gcs: interrupted; what was written by then stands in {folder}", file=sys.stderr)
-        else:
-            shutil.rmtree(folder, ignore_errors=True)
-            print(f"gcs: interrupted before the session began; its folder {folder} is removed", file=sys.stderr)
-        raise
+        folder = make_folder(out, name)
+        try:
+            yield folder
+        except (KeyboardInterrupt, Terminated):
+            if any(path.is_file() and path.stat().st_size for path in folder.rglob("*")):
+                end = f"interrupted; what was written by then stands in {folder}"
+            else:
+                shutil.rmtree(folder, ignore_errors=True)
+                end = f"interrupted before the session began; its folder {folder} is removed"
+            with contextlib.suppress(OSError):  # the terminal may be gone
+                print(f"gcs: {end}", file=sys.stderr)
+            raise
+    finally:
+        for number, handler in handlers.items():
+            signal.signal(number, handler)
 
 
 def write_scenario(folder: Path, scenario: Scenario) -> None:

@@ -60,9 +60,10 @@ def test_a_killed_vehicle_is_named_and_the_others_fly_on(running: Running) -> No
     assert outcome.vehicle(1)["final_mode"] == "dead"
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("written", [False, True])
-def test_a_folder_that_nothing_was_written_to_is_removed_by_ctrl_c(
-    written: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_a_folder_that_nothing_was_written_to_is_removed_by_a_signal(
+    written: bool, number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     scenario, folder = tmp_path / "small.yaml", tmp_path / "out"
     scenario.write_text(yaml.safe_dump(small()), encoding="utf-8")
@@ -71,10 +72,12 @@ def test_a_folder_that_nothing_was_written_to_is_removed_by_ctrl_c(
         assert (folder / "vehicles").is_dir()
         if written:
             (folder / "scenario.yaml").write_text("name: small", encoding="utf-8")
-        raise KeyboardInterrupt
+        signal.raise_signal(number)
 
     monkeypatch.setattr("gcs.cli.run._view", interrupt)  # before the supervisor, which writes to the folder
-    assert run_argv(["run", str(scenario), "--plain", "--out", str(folder)]) == 130
+    before = [signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)]
+    assert run_argv(["run", str(scenario), "--plain", "--out", str(folder)]) == 128 + number
+    assert [signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)] == before
     assert folder.exists() is written
     stands = f"interrupted; what was written by then stands in {folder}"
     removed = f"interrupted before the session began; its folder {folder} is removed"

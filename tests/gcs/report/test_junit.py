@@ -68,3 +68,20 @@ def test_a_scenario_that_cannot_be_flown_is_an_error_in_the_file_too(
     assert "sped" in "".join(found.itertext())
     assert "sped" in capsys.readouterr().err
     assert not (tmp_path / "session").exists()
+
+
+@pytest.mark.parametrize(
+    ("out", "junit"),
+    [("new", "new"), ("new", "./new"), ("new/deep/session", "new"), ("here/new", "there/new"), (None, "sessions")],
+)
+def test_a_file_where_the_session_has_its_folder_is_refused_before_the_flight(
+    out: str | None, junit: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "here").mkdir()
+    (tmp_path / "there").symlink_to("here")
+    monkeypatch.chdir(tmp_path)
+    words = [] if out is None else ["--out", out]
+    assert run_argv(["run", "demo", "--lockstep", "--plain", *words, "--junit", junit]) == 2
+    said = f"gcs: --junit: {Path(junit)} will be a folder, as the session's folder is there; name a file."
+    assert capsys.readouterr().err.splitlines()[-1] == said
+    assert sorted(path.name for path in tmp_path.rglob("*")) == ["here", "there"]

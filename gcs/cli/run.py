@@ -149,8 +149,8 @@ def run(
     \b
     Exit status:
       0    the scenario's goal was met
-      1    it was not met
-      2    bad input; nothing has flown
+      1    it was not met, or the session broke off
+      2    bad input, or nowhere to write; nothing has flown
       130  stopped by Ctrl-C (143 by SIGTERM); what was flown is saved
       70   an error of the program itself
     """

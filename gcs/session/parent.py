@@ -36,8 +36,8 @@ def say(content: Mapping[str, Any]) -> None:
         print(json.dumps(content), file=sys.__stdout__, flush=True)
 
 
-def explained(problem: Exception, folder: Path) -> tuple[int, str]:
-    """Exit status and sentence of an error that has ended the session in `folder`.
+def explained(problem: Exception, folder: Path, *, begun: bool) -> tuple[int, str]:
+    """Exit status and sentence of an error that has ended the session in `folder`. `begun`: whether anything has flown.
 
     Called where it is handled: the traceback of a fault of the program's own goes into the folder.
     """
@@ -48,7 +48,8 @@ def explained(problem: Exception, folder: Path) -> tuple[int, str]:
     if isinstance(problem, SessionFailed | LaunchError):
         return NOT_DONE, str(problem)
     if isinstance(problem, OSError):
-        return NOT_DONE, f"{problem.filename or folder}: {problem.strerror}; give --out another place"
+        why = f"{problem.filename or folder} cannot be written: {problem.strerror}; give --out another place"
+        return NOT_DONE if begun else BAD_INPUT, why
     log = folder / "supervisor.log"
     with contextlib.suppress(OSError):
         log.write_text(traceback.format_exc(), encoding="utf-8")

@@ -65,6 +65,7 @@ def fly(
     os.set_blocking(0, False)
     status, outcome, error = INTERNAL_ERROR, "", None
     vehicles: OwnVehicles | None = None
+    session = None
     try:
         scenario = scenario or load(folder / "scenario.yaml")
         vehicles = OwnVehicles(scenario, folder, drop, server)
@@ -89,7 +90,7 @@ def fly(
     except Exception as problem:
         from gcs.session.parent import explained  # noqa: PLC0415 - knows the errors of all that flies
 
-        status, error = explained(problem, folder)
+        status, error = explained(problem, folder, begun=session is not None and session.begun)
     finally:
         if vehicles is not None:
             vehicles.end()

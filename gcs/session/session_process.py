@@ -122,7 +122,8 @@ class SessionProcess:
         self._published_s = self._watched_s = 0.0
         self._old_parameters, self._old_plans = OldParameters(folder), OldPlans(folder)
         self._phase = "starting"
-        self._begun = False
+        self.begun = False
+        """whether anything has flown"""
         self._wall_time_s = 0.0
         self._terminated = False
 
@@ -145,7 +146,7 @@ class SessionProcess:
             self._publisher.publish(end_message(outcome, status, text))
             return status, outcome
         except (SessionFailed, RecorderError) as problem:
-            if self._begun:
+            if self.begun:
                 died = isinstance(problem, ForkServerDied)
                 with contextlib.suppress(OSError):  # a full disk may have no room for it either
                     why = "lost every vehicle: their fork server has died" if died else "the session broke off"
@@ -178,8 +179,8 @@ class SessionProcess:
             self._supervisor.stop()
             return True
         finally:
-            self._wall_time_s = self._pace.running_wall_s if self._begun else 0.0
-            if self._begun and self._scenario.vehicles.external:
+            self._wall_time_s = self._pace.running_wall_s if self.begun else 0.0
+            if self.begun and self._scenario.vehicles.external:
                 self._hand_back()
             self._vehicles.end()
         return False
@@ -223,7 +224,7 @@ class SessionProcess:
     def _fly(self) -> None:
         supervisor, pace = self._supervisor, self._pace
         self._phase = "flying"
-        self._begun = True
+        self.begun = True
         self._answered_s = self._said_waiting_s = time.monotonic()
         if self._scenario.vehicles.external:
             self._begin_on_true_time()
@@ -307,7 +308,7 @@ class SessionProcess:
             self._event(0, "warning", "The supervisor received SIGTERM: the session stops")
         if self._clients.serve() or has_gone() or self._terminated:
             raise _Stopped
-        for sysid, level, text in self._notices.poll(now_s, begun=self._begun):
+        for sysid, level, text in self._notices.poll(now_s, begun=self.begun):
             self._event(sysid, level, text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
             self._published_s = now_s
@@ -316,7 +317,7 @@ class SessionProcess:
     def _go_on_after(self, away_s: float) -> None:
         """The supervisor did not run for so long: no vehicle counts as silent for that time."""
         now_s = time.monotonic()
-        if not self._begun:
+        if not self.begun:
             return  # there is no session yet that could have stood still
         self._answered_s = self._said_waiting_s = now_s
         external = bool(self._scenario.vehicles.external)
@@ -394,7 +395,7 @@ class SessionProcess:
 
     def _snapshot(self, events: Sequence[Event]) -> dict[str, Any]:
         supervisor = self._supervisor
-        wall_s = self._pace.running_wall_s if self._begun else 0.0
+        wall_s = self._pace.running_wall_s if self.begun else 0.0
         return snapshot_message(
             supervisor,
             phase="paused" if self._pace.paused else self._phase,
@@ -406,7 +407,7 @@ class SessionProcess:
 
     def _unanswered_s(self) -> dict[int, float]:
         """Vehicles that the session stands still for, and for how long, in wall time."""
-        if not self._begun or self._pace.paused:
+        if not self.begun or self._pace.paused:
             return {}
         waited_s = time.monotonic() - self._answered_s
         return {sysid: waited_s for sysid, _ in self._link.awaited}

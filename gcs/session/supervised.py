@@ -101,7 +101,7 @@ def make_folder(out: Path | None, name: str) -> Path:
     try:
         (folder / "vehicles").mkdir()
     except OSError as error:
-        raise RunError(f"cannot write in {folder}: {error.strerror}") from None
+        raise RunError(f"cannot write in {folder}: {error.strerror}; give --out another place") from None
     return folder
 
 
@@ -136,7 +136,7 @@ def write_scenario(folder: Path, scenario: Scenario) -> None:
     try:
         (folder / "scenario.yaml").write_text(dump(scenario), encoding="utf-8")
     except OSError as error:
-        raise RunError(f"cannot write in {folder}: {error.strerror}") from None
+        raise RunError(f"cannot write in {folder}: {error.strerror}; give --out another place") from None
 
 
 @dataclass(frozen=True)

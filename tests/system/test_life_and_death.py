@@ -312,21 +312,23 @@ def on_a_disk_of(size_kib: int, tmp_path: Path) -> Outcome:
     done = subprocess.run(
         [*alone, "sh", "-c", script, "sh", *flown], cwd=tmp_path, capture_output=True, text=True, check=False
     )
-    assert done.returncode == 1
     assert "no space left on device" in done.stderr.lower()
-    assert "--out" in done.stderr
+    assert "give --out another place" in done.stderr
     assert "Traceback" not in done.stderr
     return Outcome(done.returncode, tmp_path / "session", done.stdout, done.stderr)
 
 
 def test_on_a_full_disk_nothing_is_flown(tmp_path: Path) -> None:
     outcome = on_a_disk_of(40, tmp_path)
+    assert outcome.status == 2
+    assert "gcs: disk/session cannot be written: No space left on device; give --out another place" in outcome.stderr
     assert (outcome.folder / "session.tlog").stat().st_size == 0
     assert not (outcome.folder / "summary.json").exists()
 
 
 def test_on_a_disk_that_fills_there_is_room_for_what_the_session_came_to(tmp_path: Path) -> None:
     outcome = on_a_disk_of(400, tmp_path)
+    assert outcome.status == 1
     assert outcome.summary["outcome"] == "interrupted"
     assert outcome.summary["sim_time_s"] > 1.0
     assert_tlog_is_whole(outcome)

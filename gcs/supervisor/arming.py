@@ -103,6 +103,8 @@ class ArmingSequence:
         """why it must not be armed, as a sentence; empty while it may be"""
         self.left_out = ""
         """why it takes no part, as a sentence; empty while it does"""
+        self.booted = False
+        """whether its autopilot has booted in flight, and it has not been armed since"""
         self.touched: set[int] = set()
         """set into which it enters its id when something is requested of it, so that it is asked only then"""
 
@@ -155,6 +157,9 @@ class ArmingSequence:
         """Nothing keeps the vehicle from flying any more: bring it back if it is down, and its battery allows."""
         if self.stage is Stage.DOWN and self.ordered is None and self._has_energy(view) and self._rejoins_itself:
             self.rejoin()
+
+    def boot(self, view: VehicleView) -> None:
+        """The vehicle's autopilot has booted: of one of ours the process has ended, which says it."""
 
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0

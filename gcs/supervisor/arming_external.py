@@ -14,6 +14,8 @@
 5. On its mission that is its mode, and hold while it waits; by any other, or if it holds of its own, it is theirs.
 6. While it is silent nothing changes; it may come back. A return or a landing in which it does is its failsafe's or a
    pilot's, which cannot be known: it is left alone, unless the scenario says `rejoins`.
+7. One that has booted in flight, and is not armed then, has fallen: it is down, or brought back where the scenario says
+   `rejoins`. What it said before it booted counts no more: it is armed once it has said anew where it is.
 """
 
 from __future__ import annotations
@@ -57,7 +59,8 @@ COMING_DOWN = frozenset({FlightMode.RETURN, FlightMode.LAND})
 earlier session ordered at its end."""
 THEIRS = frozenset({FlightMode.MANUAL, FlightMode.RETURN, FlightMode.LAND})
 """Modes that are not on the way into offboard."""
-_FLOWN = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.MISSION, Stage.YIELDED})
+_LED = frozenset({Stage.OFFBOARD, Stage.FLY, Stage.MISSION})
+_FLOWN = _LED | {Stage.YIELDED}
 _BEFORE_FLIGHT = frozenset({Stage.IDENTIFY, Stage.ARM, Stage.TAKEOFF})
 
 
@@ -69,7 +72,8 @@ class ExternalArmingSequence(ArmingSequence):
         self._rules = rules
         self._now_s = 0.0
         self._begun_s = math.inf
-        self._silent = False
+        self._silent = self._flew = False
+        self._booted_s = -math.inf
         self._took_off = self._climbs = self._on_its_way = False
         self._reads = 0
         self._decided_s = self._starved_s = self._takeoff_s = self._hold_asked_s = self._turned_s = -math.inf
@@ -91,6 +95,14 @@ class ExternalArmingSequence(ArmingSequence):
         if back and self._rejoins_itself and self._has_energy(view):
             self.rejoin()
 
+    def boot(self, view: VehicleView) -> None:
+        """Its autopilot has booted: in flight it has fallen, if it does not say otherwise."""
+        if not self._flew:
+            return
+        self._flew, self.booted, self._booted_s = False, True, self._now_s
+        if self._rejoins_itself and self.ordered is None and not self.released and self._has_energy(view):
+            self.rejoin()
+
     def decide(
         self, view: VehicleView, now_s: float, *, bound: bool = False, late_s: float = 0.0
     ) -> tuple[list[CommandRequest], list[Message]]:
@@ -109,7 +121,11 @@ class ExternalArmingSequence(ArmingSequence):
             if self.stage in _FLOWN:
                 self._cut_off_s = now_s
             return [], []
-        return super().decide(view, now_s, bound=bound)
+        wanted = super().decide(view, now_s, bound=bound)
+        if view.fresh:  # else it may have fallen since
+            self._flew = view.flying and (self.stage in _LED or self.ordered == "hold")
+            self.booted = self.booted and not (view.armed and self._placed(view))
+        return wanted
 
     def rests(self, view: VehicleView) -> bool:
         """Never: how long ago it was asked last is what it judges silence and late ticks by."""
@@ -148,7 +164,7 @@ class ExternalArmingSequence(ArmingSequence):
             return stage if stage is not self.stage or stage in _BEFORE_FLIGHT else super()._next(view)
         if self.grounded and stage is not Stage.YIELDED:
             return Stage.BASE
-        if not view.armed and view.landed:
+        if not view.armed and (view.landed or self.booted):
             return Stage.ARM if self.rejoining else Stage.DOWN
         if self.mission and self.stage is not Stage.OFFBOARD and (onward := self._mission_stage(view)) is not None:
             return onward
@@ -185,8 +201,14 @@ class ExternalArmingSequence(ArmingSequence):
         super().go_on_mission(mission)
         self._on_its_way, self._turned_s = True, self._now_s
 
-    def _before_flight(self, view: VehicleView) -> Stage:
+    def _placed(self, view: VehicleView) -> bool:
+        """Whether it has said where it is and in which mode, in this boot."""
         if view.p_ned is None or view.last_received_s < 0.0:
+            return False
+        return not self.booted or (view.fresh and view.last_received_s > self._booted_s)
+
+    def _before_flight(self, view: VehicleView) -> Stage:
+        if not self._placed(view):
             return Stage.IDENTIFY
         if self.stage is Stage.IDENTIFY:
             return self._when_flying(view) if view.flying else Stage.ARM
@@ -223,7 +245,7 @@ class ExternalArmingSequence(ArmingSequence):
             return False
         elif view.origin_offset_ned is None:
             self.left_out = f"Has not reported its frame's origin within {waited_s:g} s: left out"
-        elif view.p_ned is None:
+        elif not self._placed(view):
             self.left_out = f"Has not reported its position within {waited_s:g} s: left out"
         elif not view.armed:
             self.left_out = f"Has not let itself be armed within {waited_s:g} s: left out"

@@ -100,7 +100,7 @@ def stage_event(view: VehicleView, arming: ArmingSequence, before: Stage, now_s:
     before: the stage that the sequence has left.
     """
     if arming.stage is Stage.DOWN and view.alive:
-        does = "Lands" if view.mode in GOING_DOWN else "Is down"
+        does = "Lands" if view.mode in GOING_DOWN else "Has booted in flight" if arming.booted else "Is down"
         why = arming.left_out or f"{does}, and takes no more part"
         return Event(now_s, view.sysid, "warning", why, "session" if arming.left_out else "decision")
     if arming.stage is Stage.YIELDED:

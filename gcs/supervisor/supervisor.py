@@ -386,6 +386,8 @@ class Supervisor:
         if self.externals.rules:
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
+            for sysid in rebooted:
+                self.arming[sysid].boot(self.fleet.snapshot(now_s).vehicle(sysid))
         self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
         self.missions.receive(delivered)
         self.received += len(received.frames) + len(received.late_frames)

@@ -33,6 +33,7 @@ class ScriptedVehicle:
     """messages that it adds to its next answer"""
     energy_hj: int = 0
     custom_mode: int = 6 << 16
+    base_mode: int = 0x81
 
     def hear(self, frames: list[Frame]) -> None:
         for frame in frames:
@@ -46,7 +47,7 @@ class ScriptedVehicle:
         lat, lon, alt = (float(x) for x in pymap3d.ned2geodetic(*self.offset, LAT, LON, ALT))
         x, y, z = self.p_local
         told: list[tuple[str, dict[str, Any]]] = [
-            ("HEARTBEAT", {"type": 2, "autopilot": 12, "base_mode": 0x81, "custom_mode": self.custom_mode,
+            ("HEARTBEAT", {"type": 2, "autopilot": 12, "base_mode": self.base_mode, "custom_mode": self.custom_mode,
                            "system_status": 4}),
             ("GPS_GLOBAL_ORIGIN", {
                 "latitude": round(1e7 * lat), "longitude": round(1e7 * lon), "altitude": round(1e3 * alt)}),

@@ -327,12 +327,77 @@ def test_what_its_failsafe_did_while_it_was_not_heard_is_left_alone_unless_the_s
 
 
 @pytest.mark.parametrize(("rejoins", "stage"), [(False, Stage.DOWN), (True, Stage.ARM)])
-def test_one_that_has_booted_or_landed_meanwhile_is_armed_again_where_the_scenario_says_rejoins(
+def test_one_that_has_landed_meanwhile_is_armed_again_where_the_scenario_says_rejoins(
     rejoins: bool, stage: Stage
 ) -> None:
     made = silenced(rejoins=rejoins)
     made.decide(view(), 21.0)
     assert made.stage is stage
+
+
+GUIDED = FLYING._replace(profile=ARDUCOPTER)
+FALLEN = GUIDED._replace(mode=FlightMode.MANUAL, armed=False)
+
+
+def booted(made: ExternalArmingSequence, flew: VehicleView = GUIDED) -> ExternalArmingSequence:
+    """Killed in flight at 10 s; the order and the times of the frames are an ArduCopter's: HEARTBEAT at 12.1 s, the
+    first time of the new boot at 15.6 s, that it has landed a tick later, and no place for 37 s more."""
+    steered(made, 10.0, 12.1, flew._replace(age_s=2.0, last_received_s=9.5))
+    fallen = flew._replace(age_s=3.0, last_received_s=15.1, armed=False, mode=FlightMode.MANUAL)
+    steered(made, 12.1, 15.6, fallen)
+    made.boot(fallen)
+    steered(made, 15.6, 15.7, fallen)
+    return made
+
+
+def test_one_that_boots_in_flight_is_down_and_waits_for_its_place_when_it_is_to_rejoin() -> None:
+    made = booted(flown(arm_within_s=90.0))
+    assert (made.stage, made.booted) == (Stage.DOWN, True)
+    landed = FALLEN._replace(landed=True, age_s=20.0, last_received_s=29.0)
+    assert steered(made, 15.7, 30.0, landed) == []
+    made.rejoin()
+    assert steered(made, 30.0, 52.6, landed._replace(last_received_s=52.0)) == []
+    assert made.stage is Stage.IDENTIFY
+    assert steered(made, 52.6, 52.7, landed._replace(age_s=0.1, last_received_s=52.0)) == [SET_MODE]
+
+
+def test_one_that_boots_in_flight_is_armed_again_with_its_place_where_the_scenario_says_rejoins() -> None:
+    made = booted(flown(rejoins=True, arm_within_s=90.0))
+    landed = FALLEN._replace(landed=True, age_s=20.0, last_received_s=52.0)
+    assert steered(made, 15.7, 52.6, landed) == []
+    assert made.stage is Stage.IDENTIFY
+    placed = landed._replace(age_s=0.1)
+    play(
+        made,
+        (52.6, placed, [SET_MODE], Stage.ARM),
+        (53.6, placed._replace(mode=FlightMode.OFFBOARD), [ARM], Stage.ARM),
+        (54.6, placed._replace(mode=FlightMode.OFFBOARD, armed=True), [TAKEOFF], Stage.TAKEOFF),
+    )
+    steered(made, 58.0, 59.0, GUIDED._replace(last_received_s=58.0))
+    assert (made.stage, made.booted) == (Stage.FLY, False)
+
+
+def test_one_that_boots_on_the_ground_under_a_pilot_or_as_its_battery_ends_is_not_brought_back() -> None:
+    theirs = flown(rejoins=True)
+    theirs.decide(FALLEN._replace(armed=True), 10.0)
+    booted(theirs, FALLEN._replace(armed=True))
+    assert (theirs.stage, theirs.booted) == (Stage.YIELDED, False)
+    empty = booted(flown(rejoins=True), GUIDED._replace(energy_source="energy_consumed", drawn_j=9e9))
+    assert (empty.stage, empty.booted) == (Stage.DOWN, True)
+    ground = arming(rejoins=True)
+    ground.decide(view(), 0.0)
+    ground.boot(view())
+    assert (ground.stage, ground.booted) == (Stage.ARM, False)
+
+
+@pytest.mark.parametrize("rejoins", [False, True])
+def test_one_that_flies_on_after_its_boot_is_flown_on(rejoins: bool) -> None:
+    """A watchdog's boot takes no second, and what was armed stays armed."""
+    made = flown(rejoins=rejoins)
+    made.boot(GUIDED._replace(last_received_s=9.0))
+    steered(made, 10.0, 10.5, GUIDED._replace(last_received_s=9.0))
+    steered(made, 10.5, 11.0, GUIDED._replace(last_received_s=10.5))
+    assert (made.stage, made.booted) == (Stage.FLY, False)
 
 
 @pytest.mark.parametrize("rejoins", [False, True])

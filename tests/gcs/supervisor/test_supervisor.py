@@ -264,3 +264,25 @@ def test_finishing_takes_the_last_answers_and_sends_nothing(scripted: Any) -> No
     session.supervisor.finish(lambda: None)
     assert session.supervisor.sent == sent
     assert session.supervisor.received == before + len(session.link.answered[-1])
+
+
+def test_the_arming_sequence_of_an_external_vehicle_learns_of_its_boot(scripted: Any) -> None:
+    def flown_by(sysid: int, **more: Any) -> dict[str, Any]:
+        return {"external": {"connect": "udpin:127.0.0.1:14550", "sysid": sysid, "capacity_j": 1e5}, **more}
+
+    path_m = [(0.0, 0.0, -4.0), (30.0, 0.0, -4.0)]
+    vehicles = {
+        "pursuers": [flown_by(1)], "targets": [flown_by(101, path_m=path_m, speed_m_s=0.8)],
+        "tankers": [flown_by(201, reserve_j=0.0, home_m=(-6.0, 0.0, 0.0))],
+    }  # fmt: skip
+    session = scripted(clock={"mode": "real", "speed": 1}, vehicles=vehicles, goal={"duration_s": 60.0})
+    rebooted: set[int] = set()
+    session.link.pop_relinked, session.link.clock_offsets_s = set, dict
+    session.link.pop_rebooted = lambda: set(rebooted)
+    session.fly(20)
+    arming = session.supervisor.arming[1]
+    assert (arming.stage, arming.booted) == (Stage.FLY, False)
+    session.link.vehicles[1, 1].base_mode, session.link.vehicles[1, 1].custom_mode = 0x01, 4 << 16 | 3 << 24
+    rebooted.add(1)
+    session.fly(1)
+    assert (arming.stage, arming.booted) == (Stage.DOWN, True)

@@ -42,6 +42,7 @@ UP_M = 0.3
 """A vehicle that has been so high must not touch the ground until it lands."""
 NEVER_FLEW_S = 10.0
 """A vehicle that is not in the air so long after it joined has never taken part."""
+BOOTED = "it booted in flight"
 PARTING_S = 3.0
 """Time that a tanker and its receiver, nearer than the separation, have to part."""
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
@@ -230,6 +231,8 @@ class GoalWatch:
             self._leaves_hold.discard(view.sysid)
         elif view.flying and by_itself:
             self._leaves_hold.add(view.sysid)
+        if view.alive and _fell(view, arming) and (arming.stage is Stage.DOWN or arming.ordered == "hold"):
+            return BOOTED
         if view.alive and arming.stage is Stage.DOWN and (by_itself or arming.left_out):
             return "left out" if arming.left_out else self._how_down(view)
         if view.alive and view.landed and view.sysid in self._leaves_hold:
@@ -281,7 +284,7 @@ class GoalWatch:
             if view.doubt:
                 return end_s, f"it is not believed: {view.doubt}"
             if arming.rejoining and not view.flying:
-                return self._landed_s(view.sysid, end_s), "landed by itself"
+                return self._landed_s(view.sysid, end_s), BOOTED if _fell(view, arming) else "landed by itself"
         if (in_silence := self._lost_in_silence(view, arming, end_s)) is not None:
             return in_silence
         by_itself = not vehicle.is_foreign or view.failsafe
@@ -458,6 +461,11 @@ class GoalWatch:
     def _label(self, sysid: int) -> str:
         row = self._rows.get(sysid)
         return "traffic" if row is None else self._vehicles[row].label
+
+
+def _fell(view: VehicleView, arming: ArmingSequence) -> bool:
+    """Whether a boot has let it fall, which is no pilot's doing."""
+    return arming.booted and not view.flying
 
 
 def _now(aircraft: TrafficView) -> Vec3:

@@ -13,6 +13,7 @@ from gcs.supervisor.arming import ArmingSequence, Stage
 from gcs.supervisor.factory import make_arming_sequences
 from gcs.supervisor.fleet_arming import FleetArming
 from gcs.supervisor.goal_watch import GoalWatch
+from gcs.telemetry.state import VehicleView
 from skytender import geometry
 
 SYSIDS = (1, 2, 3, 101, 201)
@@ -116,6 +117,46 @@ def test_only_an_order_that_explains_a_landing_keeps_it_from_counting_as_a_loss(
     assert lost("hold", left_j=40.0) == (falls, landed)
     assert lost("return", left_j=40.0) == lost("land", left_j=40.0) == ([], [])
     assert lost("hold", left_j=0.0) == lost("return", left_j=0.0) == lost("land", left_j=0.0) == (empty, empty)
+
+
+@pytest.mark.parametrize("rejoins", [False, True])
+def test_an_external_vehicle_that_falls_since_it_booted_is_lost_until_it_flies_again(rejoins: bool) -> None:
+    """A pilot who disarms one in the air took it down himself, which is no loss of ours."""
+    block = {"connect": "udpin:127.0.0.1:14550", "sysid": 1, "capacity_j": 1e4, "rejoins": rejoins}
+    content = Scenario.model_validate({
+        "schema": 1, "name": "m", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 0.0},
+        "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
+    })  # fmt: skip
+    fallen = view(1, mode=FlightMode.MANUAL, armed=False, last_received_s=5.0)
+
+    def lost(*steps: VehicleView, boots: int | None = None, ordered: End | None = None) -> list[list[str]]:
+        sequences = make_arming_sequences(content)
+        watch, sequence = GoalWatch(content, geometry.of_scenario(()), FleetArming(sequences)), sequences[1]
+        sequence.stage, why = Stage.FLY, []
+        if ordered is not None:
+            sequence.order(ordered)
+        for tick, one in enumerate((view(1, last_received_s=1.0), *steps)):
+            if tick == boots:
+                sequence.boot(one)
+            sequence.decide(one, float(tick))
+            now = snapshot(one, time_s=float(tick))
+            watch.update(now, ())
+            why.append([loss.why for loss in watch.losses(now, float(tick))])
+        return why[1:]
+
+    old, landed = fallen._replace(age_s=3.0), fallen._replace(age_s=9.0, landed=True)
+    flies = [view(1, last_received_s=9.0)] * 3
+    booted = ["it booted in flight"]
+    assert lost(old, landed, *flies, boots=1) == [
+        booted,
+        booted,
+        [] if rejoins else booted,
+        *[[] if rejoins else booted] * 2,
+    ]
+    assert lost(old, landed, boots=2) == [[], booted]
+    assert lost(old, landed, boots=1, ordered="hold") == [booted, booted]
+    assert lost(old, landed, boots=1, ordered="land") == [[], []]
+    assert lost(fallen, landed, landed) == [[], [], []]
 
 
 def test_what_a_vehicle_was_lost_by_first_stays() -> None:

@@ -38,6 +38,8 @@ ONE_STREAM = 8
 """So many frames that came over two links, none of another content with its number in between, and no more than
 ONE_STREAM_S from one to the next: both carry one stream."""
 ONE_STREAM_S = 3.0
+AHEAD_S = 1.0
+"""[choice] What a link brought longer ago does not show that another one is late: no autopilot boots so quickly."""
 
 
 @dataclass(eq=False)
@@ -65,6 +67,8 @@ class PeerLink:
     """how late what comes is; 0: in time"""
     offset_s: float | None = None
     """from the vehicle's time to the session's at the last short round trip"""
+    newest: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """the vehicle's time in its last message of each kind, and when that came"""
 
     def __post_init__(self) -> None:
         self.quality = LinkQuality(self.gaps)
@@ -81,6 +85,12 @@ class PeerLink:
     def lost_share(self, sysid: int) -> float:
         """Share of frames lost in the last seconds, 0..1."""
         return self.quality.lost_share(sysid) or 0.0
+
+    def is_ahead(self, msgid: int, boot_s: float, now_s: float) -> bool:
+        """Whether it has lately brought a newer message of that kind; what came before a silence may be of an earlier
+        boot."""
+        newest_s, came_s = self.newest.get(msgid, (-math.inf, -math.inf))
+        return not self.cut_off and newest_s > boot_s and now_s - came_s < AHEAD_S
 
     def count(self, frame: Frame, now_s: float) -> bool:
         """Take note of a frame, `received_s` being still that of the one before; whether it ends a silence."""
@@ -164,7 +174,8 @@ class ExternalPeer:
     def judge(self, link: PeerLink, msgid: int, boot_s: float, t_s: float, now_s: float) -> str:
         """Judge by the autopilot's time in a message that came at `t_s` of the session whether the link delivers late;
         words where that has changed, else none."""
-        outrun = any(one is not link and one.fresh(now_s) for one in self.links)
+        outrun = any(one is not link and one.is_ahead(msgid, boot_s, now_s) for one in self.links)
+        link.newest[msgid] = boot_s, now_s
         if not outrun and self.clock.begins_anew(msgid, boot_s):
             # A link brings what it is sent in its order: this is another boot, and questions to the last one are open.
             for one in self.links:

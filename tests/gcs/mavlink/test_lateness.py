@@ -115,6 +115,21 @@ def test_a_vehicle_that_boots_anew_is_in_time_though_it_left_questions_open() ->
     assert air.peer.clock.offset_s == pytest.approx(22.05, abs=STEP_S)
 
 
+@pytest.mark.parametrize("answers", [True, False])
+def test_a_vehicle_that_boots_anew_is_in_time_over_both_of_its_links(answers: bool) -> None:
+    """Its HEARTBEATs show both links before either brings a time of the new boot."""
+    air = Air(2, answers=answers)
+    air.run(20.0)
+    air.is_off = True
+    air.run(23.0)
+    air.is_off, air.stood_s, taken = False, BOOTED_S + 22.0, len(air.taken)
+    for link in air.peer.links:
+        link.received_s = 23.0
+    air.run(26.0)
+    assert (air.said, len(air.taken)) == ([], taken + 2 * 29)
+    assert air.peer.clock.offset_s == pytest.approx(22.05, abs=STEP_S)
+
+
 def test_without_timesync_a_single_link_is_believed_as_it_comes() -> None:
     air = Air(answers=False)
     air.delay_s[0] = lambda now_s: 5.0 if now_s >= 20.0 else 0.05

@@ -92,14 +92,14 @@ class ExternalFleet:
     ) -> None:
         """Take what has been delivered at this tick, and what the link knows of the vehicles' clocks."""
         self._now_s = now_s
-        for sysid, offset_s in offsets_s.items():
-            fleet.set_clock(sysid, offset_s)
-            self._watch_pace(sysid, offset_s)
         for sysid in rebooted:
             self.streams[sysid].restart()
             self._offset_s.pop(sysid, None)
             self._uids.get(sysid, {}).clear()
             self._note(sysid, "warning", "Its clock has begun anew: it has booted")
+        for sysid, offset_s in offsets_s.items():
+            fleet.set_clock(sysid, offset_s)
+            self._watch_pace(sysid, offset_s)
         for sysid, streams in self.streams.items():
             own = [frame for frame in delivered.get(sysid, ()) if frame.compid == mav.MAV_COMP_ID_AUTOPILOT1]
             for frame in own:

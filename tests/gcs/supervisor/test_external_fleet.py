@@ -24,22 +24,25 @@ LAT, LON, ALT = 47.0, 8.0, 400.0
 class Tower:
     """One external vehicle, 3, and what the session does about it; time is the test's."""
 
-    def __init__(self, **rules: Any) -> None:
+    def __init__(self, speed: float = 1.0, **rules: Any) -> None:
         block = {"connect": "udpin:127.0.0.1:14550", "sysid": 3, "capacity_j": 1e5, **rules}
         scenario = Scenario.model_validate({
             "schema": 1, "name": "tower", "axes": "ned", "origin": {"lat_deg": LAT, "lon_deg": LON, "alt_m": ALT},
-            "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
+            "clock": {"mode": "real", "speed": speed}, "goal": {"duration_s": 60.0},
+            "vehicles": {"pursuers": [{"external": block}]},
         })  # fmt: skip
         self.externals = ExternalFleet(scenario)
         self.fleet = Fleet([Member(3, "pursuer", "pursuer 3", 1e5, 1e5, external=True)], GlobalOrigin(LAT, LON, ALT))
         self.sender = mav.MAVLink(None, srcSystem=3, srcComponent=1)
 
-    def hear(self, now_s: float, *messages: Any, compid: int = 1, rebooted: tuple[int, ...] = ()) -> None:
+    def hear(
+        self, now_s: float, *messages: Any, compid: int = 1, rebooted: tuple[int, ...] = (), offset_s: float = -100.0
+    ) -> None:
         self.sender.srcComponent = compid
         frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
         for frame in frames:
             self.fleet.ingest(frame, now_s)
-        self.externals.receive({3: frames}, {3: -100.0}, rebooted, self.fleet, now_s)
+        self.externals.receive({3: frames}, {3: offset_s}, rebooted, self.fleet, now_s)
 
     def decide(self, now_s: float) -> dict[str, int]:
         wishes, _ = self.externals.decide(self.fleet.snapshot(now_s))
@@ -126,6 +129,15 @@ def test_a_vehicle_that_boots_is_asked_for_its_streams_again() -> None:
     tower.hear(2.0, heartbeat(), rebooted=(3,))
     assert tower.said() == [("warning", "Its clock has begun anew: it has booted")]
     assert "stream ATTITUDE" in tower.decide(2.0)
+
+
+def test_a_boot_is_no_clock_that_does_not_keep_the_speed() -> None:
+    tower = Tower(speed=3.0)
+    tower.hear(0.0, heartbeat())
+    tower.hear(60.0, heartbeat(), rebooted=(3,), offset_s=58.0)
+    assert tower.said() == [("warning", "Its clock has begun anew: it has booted")]
+    tower.hear(61.0, heartbeat(), offset_s=60.5)
+    assert tower.said() == [("warning", "Its clock has fallen 2.5 s behind the session's: it does not keep speed 3")]
 
 
 def test_a_refused_stream_is_nobodys_news_and_a_refused_arming_is_once_in_a_while() -> None:

@@ -19,7 +19,7 @@ cpdef enum:
     METERS = 4
     MOST_HISTORY = 256
 
-cdef double _GAP_S, _SWAP_SHARE, _RESTART_J, _POWER_WINDOW_S, _STEPS_WINDOW_S, _MOST_W, _STEP_J
+cdef double _GAP_S, _SWAP_SHARE, _SWAP_AFTER_S, _RESTART_J, _POWER_WINDOW_S, _STEPS_WINDOW_S, _MOST_W, _STEP_J
 
 cdef struct Account:
     double capacity_j
@@ -43,6 +43,7 @@ cdef struct Account:
     double expected_j  # what should be left by the last share and by what has moved since
     double moved_j  # received less given by its own words, as far as that expects it
     double seen_booked_j
+    double armed_s  # when it last reported while it was armed
     double unseen_j  # booked, and not yet seen as a rise of the share
     double[2] told_j  # by its counters of what it received and gave: the last that can be,
     double[2] told_s  # and when it came
@@ -85,7 +86,7 @@ cdef bint mean_power(Account* one, double now_s) noexcept nogil
 cdef void _draw(Account* one, int best) noexcept nogil
 cdef void _total(Account* one, double consumed_j, bint armed) noexcept nogil
 cdef double _integrate(Account* one, double t_s, double power_w) noexcept nogil
-cdef double _fall(Account* one, double left_j, bint armed) noexcept nogil
+cdef double _fall(Account* one, double t_s, double left_j, bint armed) noexcept nogil
 cpdef take(
     account, double t_s, double consumed_j, double power_w, double remaining, bint second_hand, bint armed)
 cpdef take_all(

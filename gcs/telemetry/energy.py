@@ -51,6 +51,7 @@ from gcs.telemetry.plausibility import MOST_W, STEP_J
 GAP_S = 5.0
 _GAP_S = GAP_S
 _SWAP_SHARE = 0.2
+_SWAP_AFTER_S = 30.0  # [choice] since it was last armed: no battery is changed, and no autopilot booted, more quickly
 _RESTART_J = 1000.0  # a total that falls by less has been overtaken on the air
 _POWER_WINDOW_S = 5.0
 _STEPS_WINDOW_S = 120.0  # power by battery_remaining is estimated from the steps of so long a time: they are few
@@ -78,7 +79,7 @@ def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) 
     account = np.zeros(1, ACCOUNT)
     for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j"):
         account[name] = NAN
-    account["spoke_s"] = -INFINITY
+    account["spoke_s"] = account["armed_s"] = -INFINITY
     account["believed_j"] = account["told_j"] = INFINITY
     account["capacity_j"], account["initial_j"] = capacity_j, initial_j
     account["from_now"], account["swappable"] = from_now, True
@@ -110,7 +111,7 @@ def count(
         one.spoke_s[POWER] = t_s
     left_j = remaining * one.capacity_j
     if share:
-        gained_j = _fall(one, left_j, armed)
+        gained_j = _fall(one, t_s, left_j, armed)
         one.spoke_s[SHARE] = t_s
     if (total or power or share) and not second_hand:
         one.first_hand_s = t_s
@@ -127,7 +128,10 @@ def count(
         one.initial_j = left_j + one.drawn_j + one.given_j - one.received_j
         one.initial_known = 1
     if not isnan(gained_j):
+        gained_j = min(gained_j, one.capacity_j - (one.initial_j + one.received_j - one.drawn_j - one.given_j))
         one.initial_j += gained_j
+    if armed:
+        one.armed_s = t_s
     return Outcome(became, bridged_s, gained_j)
 
 
@@ -197,7 +201,7 @@ def _integrate(one: Any, t_s: float, power_w: float) -> Any:
     return span_s if span_s > _GAP_S else NAN
 
 
-def _fall(one: Any, left_j: float, armed: bool) -> Any:
+def _fall(one: Any, t_s: float, left_j: float, armed: bool) -> Any:
     """J that a swapped battery brought, or NaN."""
     moved_j = one.received_j - one.booked_j - one.given_j
     if isnan(one.expected_j):
@@ -215,7 +219,7 @@ def _fall(one: Any, left_j: float, armed: bool) -> Any:
         gained_j = rise_j - one.unseen_j
         if one.swappable and gained_j >= _SWAP_SHARE * one.capacity_j:
             one.expected_j, one.unseen_j = left_j, 0.0
-            return gained_j
+            return gained_j if t_s - one.armed_s >= _SWAP_AFTER_S else NAN
         if one.unseen_j > 0.0:
             one.expected_j, one.unseen_j = left_j, max(one.unseen_j - rise_j, 0.0)
     return NAN

@@ -286,6 +286,32 @@ def test_no_battery_is_swapped_in_the_air_nor_by_a_small_rise() -> None:
     assert not facts
 
 
+@pytest.mark.parametrize(("boots_s", "gained_j"), [(6.0, []), (60.0, [70_000.0])])
+def test_an_autopilot_that_booted_in_flight_takes_its_battery_for_full_and_brings_none(
+    boots_s: float, gained_j: list[float]
+) -> None:
+    """As an ArduCopter does: its own total begins anew, and its share at 100 %."""
+    account = new()
+    for t, left in enumerate((0.50, 0.40, 0.30)):
+        account.report(BatteryReport(float(t), CAPACITY_J * (0.5 - left), None, left), armed=True)
+    account.report(BatteryReport(2.0 + boots_s, 0.0, None, 1.00), armed=False)
+    account.report(BatteryReport(3.0 + boots_s, 0.0, None, 1.00), armed=False)
+    account.report(BatteryReport(50.0 + boots_s, 10_000.0, None, 0.90), armed=True)
+    assert [fact.gained_j for fact in account.facts] == pytest.approx(gained_j)
+    assert account.drawn_j == pytest.approx(30_000.0)
+    assert account.remaining_j == pytest.approx(20_000.0 + sum(gained_j))
+
+
+def test_no_battery_brings_more_than_fits_into_the_capacity() -> None:
+    """By its own total it drew 10 kJ, by its share 40: what is left is 90 kJ of 100."""
+    account = new()
+    for t, (total_j, left) in enumerate(((0.0, 1.00), (10_000.0, 0.60))):
+        account.report(BatteryReport(float(t), total_j, None, left), armed=True)
+    account.report(BatteryReport(90.0, 10_000.0, None, 1.00), armed=False)
+    assert [fact.gained_j for fact in account.facts] == [pytest.approx(10_000.0)]
+    assert account.remaining_j == pytest.approx(CAPACITY_J)
+
+
 def test_a_share_that_flickers_is_not_drawn_over_and_over() -> None:
     account, _ = heard(*(share(float(k), 0.50 - 0.01 * (k % 2)) for k in range(100)))
     assert account.drawn_j == pytest.approx(0.01 * CAPACITY_J)

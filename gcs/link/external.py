@@ -350,11 +350,11 @@ class ExternalLink:
                 continue
             taken = peer.takes(frame, link, now_s)
             link.received_s, link.cut_off = now_s, False
+            rebooted = taken and own and frame.msgid == _HEARTBEAT and peer.begins_to_boot(frame)
             if self._kept and taken:
                 peer.frames.append(frame)
-                if boot_s is not None:
-                    rebooted = peer.clock.feed(frame.msgid, boot_s, self._now_s())
-                    self._rebooted |= {frame.sysid} if rebooted else set()
+                rebooted |= boot_s is not None and peer.clock.feed(frame.msgid, boot_s, self._now_s())
+                self._rebooted |= {frame.sysid} if rebooted else set()
 
     def _ask_uids(self, peer: ExternalPeer, opened: OpenAddress, other: Where) -> None:
         """Ask a vehicle, and another that has its id, for the uids of their hardware."""

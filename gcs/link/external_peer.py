@@ -21,10 +21,11 @@ from gcs.link.open_address import OpenAddress
 from gcs.link.quality import LinkQuality
 from gcs.link.socket import Where
 from gcs.mavlink.boot_clock import BootClock
-from gcs.mavlink.codec import Frame, Message
+from gcs.mavlink.codec import Frame, Message, fields
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.recent_frames import RecentFrames, Relation
 from gcs.mavlink.services.lateness import LATE_S, SHORT_S, RoundTrips
+from skytender import mavlink as mav
 
 SILENT_S = 0.4
 """[choice] A PX4 leaves offboard half a second to a second after the last set point."""
@@ -137,6 +138,8 @@ class ExternalPeer:
     relinked: bool = False
     """whether since it was asked for streams a link has come, or numbers go on as another's"""
     clock: BootClock = field(default_factory=BootClock)
+    boots: bool = False
+    """whether its last HEARTBEAT said so"""
     recent: RecentFrames = field(default_factory=RecentFrames)
     frames: list[Frame] = field(default_factory=list)
     set_point: Message | None = None
@@ -177,13 +180,26 @@ class ExternalPeer:
         outrun = any(one is not link and one.is_ahead(msgid, boot_s, now_s) for one in self.links)
         link.newest[msgid] = boot_s, now_s
         if not outrun and self.clock.begins_anew(msgid, boot_s):
-            # A link brings what it is sent in its order: this is another boot, and questions to the last one are open.
-            for one in self.links:
-                one.offset_s, one.trips = None, RoundTrips()
+            self._forget_trips()  # a link brings what it is sent in its order: this is another boot
             return link.find_late(0.0)
         offset_s = self.clock.offset_s if link.offset_s is None else link.offset_s
         behind_s = 0.0 if offset_s is None else t_s - boot_s - offset_s
         return link.find_late(link.trips.late_s(behind_s, now_s, outrun=outrun))
+
+    def begins_to_boot(self, frame: Frame) -> bool:
+        """Take a HEARTBEAT; whether it is the first to say that the autopilot boots: an ArduPilot says so seconds
+        before it sends a time, which it does only when it is asked to."""
+        before, self.boots = self.boots, bool(fields(frame).system_status == mav.MAV_STATE_BOOT)
+        if before or not self.boots:
+            return False
+        self.clock = BootClock()
+        self._forget_trips()
+        return True
+
+    def _forget_trips(self) -> None:
+        """Questions to the last boot stay open."""
+        for one in self.links:
+            one.offset_s, one.trips = None, RoundTrips()
 
     def choose(self, now_s: float) -> str:
         """Change to a better link where there is one; words about that, empty where it stays."""

@@ -36,8 +36,8 @@ class Vehicle:
     def packed(self, message: Any) -> bytes:
         return bytes(message.pack(self.mav))
 
-    def heartbeat(self, autopilot: int = mav.MAV_AUTOPILOT_PX4) -> bytes:
-        return self.packed(mav.MAVLink_heartbeat_message(2, autopilot, 0x81, 6 << 16, 4, 3))
+    def heartbeat(self, autopilot: int = mav.MAV_AUTOPILOT_PX4, state: int = mav.MAV_STATE_ACTIVE) -> bytes:
+        return self.packed(mav.MAVLink_heartbeat_message(2, autopilot, 0x81, 6 << 16, state, 3))
 
     def position(self, boot_ms: int) -> bytes:
         return self.packed(mav.MAVLink_local_position_ned_message(boot_ms, 1, 2, 3, 0, 0, 0))
@@ -126,6 +126,24 @@ def test_the_vehicles_clock_is_compared_and_a_boot_is_noticed_before_it_has_a_pl
     assert link.pop_rebooted() == set()
     one.say(port, one.packed(mav.MAVLink_attitude_message(900, 0, 0, 0, 0, 0, 0)))
     until(link, lambda: link.pop_rebooted() == {1})
+
+
+def test_a_heartbeat_says_once_that_an_autopilot_boots_before_it_sends_a_time(stand: Any) -> None:
+    """An ArduCopter says so twice, a second apart, and sends no time until it is asked to."""
+    now_s = 50.0
+    link, port, one = joined(stand, lambda: now_s)
+    link.begin()
+    boots = one.heartbeat(mav.MAV_AUTOPILOT_ARDUPILOTMEGA, mav.MAV_STATE_BOOT)
+    one.say(port, one.heartbeat(), one.position(20_000), one.heartbeat())
+    until(link, lambda: bool(link.offsets_s()))
+    assert link.pop_rebooted() == set()
+    one.say(port, boots)
+    until(link, lambda: link.pop_rebooted() == {1})
+    assert link.offsets_s() == {}
+    one.say(port, boots, one.heartbeat(state=mav.MAV_STATE_STANDBY), one.position(900))
+    until(link, lambda: bool(link.offsets_s()))
+    assert link.offsets_s() == {1: pytest.approx(49.1)}
+    assert link.pop_rebooted() == set()
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,7 @@ _KINDS: dict[str, type[msgspec.Struct] | dict[str, Any]] = {
     "pursuit": {"target": SysId, "pursuer": SysId},
     "policy failed": {"policy": str, "problem": str},
     "death": {"text": str},
+    "boot": {"sysid": SysId, "text": str},
     "event": {"sysid": SysId, "severity": int, "text": str},
     "mission": {"sysid": SysId, "state": str, "item": int, "of": int},
     "violation": {"part": str, "at_s": float, "sysids": list[SysId], "text": str},

@@ -145,6 +145,8 @@ def event_of(record: Mapping[str, Any]) -> Event:
         )
     if kind == "event":
         return Event(t_s, int(record["sysid"]), level_of(int(record["severity"])), str(record["text"]), "text")
+    if kind == "boot":
+        return Event(t_s, int(record["sysid"]), "warning", str(record["text"]), "link")
     if kind == "battery":
         return Event(t_s, int(record["sysid"]), "warning", str(record["text"]))
     if kind == "policy failed":

@@ -6,6 +6,7 @@ Streams are asked for and checked, clocks compared, silence judged, and repetiti
 from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping, Sequence
+from typing import Any
 
 from gcs.mavlink import codec
 from gcs.mavlink.autopilots import STEERABLE, End
@@ -41,6 +42,7 @@ BEHIND_S = 2.0
 GROUND_OFF_M = 2.0
 """A home that lies so much higher or lower than the scenario's height 0 is reported."""
 STEERED = frozenset({Stage.ARM, Stage.TAKEOFF, Stage.OFFBOARD, Stage.FLY, Stage.MISSION})
+BOOTED = "Its clock has begun anew: it has booted"
 ENDING, MODES, UID, METADATA = "end", "modes", "uid", "metadata"
 UID_EVERY_S, UID_TIMES = 1.0, 3
 """A vehicle is asked so often for its uid: behind one address another may have its id, whose answer may be lost."""
@@ -73,6 +75,7 @@ class ExternalFleet:
         self._handed_back: set[int] = set()
         self._answers: dict[int, str] = {}
         self._events: list[Event] = []
+        self._records: list[dict[str, Any]] = []
         self._now_s = 0.0
         self._speed = scenario.clock.speed if scenario.clock.mode == "real" else 1.0
         self._uids: dict[int, dict[str, None]] = {sysid: {} for sysid in scenario.vehicles.external}
@@ -96,7 +99,8 @@ class ExternalFleet:
             self.streams[sysid].restart()
             self._offset_s.pop(sysid, None)
             self._uids.get(sysid, {}).clear()
-            self._note(sysid, "warning", "Its clock has begun anew: it has booted")
+            self._records.append({"t_s": now_s, "kind": "boot", "sysid": sysid, "text": BOOTED})
+            self._note(sysid, "warning", BOOTED)
         for sysid, offset_s in offsets_s.items():
             fleet.set_clock(sysid, offset_s)
             self._watch_pace(sysid, offset_s)
@@ -304,6 +308,11 @@ class ExternalFleet:
     def pop_events(self) -> list[Event]:
         """Events since the last call."""
         taken, self._events = self._events, []
+        return taken
+
+    def pop_records(self) -> list[dict[str, Any]]:
+        """Boots since the last call, as decisions."""
+        taken, self._records = self._records, []
         return taken
 
     def pop_texts(self) -> list[tuple[int, int, str]]:

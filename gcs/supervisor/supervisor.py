@@ -614,10 +614,11 @@ class Supervisor:
         return faults
 
     def _new_records(self) -> list[dict[str, Any]]:
-        """Records of a program's answers and acts, vehicles' own events, faults, deaths and operators' commands since
-        the last call."""
+        """Records of a program's answers and acts, vehicles' own events and boots, faults, deaths and operators'
+        commands since the last call."""
         deaths, self._deaths = self._deaths, []
-        answered = [record for one in self._plugins for record in one.pop_records()] + self._texts.pop_records()
+        answered = [record for one in self._plugins for record in one.pop_records()]
+        answered += [*self._texts.pop_records(), *self.externals.pop_records()]
         return answered + self.script.pop_records() + self.faults.pop_records() + deaths + self.operator.pop_records()
 
     def _record(self, recording: TickRecord) -> None:

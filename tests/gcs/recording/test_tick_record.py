@@ -52,6 +52,7 @@ def test_what_is_told_of_a_tick_is_what_its_lines_tell_afterwards() -> None:
     ("record", "level", "text"),
     [
         ({"kind": "death", "sysid": 3, "text": "Killed"}, "critical", "Killed"),
+        ({"kind": "boot", "sysid": 3, "text": "It has booted"}, "warning", "It has booted"),
         ({"kind": "operator", "sysid": 3, "taken": True, "text": "Holds"}, "info", "Operator: Holds"),
         (
             {"kind": "operator", "sysid": 3, "command": "hold", "taken": False, "text": "No"},

@@ -266,7 +266,7 @@ def test_finishing_takes_the_last_answers_and_sends_nothing(scripted: Any) -> No
     assert session.supervisor.received == before + len(session.link.answered[-1])
 
 
-def test_the_arming_sequence_of_an_external_vehicle_learns_of_its_boot(scripted: Any) -> None:
+def test_a_boot_of_an_external_vehicle_is_recorded_and_its_arming_sequence_learns_of_it(scripted: Any) -> None:
     def flown_by(sysid: int, **more: Any) -> dict[str, Any]:
         return {"external": {"connect": "udpin:127.0.0.1:14550", "sysid": sysid, "capacity_j": 1e5}, **more}
 
@@ -286,3 +286,8 @@ def test_the_arming_sequence_of_an_external_vehicle_learns_of_its_boot(scripted:
     rebooted.add(1)
     session.fly(1)
     assert (arming.stage, arming.booted) == (Stage.DOWN, True)
+    rebooted.clear()
+    session.fly(1)
+    session.recorder.close()
+    recorded = map(json.loads, (session.folder / "decisions.jsonl").read_text(encoding="utf-8").splitlines())
+    assert [(line["kind"], line["sysid"]) for line in recorded if line["kind"] == "boot"] == [("boot", 1)]

@@ -130,11 +130,12 @@ class StreamRequests:
             messages = self._ask_the_old_way()
         return asks, messages
 
-    def check(self, now_s: float) -> list[str]:
-        """Sentences on what does not come, and what comes again; nothing between two checks."""
+    def check(self, now_s: float) -> dict[str, bool]:
+        """Sentences on what does not come, and what comes again, with whether all is well with it; nothing between two
+        checks."""
         since_s = self._counted_since_s
         if since_s is None or now_s - since_s < CHECK_S:
-            return []
+            return {}
         found: dict[str, str] = {}
         for msgid, need in self._needs.items():
             comes_for_s = now_s - max(since_s, self._began_s.get(msgid, since_s))
@@ -146,8 +147,8 @@ class StreamRequests:
                 found[need.name] = f"{need.name} comes at less than half of the {need.rate_hz:g} Hz asked for"
         if not any(self._count.values()):
             self._asked = False
-        notices = [sentence for name, sentence in found.items() if self._reported.get(name) != sentence]
-        notices += [f"{name} comes as it should now" for name in self._reported if name not in found]
+        notices = {sentence: False for name, sentence in found.items() if self._reported.get(name) != sentence}
+        notices |= {f"{name} comes as it should now": True for name in self._reported if name not in found}
         self._reported = found
         self._count = dict.fromkeys(self._needs, 0)
         self._counted_since_s = now_s

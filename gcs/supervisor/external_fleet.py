@@ -194,8 +194,8 @@ class ExternalFleet:
             self._asks[sysid] += asks
             if now_s - self._last_received_s[sysid] > SILENT_S:
                 streams.count_anew(now_s)
-            for sentence in streams.check(now_s):
-                self._note(sysid, "warning", sentence)
+            for sentence, well in streams.check(now_s).items():
+                self._note(sysid, "info" if well else "warning", sentence)
             if not known and now_s >= NO_ORIGIN_S and sysid not in self._origin_noted:
                 self._origin_noted.add(sysid)
                 said = "Does not say where its frame lies (GPS_GLOBAL_ORIGIN, HOME_POSITION): it stays where it is"

@@ -131,6 +131,16 @@ def test_a_vehicle_that_boots_is_asked_for_its_streams_again() -> None:
     assert "stream ATTITUDE" in tower.decide(2.0)
 
 
+def test_a_stream_that_does_not_come_is_a_warning_and_that_it_comes_again_is_none() -> None:
+    tower = Tower()
+    for k in range(111):
+        attitude = [mav.MAVLink_attitude_message(100 * k, 0, 0, 0, 0, 0, 0)] if k > 50 else []
+        tower.hear(0.1 * k, heartbeat(), *attitude)
+        tower.decide(0.1 * k)
+    said = [notice for notice in tower.said() if "ATTITUDE" in notice[1]]
+    assert said == [("warning", "ATTITUDE does not come"), ("info", "ATTITUDE comes as it should now")]
+
+
 def test_a_boot_is_no_clock_that_does_not_keep_the_speed() -> None:
     tower = Tower(speed=3.0)
     tower.hear(0.0, heartbeat())

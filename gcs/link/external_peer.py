@@ -179,7 +179,7 @@ class ExternalPeer:
         words where that has changed, else none."""
         outrun = any(one is not link and one.is_ahead(msgid, boot_s, now_s) for one in self.links)
         link.newest[msgid] = boot_s, now_s
-        if not outrun and self.clock.begins_anew(msgid, boot_s):
+        if not outrun and self.clock.begins_anew(msgid, boot_s, t_s):
             self._forget_trips()  # a link brings what it is sent in its order: this is another boot
             return link.find_late(0.0)
         offset_s = self.clock.offset_s if link.offset_s is None else link.offset_s

@@ -18,6 +18,9 @@ CLOCKS = frozenset({codec.msgid("LOCAL_POSITION_NED"), codec.msgid("ATTITUDE")})
 WINDOW_S = 2.0
 REBOOT_S = 1.0
 """A boot time that falls by more than this is another boot; by less, a message that was overtaken."""
+OLDEST_S = 10.0
+"""[choice] So much older than the silence before it another boot may be: what came while the station stood still counts
+as having come at once. What is older was overtaken, as copies are that go another way."""
 
 
 class BootClock:
@@ -27,18 +30,20 @@ class BootClock:
         self._least_s = self._least_before_s = math.inf
         self._window_began_s = -math.inf
         self._newest_boot_s: dict[int, float] = {}
+        self._newest_arrival_s = math.inf
 
-    def begins_anew(self, msgid: int, boot_s: float) -> bool:
-        """Whether a message `msgid` that says `boot_s` is of another boot than those before.
+    def begins_anew(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
+        """Whether a message `msgid` that says `boot_s` and arrives at `arrival_s` is of another boot than those before.
 
         Messages are compared with others of their kind: a vehicle may fill in the time of one and leave another's 0.
         """
-        return boot_s < self._newest_boot_s.get(msgid, -math.inf) - REBOOT_S
+        silent_s = max(arrival_s - self._newest_arrival_s, 0.0)
+        return boot_s < min(self._newest_boot_s.get(msgid, -math.inf) - REBOOT_S, silent_s + OLDEST_S)
 
     def feed(self, msgid: int, boot_s: float, arrival_s: float) -> bool:
         """A message `msgid` said `boot_s` and arrived at `arrival_s`; whether the vehicle has booted anew."""
         newest_s = self._newest_boot_s.get(msgid, -math.inf)
-        rebooted = self.begins_anew(msgid, boot_s)
+        rebooted = self.begins_anew(msgid, boot_s, arrival_s)
         if rebooted:
             self._newest_boot_s.clear()
             self._least_s = self._least_before_s = math.inf
@@ -46,7 +51,8 @@ class BootClock:
         elif arrival_s - self._window_began_s >= WINDOW_S:
             self._least_before_s, self._least_s = self._least_s, math.inf
             self._window_began_s = arrival_s
-        self._newest_boot_s[msgid] = boot_s if rebooted else max(newest_s, boot_s)
+        if rebooted or boot_s >= newest_s:
+            self._newest_boot_s[msgid], self._newest_arrival_s = boot_s, arrival_s
         self._least_s = min(self._least_s, arrival_s - boot_s)
         return rebooted
 

@@ -35,6 +35,15 @@ def test_another_boot_begins_a_new_offset_and_a_message_that_was_overtaken_does_
     assert clock.offset_s == pytest.approx(129.5)
 
 
+def test_copies_that_go_another_way_for_seconds_are_no_boots() -> None:
+    clock = BootClock()
+    for k in range(600, 1200):
+        assert not clock.feed(POSITION, 0.1 * k, 0.1 * k + OFFSET_S)
+        assert not clock.feed(POSITION, 0.1 * k - 2.5, 0.1 * k + OFFSET_S)
+    assert clock.offset_s == pytest.approx(OFFSET_S)
+    assert clock.feed(POSITION, 50.0, 180.0 + OFFSET_S), "after a minute in which nothing came"
+
+
 def test_a_message_whose_time_is_never_filled_in_is_no_boot_beside_one_whose_time_is() -> None:
     """MAVSDK's server plugins send ATTITUDE with time 0 beside a LOCAL_POSITION_NED that counts."""
     clock = BootClock()

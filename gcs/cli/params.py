@@ -236,7 +236,7 @@ def _read_to_write(fleet: FleetClient, addresses: Iterable[Address], patterns: S
 
 
 def _unmatched(clients: Sequence[ParameterClient], patterns: Sequence[str]) -> list[str]:
-    """Patterns that name no parameter of any component, but those that a component was asked for by name."""
+    """Patterns that match no parameter: neither a known one nor one that a component was asked for by name."""
     names = {name for client in clients for name in (*client.known, *(result.name for result in client.results))}
     return [pattern for pattern in patterns if not fnmatch.filter(names, pattern)]
 

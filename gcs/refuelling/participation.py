@@ -16,7 +16,7 @@ _COME_BACK = {"tanker_out ends": OUT_OF_ORDER, "mission flown": ON_MISSION}
 
 
 class Participation:
-    """The vehicles that are asked for, and those that are out."""
+    """Vehicles to be served next, and vehicles that take no part."""
 
     def __init__(self, on_missions: Iterable[int] = ()) -> None:
         self.asked: list[int] = []

@@ -229,8 +229,8 @@ class FleetWatch:
         clear_worth_m: float,
     ) -> tuple[int, float, int, int, float, int, int]:
         """One interval: (vehicles that count, least separation, row, row, share, pairs too near, row of the least
-        clearance), as `find_pair` has them with `limit_m` and `worth_m`, of those that are `flying` and whose place
-        is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
+        clearance), as `find_pair` has them with `limit_m` and `worth_m`. Vehicles count while they are `flying` and
+        their place is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
         p, v: (n, 3) now, NaN where unknown, v also (0, 3). exempt (k, 2): rows of pairs that are left out. Only what
         may be less than the two limits is worth a closer look.

@@ -145,7 +145,7 @@ FAILSAFES: tuple[Trigger, ...] = (
 )
 
 COPTER_FAILSAFES = frozenset({Trigger.BATTERY_EMPTY, Trigger.GPS_LOST, Trigger.GCS_LOST})
-"""Those that ArduCopter counts as such (any_failsafe_triggered); PX4 counts all."""
+"""Failsafes that ArduCopter counts as such (any_failsafe_triggered); PX4 counts all."""
 
 
 def rule_for(event: Trigger, mode: Mode, armed: bool) -> Rule | None:

@@ -136,8 +136,8 @@ class Block:
 
 
 def _own(address: Address, i: int, count: int) -> Address:
-    """The i-th vehicle's of `count`: those that wait at a port wait at one each, from the given one upwards. Raises
-    AddressError where there are not so many."""
+    """Address of the i-th of `count` vehicles. Vehicles that listen have a port each, from the given one upwards.
+    Raises AddressError where there are not so many ports."""
     if address.kind != "udpin" or address.port == 0:
         return address
     if address.port + count - 1 > LAST_PORT:

@@ -81,7 +81,7 @@ def test_services_are_the_sessions(flown: Outcome, flight: gcs.Recording) -> Non
 
 
 def test_of_a_folder_whose_first_parts_are_gone_the_rest_is_right(flown: Outcome, tmp_path: Path) -> None:
-    """The recording begins behind the one refuelling: charges are those of the summary, to the percent reported."""
+    """The recording begins after the only refuelling. Charges agree with the summary to the percent reported."""
     (served,) = flown.summary["refuelling"]
     folder = shutil.copytree(flown.folder, tmp_path / "kept")
     begin_s = served["end_s"] + 0.5

@@ -6,6 +6,7 @@ DEV_READY := $(VENV)/.ready-dev
 CONSTRAINTS := tests/constraints.txt
 
 PEERS := .venv-peers
+SIMULATORS := .venv-simulators
 PEERS_READY := $(PEERS)/.ready
 
 DOCS := .venv-docs
@@ -20,7 +21,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build check test test-all release-check bench fuzz faults docs picture gallery clean
+.PHONY: run build check test test-all release-check bench simulators fuzz faults docs picture gallery clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -61,6 +62,13 @@ release-check: check
 bench: $(DEV_READY)
 	@$(VENV)/bin/python tests/benchmarks
 
+# The simulators that `make bench` flies the law beside, where they are there: 1.5 GB. gym-pybullet-drones is not on PyPI.
+simulators:
+	@rm -rf $(SIMULATORS)
+	@$(PYTHON) -m venv $(SIMULATORS)
+	@$(SIMULATORS)/bin/python -m pip install --quiet --disable-pip-version-check --no-compile --no-deps \
+	  -r tests/benchmarks/constraints.txt
+
 # FUZZ="--frames 10000 --files 100 --seed 7" attacks for shorter, and elsewhere.
 fuzz: $(DEV_READY)
 	@$(VENV)/bin/python tests/fuzz $(FUZZ)
@@ -83,7 +91,7 @@ gallery: $(DEV_READY)
 	@$(VENV)/bin/python docs/.site/gallery.py $(GALLERY)
 
 clean:
-	rm -rf $(VENV) $(PEERS) $(DOCS) .docs-site .mypy_cache .ruff_cache build
+	rm -rf $(VENV) $(PEERS) $(SIMULATORS) $(DOCS) .docs-site .mypy_cache .ruff_cache build
 	find gcs simvehicle skytender -name '*.so' -delete
 
 $(READY): pyproject.toml $(CONSTRAINTS)

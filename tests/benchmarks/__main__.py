@@ -18,6 +18,7 @@ import campaign_sessions
 import codecs_of_a_tick
 import console_drawn
 import environment_steps
+import flight_beside
 import laws
 import page_shown
 import planned_and_filtered
@@ -54,6 +55,7 @@ def main() -> None:
         14: lambda: autopilots_in_lockstep.figures(scale),
         15: lambda: steps_from_python.figures(scale),
         16: environment_steps.figures,
+        17: flight_beside.figures,
     }
     wanted = [int(number) for number in options.only.split(",")] if options.only else list(figures)
     console = Console(width=None if sys.stdout.isatty() else 170)

@@ -30,32 +30,36 @@ from simvehicle.world.estimate import EstimateErrors
 from skytender import geometry
 from skytender.winner_take_all import advance as compete
 
-GRANTS = 100
+GRANTS, SHORTEST = 100, 10
 STEPS = 25
 
 
-def _circle() -> Callable[..., np.ndarray]:
-    """The flight to be timed, as a function of the differentiator's tolerance, None for the usual one."""
+def _circle(n: int = 1) -> Callable[..., np.ndarray]:
+    """The flight of n vehicles to be timed, as a function of the differentiator's tolerance, None for the usual one."""
     params = VehicleParams()
     start = step.initial_state(
         params, position_nwu=(0.0, 0.0, 5.0), velocity_nwu=(0.0, 0.0, 0.0), attitude_rad=(0.0,) * 3, airborne=True
-    )[np.newaxis]
+    )
+    grants = max(GRANTS // n, SHORTEST)
+    angle = 0.05 * np.arange(grants)[:, np.newaxis] + np.linspace(0.0, 2.0 * math.pi, n, endpoint=False)
+    commands = np.zeros((grants, n, rows.COMMAND_SIZE))
+    commands[..., rows.CMD_USE_POSITION] = 1.0
+    commands[..., rows.CMD_MOTORS] = 1.0
+    commands[..., rows.CMD_SPEED_MAX], commands[..., rows.CMD_PERIOD_S] = 5.0, 0.1
+    level = np.zeros_like(angle)
+    commands[..., rows.CMD_POSITION] = np.stack([3.0 * np.cos(angle), 3.0 * np.sin(angle), level + 5.0], axis=-1)
+    commands[..., rows.CMD_VELOCITY] = np.stack([-1.5 * np.sin(angle), 1.5 * np.cos(angle), level], axis=-1)
+    commands[..., rows.CMD_TIME_S] = 0.1 * np.arange(grants)[:, np.newaxis]
 
     def fly(tolerance: float | None = None) -> np.ndarray:
-        """Ten seconds along a circle of 3 m, a set point every 0.1 s, as in a session; positions (GRANTS, 3)."""
-        state, command, packed = start, np.zeros((1, rows.COMMAND_SIZE)), pack(params)[np.newaxis].copy()
+        """Along a circle of 3 m, a set point every 0.1 s, as in a session; positions (grants, n, 3)."""
+        state, packed = np.repeat(start[np.newaxis], n, axis=0), np.repeat(pack(params)[np.newaxis], n, axis=0)
         if tolerance is not None:
-            packed[0, rows.PARAMETERS["tolerance"]] = tolerance
-        command[0, rows.CMD_USE_POSITION] = command[0, rows.CMD_MOTORS] = 1.0
-        command[0, rows.CMD_SPEED_MAX], command[0, rows.CMD_PERIOD_S] = 5.0, 0.1
+            packed[:, rows.PARAMETERS["tolerance"]] = tolerance
         path = []
-        for k in range(GRANTS):
-            angle = 0.05 * k
-            command[0, rows.CMD_POSITION] = (3.0 * math.cos(angle), 3.0 * math.sin(angle), 5.0)
-            command[0, rows.CMD_VELOCITY] = (-1.5 * math.sin(angle), 1.5 * math.cos(angle), 0.0)
-            command[0, rows.CMD_TIME_S] = 0.1 * k
-            state, _ = step.advance(state, command, packed, time_s=0.1 * k, steps=STEPS)
-            path.append(state[0, rows.POSITION])
+        for k in range(grants):
+            state, _ = step.advance(state, commands[k], packed, time_s=0.1 * k, steps=STEPS)
+            path.append(state[:, rows.POSITION])
         return np.array(path)
 
     return fly
@@ -71,10 +75,11 @@ def weathered_seconds() -> float:
     return 0.1 * GRANTS / spent_s
 
 
-def vehicle_seconds() -> float:
-    """Vehicle-seconds per CPU second."""
-    (spent_s,) = cpu_times(_circle())
-    return 0.1 * GRANTS / spent_s
+def vehicle_seconds(n: int = 1) -> float:
+    """Vehicle-seconds per CPU second of a fleet of n."""
+    fly = _circle(n)
+    (spent_s,) = cpu_times(fly)
+    return 0.1 * fly().shape[0] * n / spent_s
 
 
 def flying(scale: Scale) -> list[Figure]:

@@ -6,6 +6,7 @@ import json
 import signal
 import subprocess
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -63,8 +64,9 @@ def test_a_killed_vehicle_is_named_and_the_others_fly_on(running: Running) -> No
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("written", [False, True])
 def test_a_folder_that_nothing_was_written_to_is_removed_by_a_signal(
-    written: bool, number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+    written: bool, number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    request: pytest.FixtureRequest,
+) -> None:  # fmt: skip
     scenario, folder = tmp_path / "small.yaml", tmp_path / "out"
     scenario.write_text(yaml.safe_dump(small()), encoding="utf-8")
 
@@ -75,6 +77,8 @@ def test_a_folder_that_nothing_was_written_to_is_removed_by_a_signal(
         signal.raise_signal(number)
 
     monkeypatch.setattr("gcs.cli.run._view", interrupt)  # before the supervisor, which writes to the folder
+    request.addfinalizer(partial(signal.signal, signal.SIGHUP, signal.getsignal(signal.SIGHUP)))
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # `nohup` has it ignored
     before = [signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)]
     assert run_argv(["run", str(scenario), "--plain", "--out", str(folder)]) == 128 + number
     assert [signal.getsignal(one) for one in (signal.SIGTERM, signal.SIGHUP)] == before

@@ -7,13 +7,14 @@ Both say the same of what an instance has: paths, batteries, tankers, bases and 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any
 
 from gcs.benchmark import format
 from gcs.refuelling.policies import RefuellingRequest
 from gcs.scenario.model import Pursuer, Scenario
+from gcs.scenario.rules import PlannerRules
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
 
@@ -86,8 +87,9 @@ def _corners(places: Sequence[format.Vec3], speed_m_s: float) -> list[format.Cor
 def document_of(instance: format.Instance) -> dict[str, Any]:
     """A scenario file's content that flies an instance in lockstep; all that tells vehicles apart is kept.
 
-    Where there are bases, vehicles start on the ground below, as they land there. Raises FormatError where there is no
-    vehicle, and for receivers that are lost at different shares of their capacity: a scenario has one.
+    Where there are bases, vehicles start on the ground below, as they land there. Starts that are nearer to each other
+    than vehicles keep apart are moved north. Raises FormatError where there is no vehicle, and for receivers that are
+    lost at different shares of their capacity: a scenario has one.
     """
     if not instance.receivers and not instance.tankers:
         raise format.FormatError(f"{instance.name} has no receiver and no tanker; a session needs a vehicle")
@@ -101,9 +103,11 @@ def document_of(instance: format.Instance) -> dict[str, Any]:
         (b[0] - a[0], elementary.distance(a[1:], b[1:])) for one in instance.receivers for a, b in pairwise(one.path)
     ]
     cruise_m_s = max((way_m / s for s, way_m in legs if s > 0.0), default=1.0)
+    places = [*(one.path[0][1:] for one in instance.receivers), *(one.position_m for one in instance.tankers)]
+    starts = _apart(_start(place, instance) for place in places)
     pursuers = [
         {
-            "sysid": one.id, **_start(one.path[0][1:], instance),
+            "sysid": one.id, **next(starts),
             "waypoints_m": [list(corner[1:]) for corner in one.path[1:]] or [list(one.path[0][1:])],
             "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
         }
@@ -111,7 +115,7 @@ def document_of(instance: format.Instance) -> dict[str, Any]:
     ]  # fmt: skip
     tankers = [
         {
-            "sysid": one.id, **_start(one.position_m, instance), "home_m": list(one.position_m),
+            "sysid": one.id, **next(starts), "home_m": list(one.position_m),
             "speed_m_s": one.speed_m_s, "reserve_j": one.reserve_j,
             "battery": _battery(one.capacity_j, one.energy_j, one.power_w),
         }
@@ -144,6 +148,18 @@ def _start(place: format.Vec3, instance: format.Instance) -> dict[str, Any]:
     if instance.bases and place[2] < 0.0:
         return {"start_m": [*place[:2], 0.0], "takeoff_m": -place[2]}
     return {"start_m": list(place), "airborne": True}
+
+
+def _apart(starts: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    """The starts, each as far from those before it as the planner keeps vehicles."""
+    least_m = PlannerRules().separation_m
+    taken: list[format.Vec3] = []
+    for start in starts:
+        n, e, d = start["start_m"]
+        while any(elementary.distance((n, e, d), other) < least_m for other in taken):
+            n = round(n + least_m, 6)
+        taken.append((n, e, d))
+        yield {**start, "start_m": [n, e, d]}
 
 
 def _battery(capacity_j: float, energy_j: float, power_w: float) -> dict[str, float]:

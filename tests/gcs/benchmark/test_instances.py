@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
+import math
 from collections import Counter
 from importlib import resources
 from pathlib import Path
@@ -131,6 +133,16 @@ def test_bases_come_with_an_instance_and_vehicles_start_on_the_ground(tmp_path: 
     assert [r.path[0] for r in back.receivers] == [r.path[0] for r in one.receivers]
     assert back.tankers == one.tankers
     assert not any(vehicle.airborne for vehicle in load(path).vehicles.all)
+
+
+@pytest.mark.parametrize("kind", ["tankers", "reloads", "bases"])
+def test_every_instance_of_a_kind_can_be_flown(kind: str, tmp_path: Path) -> None:
+    """Some have two vehicles so near to each other that no session would let them start."""
+    path = tmp_path / "scenario.yaml"
+    for number in (40, 70, 90):
+        path.write_text(yaml.safe_dump(document_of(instance(kind, number))))
+        starts = [one.start_m for one in load(path).vehicles.all]
+        assert min(math.dist(a, b) for a, b in itertools.combinations(starts, 2)) >= 0.6
 
 
 def test_receivers_that_are_lost_at_different_shares_make_no_scenario() -> None:

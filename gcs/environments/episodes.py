@@ -210,6 +210,8 @@ def _inside(action: Any, space: Space[Any], sysid: int) -> Any:
 def _checked(agents: Iterable[int] | None, scenario: Scenario) -> list[int]:
     """System ids of the agents in order. Raises ValueError."""
     there = sorted(vehicle.sysid for vehicle in scenario.vehicles.all)
+    if agents is not None and not isinstance(agents, Iterable):
+        raise ValueError(f"agents is {agents!r}, but it must be system ids of vehicles: [{agents!r}], say")
     if agents is None:
         chosen, none = [vehicle.sysid for vehicle in scenario.vehicles.pursuers], f"{scenario.name} has no pursuer"
     else:

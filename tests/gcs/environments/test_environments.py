@@ -274,6 +274,7 @@ def test_gymnasiums_vector_environments_fly_several_sessions() -> None:
     ("options", "sentence"),
     [
         ({"agents": [9]}, "there is no vehicle 9 in this session: it has 1 to 2, 101"),
+        ({"agents": 1}, "agents is 1, but it must be system ids of vehicles: [1], say"),
         ({"agents": ["2"]}, "'2' is no system id: give a vehicle's number, one of 1 to 2, 101"),
         ({"agents": []}, "there is no agent: agents is empty; name vehicles of [1, 2, 101] as agents"),
         ({"agents": [2, 1, 2]}, "vehicle 2 is named as an agent twice; name each once"),

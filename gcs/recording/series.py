@@ -228,8 +228,11 @@ def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
         vehicle = vehicles.get(sysid)
         capacity_j = vehicle.battery.capacity_j if vehicle else 0.0
         initial_j = 0.01 * vehicle.battery.initial_percent * capacity_j if vehicle else 0.0
-        account = BatteryAccount(capacity_j, initial_j, from_now=bool(vehicle and vehicle.external))
-        profile = PROFILES.get(rules.autopilot) if vehicle and (rules := vehicle.foreign) else None
+        rules = vehicle.foreign if vehicle else None
+        account = BatteryAccount(
+            capacity_j, initial_j, from_now=bool(vehicle and vehicle.external), started=bool(vehicle and not rules)
+        )
+        profile = PROFILES.get(rules.autopilot) if rules else None
         messages = (_messages(kind, rows[sysid]) for kind, rows in others.items() if sysid in rows)
         reports, places, anew = _battery_reports(statuses.get(sysid), second_hand.get(sysid))
         between = sorted(chain(*messages, booked.get(sysid, ()), anew), key=itemgetter(0, 1, 2))

@@ -34,8 +34,9 @@ class BatteryAccount:
     What a vehicle tells and cannot be (gcs/telemetry/plausibility.py) is not taken in; the methods return why.
     """
 
-    def __init__(self, capacity_j: float, initial_j: float, *, from_now: bool = False) -> None:
-        """from_now: the vehicle was switched on before the session, whose energies count from its first report."""
+    def __init__(self, capacity_j: float, initial_j: float, *, from_now: bool = False, started: bool = False) -> None:
+        """from_now: the vehicle was switched on before the session, whose energies count from its first report.
+        started: the session starts it with this charge, and it counts all that moves since."""
         self.capacity_j = capacity_j
         self.given_j = 0
         self.received_j = 0
@@ -44,6 +45,8 @@ class BatteryAccount:
         """found since they were last taken away"""
         self.account = energy.new_account(capacity_j, initial_j, from_now=from_now)
         """(1,) what compiled code knows of it"""
+        self._started_j = initial_j if started else None
+        self._initial_stated = False
         self._reported_in_j = self._booked_j = 0
         self._parameters: set[str] = set()
 
@@ -111,12 +114,14 @@ class BatteryAccount:
         one, at = self.account[0], COUNTERS.index(name)
         if doubt := plausibility.counted(value, float(one["told_j"][at]), time_s - float(one["told_s"][at]), what):
             return doubt
-        if math.isinf(one["told_j"][at]) and one["initial_known"] and INITIAL not in self._parameters:
+        if math.isinf(one["told_j"][at]) and one["initial_known"] and not self._initial_stated:
             # What has moved so far was in the share already by which the charge at the start is known.
             moved_j = -value if name == GIVEN else value
             self.account["initial_j"] -= moved_j
             self.account["moved_j"] += moved_j
         one["told_j"][at], one["told_s"][at] = value, time_s
+        if self._started_j is not None and not self._initial_stated and not np.isinf(one["told_j"]).any():
+            self._begin_with(self._started_j)  # which the share said in whole per cent
         if name == GIVEN:
             self.account["given_j"] = self.given_j = max(self.given_j, value)
         else:
@@ -132,11 +137,14 @@ class BatteryAccount:
             return doubt
         self._parameters.add(name)
         if name == INITIAL:
-            self.account["initial_j"] = value - float(self.account["before_j"][0])
-            self.account["initial_known"] = True
+            self._begin_with(value)
         else:
             self.account["capacity_j"] = self.capacity_j = value
         return ""
+
+    def _begin_with(self, initial_j: float) -> None:
+        self.account["initial_j"] = initial_j - float(self.account["before_j"][0])
+        self.account["initial_known"] = self._initial_stated = True
 
     def begin_anew(self) -> None:
         """Let the next share say what is in the batteries, for it is of others than the one before; what has been

@@ -114,7 +114,8 @@ class VehicleTrack:
         self.turn_rad = 0.0
         self.origin_alt_m = 0.0
         self.origin_reported = False
-        self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external)
+        started = not (member.external or member.battery_apart)
+        self.battery = BatteryAccount(member.capacity_j, member.initial_j, from_now=member.external, started=started)
         self.batteries = Batteries()
         """since it has reported another than number 0"""
         self.texts = Texts()

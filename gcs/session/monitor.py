@@ -149,8 +149,8 @@ class MonitorSource:
         if frame.msgid == _COMMAND_ACK and (queue := self._queues.get(frame.sysid)) is not None:
             self._follow_up(frame.sysid, queue.on_ack(frame.sysid, frame.compid, codec.fields(frame), t_s), t_s)
         if self._control:
-            for severity, text in self._vehicle_events.receive(*sender, (frame,), t_s):
-                observer.add_text(frame.sysid, severity, text, t_s)
+            for severity, text, came_s in self._vehicle_events.receive(*sender, (frame,), t_s):
+                observer.add_text(frame.sysid, severity, text, t_s, came_s)
 
     def _autopilot(self, sysid: int) -> tuple[int, int]:
         return sysid, self._observer.component(sysid)

@@ -25,7 +25,7 @@ from gcs.mavlink.command_protocol import result_in_words
 from gcs.mavlink.common_frame import FramePlace, turned
 from gcs.mavlink.gaps import GapCounter
 from gcs.mavlink.ids import AUTOPILOT
-from gcs.mavlink.services.vehicle_events import EVENT
+from gcs.mavlink.services.vehicle_events import EVENT, aged
 from gcs.mavlink.vehicle_kinds import KINDS
 from gcs.scenario.model import Scenario
 from gcs.session import message_types as types
@@ -190,12 +190,12 @@ class Observer:
         """Add to the next snapshot an event that no vehicle reported."""
         self._events.append(event)
 
-    def add_text(self, sysid: int, severity: int, text: str, t_s: float) -> None:
-        """Add a vehicle's EVENT in words, unless a STATUSTEXT of the same words has come with it."""
+    def add_text(self, sysid: int, severity: int, text: str, t_s: float, came_s: float) -> None:
+        """Add a vehicle's EVENT in words, unless a STATUSTEXT of the same words has come with it, at `came_s`."""
         if (sysid, text) in self._texts:
             self._texts.remove((sysid, text))
         else:
-            self._events.append(Event(t_s, sysid, level_of(severity), text, "text"))
+            self._events.append(Event(t_s, sysid, level_of(severity), aged(text, came_s, t_s), "text"))
 
     def resume(self, gaps: GapCounter, t_s: float) -> None:
         """Count lost frames from `t_s` on where those before are counted already."""

@@ -63,7 +63,7 @@ class ExternalFleet:
         self._modes = standard_modes.ModeRequests()
         self.control = OperatorControl(self.rules, scenario.station)
         self._own_events = VehicleEvents()
-        self._texts: list[tuple[int, int, str]] = []
+        self._texts: list[tuple[int, int, str, float]] = []
         self.lost: set[int] = set()
         self._died: set[int] = set()
         self._last_received_s = dict.fromkeys(self.rules, 0.0)
@@ -241,7 +241,7 @@ class ExternalFleet:
         return result.outcome != "accepted" and self.repeats(sysid, token, now_s)
 
     def repeats(self, sysid: int, text: str, now_s: float) -> bool:
-        """Whether an external vehicle says what it has said a moment ago."""
+        """Whether an external vehicle says at that time what it has said a moment before, or after."""
         if sysid not in self.rules:
             return False
         if len(self._said_s) >= MOST_SAID:
@@ -249,9 +249,9 @@ class ExternalFleet:
             if len(self._said_s) >= MOST_SAID:
                 return True
         said_s = self._said_s.get((sysid, text))
-        if said_s is not None and now_s - said_s < SAY_AGAIN_S:
+        if said_s is not None and abs(now_s - said_s) < SAY_AGAIN_S:
             return True
-        self._said_s[sysid, text] = now_s
+        self._said_s[sysid, text] = now_s if said_s is None else max(now_s, said_s)
         return False
 
     def hand_back(self, snapshot: FleetSnapshot, stages: Mapping[int, Stage]) -> list[CommandRequest]:
@@ -315,8 +315,8 @@ class ExternalFleet:
         taken, self._records = self._records, []
         return taken
 
-    def pop_texts(self) -> list[tuple[int, int, str]]:
-        """(system id, MAV_SEVERITY, text) of vehicles' own events since the last call."""
+    def pop_texts(self) -> list[tuple[int, int, str, float]]:
+        """(system id, MAV_SEVERITY, text, when it came) of vehicles' own events since the last call."""
         taken, self._texts = self._texts, []
         return taken
 

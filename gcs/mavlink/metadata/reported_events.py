@@ -1,8 +1,8 @@
 """Events of one vehicle as texts, by the definitions in its own metadata: no socket and no clock here, time is an
 argument (s).
 
-Events that come before the definitions wait for them. A check that stands against arming is no text of its own: it is
-added to the text that says that arming was refused.
+Events that come before the definitions wait for them, each with the time at which it came. A check that stands against
+arming is no text of its own: it is added to the text that says that arming was refused.
 [lineage] mavlink/libevents, README.md: log levels, event groups
 """
 
@@ -35,7 +35,8 @@ class ReportedEvents:
         self.definitions: EventDefinitions | None = None
         self._metadata = MetadataClient(sysid, compid, (EVENTS,), asks=False)
         self._stream = EventStream(sysid, compid)
-        self._unread: list[Any] = []
+        self._unread: list[tuple[float, Any]] = []
+        """events that wait for the definitions, and when they came"""
         self._checks: dict[Any, list[str]] = {}
         """texts of what stands against arming, by the part of the report"""
         self._part: Any = None
@@ -45,22 +46,23 @@ class ReportedEvents:
         """Events that did not come, so far."""
         return self._stream.lost
 
-    def receive(self, name: str, content: Any, now_s: float) -> list[tuple[int, str]]:
-        """Take a message, its name and fields; (MAV_SEVERITY, text) of each event to be shown."""
+    def receive(self, name: str, content: Any, now_s: float) -> list[tuple[int, str, float]]:
+        """Take a message, its name and fields; (MAV_SEVERITY, text, when it came) of each event to be shown."""
         self._metadata.receive(name, content, now_s)
-        self._unread = [*self._unread, *self._stream.receive(name, content)][-MOST_WAITING:]
+        came = [(now_s, event) for event in self._stream.receive(name, content)]
+        self._unread = [*self._unread, *came][-MOST_WAITING:]
         if self.definitions is None:
             self._define()
         if self.definitions is None:
             return []
         unread, self._unread = self._unread, []
         found = []
-        for event in unread:
+        for came_s, event in unread:
             words = self.definitions.words(event.id, bytes(event.arguments))
             text = self._text(words) if words is not None else f"Event {event.id}, which its metadata does not define"
             severity = event.log_levels & 0xF
             if text and severity <= LEAST_SEVERE:
-                found.append((severity, text))
+                found.append((severity, text, came_s))
         return found
 
     def poll(self, now_s: float) -> list[Message]:

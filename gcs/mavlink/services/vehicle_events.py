@@ -1,7 +1,7 @@
 """Events of vehicles (https://mavlink.io/en/services/events.html), as the texts that their STATUSTEXTs are.
 
 A vehicle's metadata is read once it has been received for ASK_AFTER_S and while it is not armed: its files may fill a
-slow link for some seconds.
+slow link for some seconds. What it has said until then, as in a flight, is put into words only then.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ from skytender import mavlink as mav
 ASK_AFTER_S = 5.0
 """By then a station has asked for what it needs itself."""
 SAY_EVERY_S = 10.0
+OLD_S = 10.0
+"""[choice] What came longer ago is said with its age: a reader takes what is said for what is so now."""
 IDS = frozenset(map(codec.msgid, NAMES))
 """Messages that are read."""
 EVENT = codec.msgid("EVENT")
@@ -25,6 +27,12 @@ ASKED: tuple[int, Params] = (
     (float(mav.MAVLINK_MSG_ID_COMPONENT_METADATA),),
 )
 """The command that asks a vehicle for its metadata."""
+
+
+def aged(text: str, came_s: float, now_s: float) -> str:
+    """Text of an event as it is said now."""
+    old_s = now_s - came_s
+    return f"{text} ({old_s:.0f} s ago)" if old_s > OLD_S else text
 
 
 class VehicleEvents:
@@ -38,8 +46,8 @@ class VehicleEvents:
         self._lost: dict[int, int] = {}
         self._said_s: dict[int, float] = {}
 
-    def receive(self, sysid: int, compid: int, frames: Iterable[Frame], now_s: float) -> list[tuple[int, str]]:
-        """Take an autopilot's frames; (MAV_SEVERITY, text) of each event."""
+    def receive(self, sysid: int, compid: int, frames: Iterable[Frame], now_s: float) -> list[tuple[int, str, float]]:
+        """Take an autopilot's frames; (MAV_SEVERITY, text, when it came) of each event."""
         texts = []
         for frame in frames:
             self._received_s.setdefault(sysid, now_s)

@@ -34,9 +34,11 @@ class Vehicle:
         self.socket.connect(("127.0.0.1", port))
         self._out = mav.MAVLink(None, srcSystem=SYSID, srcComponent=1)
         self._in = mav.MAVLink(None)
+        self.armed = False
 
     def say(self, *messages: Any) -> None:
-        beat = mav.MAVLink_heartbeat_message(mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_PX4, 1, 0, 4, 3)
+        mode = mav.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED | (mav.MAV_MODE_FLAG_SAFETY_ARMED if self.armed else 0)
+        beat = mav.MAVLink_heartbeat_message(mav.MAV_TYPE_QUADROTOR, mav.MAV_AUTOPILOT_PX4, mode, 0, 4, 3)
         self.socket.send(b"".join(message.pack(self._out) for message in (beat, *messages)))
 
     def answer(self) -> bool:
@@ -81,3 +83,25 @@ def test_events_are_said_in_words_where_the_monitor_may_ask_for_them(control: bo
     assert said.count(WORDS) == (2 if control else 1)  # the STATUSTEXT, which is the first event's, and the second
     noted = [text for text in said if "Sends events (EVENT)" in text]
     assert len(noted) == (0 if control else 1)
+
+
+def test_an_event_of_a_flight_is_said_after_it_with_its_age() -> None:
+    """While it is armed it is not asked for its words."""
+    now = {"s": 0.0}
+    source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=True, clock=lambda: now["s"])
+    vehicle = Vehicle(source.port)
+    said: list[str] = []
+    try:
+        for step in range(MOST_STEPS):
+            now["s"] = 0.1 * step
+            vehicle.armed = step < 300
+            vehicle.say(*([event(5)] if step == 10 else []))
+            assert select.select([source], [], [], 10.0)[0]
+            said += [e["text"] for m in source.receive() if m["type"] == "snapshot" for e in m["events"]]
+            vehicle.answer()
+            if any(WORDS in text for text in said):
+                break
+    finally:
+        source.close()
+        vehicle.socket.close()
+    assert [text for text in said if WORDS in text] == [f"{WORDS} ({now['s'] - 1.0:.0f} s ago)"]

@@ -15,6 +15,7 @@ from gcs.mavlink.services.vehicle_events import ASK_AFTER_S
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import Stage
 from gcs.supervisor.external_fleet import ENDING, LOST_S, METADATA, SAY_AGAIN_S, ExternalFleet
+from gcs.supervisor.services.vehicle_texts import VehicleTexts
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.track import Member
 
@@ -366,6 +367,37 @@ def test_a_vehicle_is_asked_for_its_uid_three_times() -> None:
     assert [(one.command, one.params) for one in asked if one.token == "uid"] == [(512, (148.0,))] * 3
 
 
+def definitions(**messages: str) -> bytes:
+    """An autopilot's events by their numbers, with words."""
+    events = {number[1:]: {"name": number, "message": text} for number, text in messages.items()}
+    space = {"namespace": "px4", "event_groups": {"default": {"events": events}}}
+    return json.dumps({"version": 2, "components": {"1": space}}).encode()
+
+
+def test_what_was_said_in_a_flight_before_its_words_were_known_is_said_with_its_age() -> None:
+    content = definitions(e1="Armed", e2="Takeoff detected")
+    named = [{"type": 4, "uri": "mftp://events.json", "fileCrc": crc32(content)}]
+    vehicle, tower = MetadataVehicle(named, {"events.json": content}), Tower()
+    texts = VehicleTexts(tower.fleet, tower.externals, {})
+    events = [newer.dialect.MAVLink_event_message(0, 0, 1 << 24 | k, 900, k, 0x66, b"\0" * 40) for k in (1, 2)]
+    tower.hear(1.0, heartbeat(), *events, mav.MAVLink_statustext_message(6, b"Armed\t"))
+    assert [one.text for one in texts.pop_events(1.0)] == ["Armed"]
+    uri = f"mftp://{GENERAL}".encode()
+    answers = [newer.dialect.MAVLink_component_metadata_message(1, vehicle.crc, uri)]
+    now_s, said = 59.0, []
+    while not said:
+        now_s += 0.1
+        assert now_s < 90.0
+        tower.hear(now_s, heartbeat(base_mode=0x01), *answers)
+        _, messages = tower.externals.decide(tower.fleet.snapshot(now_s))
+        sent = [frame for message in messages[3] for frame in OUT.parse_buffer(codec.frame(message, 0, 255, 190)) or []]
+        files = [message for message in sent if message.get_type() == "FILE_TRANSFER_PROTOCOL"]
+        answers = [answer for message in files for answer in vehicle.hear(message)]
+        said = [one.text for one in texts.pop_events(now_s)]
+    assert said == [f"Takeoff detected ({now_s - 1.0:.0f} s ago)"]
+    assert [one["text"] for one in texts.pop_records()] == said
+
+
 def test_events_are_said_by_the_vehicles_own_metadata() -> None:
     content = json.dumps({"version": 2, "components": {"1": {"namespace": "px4", "event_groups": {"default": {
         "events": {"7": {"name": "denied", "message": "Arming denied: {1:.1}", "arguments": [
@@ -393,7 +425,7 @@ def test_events_are_said_by_the_vehicles_own_metadata() -> None:
         files = [message for message in sent if message.get_type() == "FILE_TRANSFER_PROTOCOL"]
         answers = [answer for message in files for answer in vehicle.hear(message)]
     assert set(asked) == {2}  # which never comes
-    assert tower.externals.pop_texts() == [(3, 4, "Arming denied: 2.2")] * 2
+    assert [text for *text, _ in tower.externals.pop_texts()] == [[3, 4, "Arming denied: 2.2"]] * 2
     assert [text for _, text in tower.said() if "events" in text] == [
         "1 of its events did not arrive, nor when asked for"
     ]

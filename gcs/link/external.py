@@ -10,6 +10,7 @@ connection breaks it is made again, and the session goes on meanwhile.
 
 from __future__ import annotations
 
+import math
 import select
 import time
 from collections import Counter
@@ -65,6 +66,8 @@ class ExternalLink:
         """Open each address; `now_s` reads the session's clock, `station` is our system and component id. Raises
         AddressRefused, KeyRefused."""
         self._now_s = now_s
+        self.collected_s = -math.inf
+        """when `collect` was called last, on the session's clock"""
         self._station = station
         self._addresses: dict[str, OpenAddress] = {}
         self._peers: dict[int, ExternalPeer] = {}
@@ -246,6 +249,7 @@ class ExternalLink:
     def collect(self) -> dict[Key, list[Frame]]:
         """Frames received from each vehicle since the last call, in order of system id."""
         self._drain()
+        self.collected_s = self._now_s()
         taken = {peer.key: peer.frames for _, peer in sorted(self._peers.items()) if peer.found}
         for peer in self._peers.values():
             peer.frames = []

@@ -53,6 +53,9 @@ class FleetLink:
     def overflowed(self) -> int:
         return self._fleet.overflowed() + self._external.overflowed()
 
+    def unawaited_s(self) -> float:
+        return self._external.collected_s
+
     def clock_offsets_s(self) -> dict[int, float]:
         return self._fleet.clock_offsets_s() | self._external.offsets_s()
 

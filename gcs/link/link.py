@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from typing import NamedTuple, Protocol
 
@@ -88,6 +89,10 @@ class TickLink(Protocol):
     def unawaited(self) -> Mapping[Key, list[Frame]]:
         """Frames that have come since the last call from vehicles for which no tick waits."""
         return {}
+
+    def unawaited_s(self) -> float:
+        """Session time by the wall clock when `unawaited` was called last; a session's ticks may be behind it."""
+        return -math.inf
 
     def clock_offsets_s(self) -> dict[int, float]:
         """Offset from the own time of a vehicle that has its own clock to the session's, s, by system id."""

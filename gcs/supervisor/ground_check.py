@@ -63,7 +63,7 @@ class GroundCheck:
             self._read(frames)
         offsets_s, rebooted = self._link.offsets_s(), self._link.pop_rebooted()
         self._externals.receive(delivered, offsets_s, rebooted, self._fleet, now_s)
-        self._preflight.receive(delivered, unix_us, now_s)
+        self._preflight.receive(delivered, unix_us, now_s, now_s)
         for sysid, ack in self._fleet.pop_acks():
             for result in self._queue.on_ack(sysid, ack, now_s):
                 self._externals.settles(sysid, result, now_s)

@@ -175,8 +175,9 @@ class Preflight:
             return ""
         return f"Fails its check list and is not armed: {'; '.join(wrong)} ('preflight: warn' arms it all the same)"
 
-    def receive(self, delivered: Mapping[int, Iterable[Frame]], unix_us: int, now_s: float) -> None:
-        """Take what vehicles have said; `unix_us` is the time by our clock."""
+    def receive(self, delivered: Mapping[int, Iterable[Frame]], unix_us: int, now_s: float, said_s: float) -> None:
+        """Take what vehicles have said; `unix_us` is the time by our clock, `said_s` that of the session by the wall
+        clock, on which external vehicles live: ticks come later than it on a busy machine."""
         for sysid in (*self.under_way, *self._back):
             checks = self._lists[sysid]
             for frame in delivered.get(sysid, ()):
@@ -194,7 +195,7 @@ class Preflight:
                 elif frame.msgid == _SYSTEM_TIME and checks.clock_open:
                     self._clock(checks, codec.fields(frame).time_unix_usec, unix_us)
                 elif frame.msgid in CLOCKS and checks.pace_open:
-                    self._pace(checks, frame.msgid, codec.fields(frame).time_boot_ms / 1e3, now_s)
+                    self._pace(checks, frame.msgid, codec.fields(frame).time_boot_ms / 1e3, said_s)
 
     def decide(self, snapshot: FleetSnapshot) -> dict[int, list[Message]]:
         """Messages by system id that advance the lists of vehicles that have been received."""
@@ -331,14 +332,14 @@ class Preflight:
         text = "clock right" if passed else f"clock {abs(off_s):.0f} s {side} ours"
         checks.items["clock"] = CheckItem("clock", passed, text)
 
-    def _pace(self, checks: _CheckList, msgid: int, boot_s: float, now_s: float) -> None:
+    def _pace(self, checks: _CheckList, msgid: int, boot_s: float, said_s: float) -> None:
         """Compare how fast its own time runs with the session's."""
-        began_s, booted_s = checks.pace_began.setdefault(msgid, (now_s, boot_s))
+        began_s, booted_s = checks.pace_began.setdefault(msgid, (said_s, boot_s))
         if boot_s < booted_s:  # it has booted
-            checks.pace_began[msgid] = now_s, boot_s
-        elif now_s - began_s >= PACE_OVER_S:
+            checks.pace_began[msgid] = said_s, boot_s
+        elif said_s - began_s >= PACE_OVER_S:
             checks.pace_open = False
-            share = (boot_s - booted_s) / (now_s - began_s)
+            share = (boot_s - booted_s) / (said_s - began_s)
             runs = f"runs {share * self._speed:.1f} times as fast as real time"
             kept = abs(share - 1.0) <= PACE_OFF
             advice = (

@@ -382,13 +382,14 @@ class Supervisor:
             self.gaps.forget(sysid)
             self.externals.relinked(sysid)
         received = self._reception.receive(answers, now_s, late_s)
-        delivered = received.by_system
+        delivered, said_s = received.by_system, now_s
         if self.externals.rules:
+            said_s = max(now_s, self.link.unawaited_s())
             offsets_s, rebooted = self.link.clock_offsets_s(), self.link.pop_rebooted()
             self.externals.receive(delivered, offsets_s, rebooted, self.fleet, now_s)
             for sysid in rebooted:
                 self.arming[sysid].boot(self.fleet.snapshot(now_s).vehicle(sysid))
-        self.preflight.receive(delivered, self.epoch_us + round(1e6 * now_s), now_s)
+        self.preflight.receive(delivered, self.epoch_us + round(1e6 * said_s), now_s, said_s)
         self.missions.receive(delivered)
         self.received += len(received.frames) + len(received.late_frames)
         self.events += self._texts.pop_events(now_s)

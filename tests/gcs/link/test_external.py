@@ -123,6 +123,8 @@ def test_the_vehicles_clock_is_compared_and_a_boot_is_noticed_before_it_has_a_pl
     one.say(port, one.packed(mav.MAVLink_attitude_message(20_000, 0, 0, 0, 0, 0, 0)), one.position(20_000))
     until(link, lambda: bool(link.offsets_s()))
     assert link.offsets_s() == {1: pytest.approx(30.0)}
+    link.collect()
+    assert link.collected_s == 50.0
     assert link.pop_rebooted() == set()
     one.say(port, one.packed(mav.MAVLink_attitude_message(900, 0, 0, 0, 0, 0, 0)))
     until(link, lambda: link.pop_rebooted() == {1})

@@ -29,9 +29,10 @@ class Session:
         self.now_s = 0.0
         self.sent: list[str] = []
 
-    def hear(self, *messages: Any) -> None:
+    def hear(self, *messages: Any, said_s: float | None = None) -> None:
         frames = codec.split(b"".join(bytes(message.pack(self.sender)) for message in messages)).frames
-        self.preflight.receive({3: frames}, NOON_US + round(1e6 * self.now_s), self.now_s)
+        said_s = self.now_s if said_s is None else said_s
+        self.preflight.receive({3: frames}, NOON_US + round(1e6 * said_s), self.now_s, said_s)
 
     def go_on(self, for_s: float, **seen: Any) -> None:
         for _ in range(round(10 * for_s)):
@@ -155,6 +156,20 @@ def test_at_another_speed_its_own_time_must_keep_the_sessions(runs: float, passe
     assert item.text.startswith(f"runs {runs:.1f} times as fast as real time")
     assert bool(failed) is not passes
     assert session.sent == []  # no SYSTEM_TIME: at three times real time it is nobody's
+
+
+def test_its_pace_is_that_of_the_wall_clock_where_the_session_falls_behind() -> None:
+    """Four PX4s that start beside a busy session: its ticks took five times as long as they should."""
+    session = Session(speed=3.0)
+    for _ in range(60):
+        said_s = 5.0 * session.now_s
+        boot_ms = 5000 + round(1e3 * said_s)
+        session.hear(mav.MAVLink_attitude_message(boot_ms, 0, 0, 0, 0, 0, 0), said_s=said_s)
+        session.go_on(0.1)
+    ended, failed, _ = session.end()
+    assert (ended, failed) == (True, "")
+    (item,) = session.preflight.items(3)
+    assert (item.passed, item.text) == (True, "runs 3.0 times as fast as real time")
 
 
 def test_who_does_not_tell_its_own_time_cannot_be_followed_at_another_speed() -> None:

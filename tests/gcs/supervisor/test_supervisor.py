@@ -266,7 +266,9 @@ def test_finishing_takes_the_last_answers_and_sends_nothing(scripted: Any) -> No
     assert session.supervisor.received == before + len(session.link.answered[-1])
 
 
-def test_a_boot_of_an_external_vehicle_is_recorded_and_its_arming_sequence_learns_of_it(scripted: Any) -> None:
+def test_a_boot_of_an_external_vehicle_is_recorded_and_its_arming_sequence_learns_of_it(
+    scripted: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def flown_by(sysid: int, **more: Any) -> dict[str, Any]:
         return {"external": {"connect": "udpin:127.0.0.1:14550", "sysid": sysid, "capacity_j": 1e5}, **more}
 
@@ -277,9 +279,12 @@ def test_a_boot_of_an_external_vehicle_is_recorded_and_its_arming_sequence_learn
     }  # fmt: skip
     session = scripted(clock={"mode": "real", "speed": 1}, vehicles=vehicles, goal={"duration_s": 60.0})
     rebooted: set[int] = set()
-    session.link.pop_relinked, session.link.clock_offsets_s = set, dict
+    session.link.pop_relinked, session.link.clock_offsets_s, session.link.unawaited_s = set, dict, lambda: 5.0
     session.link.pop_rebooted = lambda: set(rebooted)
+    said: list[tuple[float, float]] = []
+    monkeypatch.setattr(session.supervisor.preflight, "receive", lambda *of: said.append(of[2:]))
     session.fly(20)
+    assert said[0] == (0.0, 5.0)  # the wall clock, on which it lives, is ahead of the ticks
     arming = session.supervisor.arming[1]
     assert (arming.stage, arming.booted) == (Stage.FLY, False)
     session.link.vehicles[1, 1].base_mode, session.link.vehicles[1, 1].custom_mode = 0x01, 4 << 16 | 3 << 24

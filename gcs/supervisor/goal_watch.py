@@ -99,6 +99,9 @@ class GoalWatch:
         self._lost: dict[int, Loss] = {}
         self._leaves_hold: set[int] = set()
         """those that an operator ordered to hold and that their failsafe takes down"""
+        self._came_down_by: dict[int, tuple[bool, bool]] = {}
+        """what each one's autopilot said last in its flight: whether a failsafe flies it, and whether it goes down; one
+        that stands says neither any more"""
         self._fell: dict[int, Loss] = {}
         """vehicles that touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
@@ -156,6 +159,8 @@ class GoalWatch:
         height_m[row] = above_m
         if self._flying[row] and not flies:
             self._came_down_s[view.sysid] = now_s
+        if flies:
+            self._came_down_by[view.sysid] = view.failsafe, view.mode in GOING_DOWN
         self._flying[row], self._ours_now[row], self._counts[row] = flies, ours, counts
         self._by_failsafe[row] = flies and self._failsafe_flies(row, view, arming, now_s)
         if was != (flies, ours, self._up[row], counts, self._by_failsafe[row]):
@@ -233,7 +238,8 @@ class GoalWatch:
             self._leaves_hold.add(view.sysid)
         if view.alive and _fell(view, arming) and (arming.stage is Stage.DOWN or arming.ordered == "hold"):
             return BOOTED
-        if view.alive and arming.stage is Stage.DOWN and (by_itself or arming.left_out):
+        failsafe, _ = self._came_down_by.get(view.sysid, (False, False))
+        if view.alive and arming.stage is Stage.DOWN and (by_itself or failsafe or arming.left_out):
             return "left out" if arming.left_out else self._how_down(view)
         if view.alive and view.landed and view.sysid in self._leaves_hold:
             return "landed by itself"
@@ -244,7 +250,8 @@ class GoalWatch:
         """How a vehicle came out of our hands that takes no more part."""
         if view.flying:
             return f"its failsafe flies it ({view.mode_name})"
-        fell = self._flew[self._rows[view.sysid]] and view.mode not in GOING_DOWN
+        _, went_down = self._came_down_by.get(view.sysid, (False, False))
+        fell = self._flew[self._rows[view.sysid]] and not went_down and view.mode not in GOING_DOWN
         return "crashed, or disarmed in flight" if fell else "landed by itself"
 
     def lose(self, sysid: int, t_s: float, why: str) -> None:

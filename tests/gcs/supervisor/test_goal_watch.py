@@ -159,6 +159,35 @@ def test_an_external_vehicle_that_falls_since_it_booted_is_lost_until_it_flies_a
     assert lost(fallen, landed, landed) == [[], [], []]
 
 
+@pytest.mark.parametrize("failsafe", [False, True])
+def test_an_external_vehicle_that_its_failsafe_has_landed_is_lost_also_once_it_stands(failsafe: bool) -> None:
+    """A PX4 whose battery is critical holds, lands and disarms; then it says STANDBY, and the mode before its failsafe.
+    A pilot who does the same takes it down himself."""
+    block = {"connect": "udpin:127.0.0.1:14550", "sysid": 1, "capacity_j": 1e4}
+    content = Scenario.model_validate({
+        "schema": 1, "name": "m", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 0.0},
+        "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
+    })  # fmt: skip
+    sequences = make_arming_sequences(content)
+    watch, sequence = GoalWatch(content, geometry.of_scenario(()), FleetArming(sequences)), sequences[1]
+    sequence.stage, why = Stage.FLY, []
+    taken = {"failsafe": failsafe, "last_received_s": 5.0}
+    for tick, one in enumerate([
+        view(1, last_received_s=1.0),
+        view(1, mode=FlightMode.HOLD, **taken),
+        view(1, mode=FlightMode.LAND, **taken),
+        view(1, mode=FlightMode.LAND, landed=True, **taken),
+        *[view(1, mode=FlightMode.OFFBOARD, landed=True, armed=False, last_received_s=9.0)] * 2,
+    ]):  # fmt: skip
+        sequence.decide(one, 10.0 * tick)
+        now = snapshot(one, time_s=10.0 * tick)
+        watch.update(now, ())
+        why.append([loss.why for loss in watch.losses(now, 10.0 * tick)])
+    assert sequence.stage is Stage.DOWN
+    landed = ["landed by itself"] if failsafe else []
+    assert why == [[], [], ["its failsafe flies it (Land)"] if failsafe else [], [], landed, landed]
+
+
 def test_what_a_vehicle_was_lost_by_first_stays() -> None:
     content = scenario()
     watch = GoalWatch(content, geometry.of_scenario(content.obstacles), FleetArming(make_arming_sequences(content)))

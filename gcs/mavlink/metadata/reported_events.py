@@ -89,5 +89,7 @@ class ReportedEvents:
             return ""
         if words.group != "default":
             return ""
-        checks = dict.fromkeys(text for part in self._checks.values() for text in part)
-        return "; ".join([words.text, *checks]) if words.type == APPENDED else words.text
+        checks = "; ".join(dict.fromkeys(text for part in self._checks.values() for text in part))
+        if words.type != APPENDED or not checks:
+            return words.text
+        return f"{words.text}{' ' if words.text.endswith(':') else '; '}{checks}"

@@ -30,6 +30,7 @@ DEFINED: dict[int, tuple[str, str, str, list[str]]] = {
     7: ("default", "", "Fence at {1:.1m_v}, {2m/s}; see <param>GF_MAX</param>", ["float", "float"]),
     8: ("default", "", '<profile name="dev">raw {1} </profile>Sides left: {1}', ["sides_t"]),
     9: ("default", "", "\\{1} is \\<b> at {9}", []),
+    10: ("default", "append_health_and_arming_messages", "Failsafe warning:", [U8]),
 }
 SPACE = {
     "namespace": "px4",
@@ -138,7 +139,7 @@ def test_texts_are_said_once_the_vehicles_own_metadata_has_come() -> None:
     vehicle, reported, now_s = MetadataVehicle(named, {PATH: CONTENT}), ReportedEvents(3, 1), 0.0
     report = [
         event(1, 3, b"\0\0"), event(2, 4, b"\1\0\0\0\0\2"), event(3, 5, b"\0"), event(4, 2, b"\0", level=2),
-        event(5, 6, b"\5"), event(6, 1, b"\1", level=8), event(7, 1, b"\1"),
+        event(5, 6, b"\5"), event(6, 1, b"\1", level=8), event(7, 1, b"\1"), event(8, 10, b"\0", level=4),
     ]  # fmt: skip
     said = [text for one in report for text in reported.receive(*received(one), now_s)]
     assert said == []
@@ -155,4 +156,5 @@ def test_texts_are_said_once_the_vehicles_own_metadata_has_come() -> None:
             asked = heard(message)
             waiting += vehicle.hear(asked)
     denied = "Arming denied: resolve system health failures first; Battery 2 unhealthy"
-    assert said == [(2, denied, 0.0), (6, "Armed by RC stick", 0.0)]
+    warned = "Failsafe warning: Battery 2 unhealthy"
+    assert said == [(2, denied, 0.0), (6, "Armed by RC stick", 0.0), (4, warned, 0.0)]

@@ -51,7 +51,7 @@ def _fence(vehicle: CheckedVehicle, received: Sequence[ReceivedMessage]) -> Verd
     status = vehicle.of("SYS_STATUS")
     reported = status.onboard_control_sensors_present | status.onboard_control_sensors_enabled
     if not vehicle.profile.fence_in_status and not reported & mav.MAV_SYS_STATUS_GEOFENCE:
-        return Verdict("late", "it is not reported, as by PX4 up to 1.17")
+        return Verdict("late", "it is not reported, as by PX4 up to 1.18")
     return _health(mav.MAV_SYS_STATUS_GEOFENCE, "GEOFENCE")(vehicle, received)
 
 

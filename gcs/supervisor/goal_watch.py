@@ -199,6 +199,7 @@ class GoalWatch:
         where that is not known; and whether it may be up a moment later."""
         follows = arming.stage in _STEERED and view.mode in STEERABLE and view.alive and view.armed
         follows = follows and view.age_s <= CUT_OFF_S  # else its failsafe may be landing it
+        follows = follows and not arming.booted  # it may have said that it has landed before its mode
         if not follows or self._vehicles[row].airborne or arming.grounded:
             self._up[row] = False
         elif self._up[row] and view.landed:

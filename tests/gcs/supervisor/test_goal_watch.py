@@ -159,6 +159,27 @@ def test_an_external_vehicle_that_falls_since_it_booted_is_lost_until_it_flies_a
     assert lost(fallen, landed, landed) == [[], [], []]
 
 
+@pytest.mark.parametrize("boots", [False, True])
+def test_one_that_has_booted_does_not_touch_the_ground_before_it_says_its_mode(boots: bool) -> None:
+    """A PX4 that boots says first that it has landed, up to a second before its HEARTBEAT."""
+    block = {"connect": "udpin:127.0.0.1:14550", "sysid": 1, "capacity_j": 1e4}
+    content = Scenario.model_validate({
+        "schema": 1, "name": "m", "axes": "ned", "origin": {"lat_deg": 47.0, "lon_deg": 8.0, "alt_m": 0.0},
+        "goal": {"duration_s": 60.0}, "vehicles": {"pursuers": [{"external": block}]},
+    })  # fmt: skip
+    sequences = make_arming_sequences(content)
+    watch, sequence = GoalWatch(content, geometry.of_scenario(()), FleetArming(sequences)), sequences[1]
+    sequence.stage, broken = Stage.FLY, set()
+    stands = view(1, landed=True, last_received_s=0.0, ground_down_m=0.0)
+    for tick, one in enumerate((view(1, last_received_s=0.0, ground_down_m=0.0), stands)):
+        if tick and boots:
+            sequence.boot(one)
+        sequence.decide(one, float(tick))
+        records, _ = watch.update(snapshot(one, time_s=float(tick)), ())
+        broken |= {record["part"] for record in records}
+    assert broken == (set() if boots else {"ground"})
+
+
 @pytest.mark.parametrize("failsafe", [False, True])
 def test_an_external_vehicle_that_its_failsafe_has_landed_is_lost_also_once_it_stands(failsafe: bool) -> None:
     """A PX4 whose battery is critical holds, lands and disarms; then it says STANDBY, and the mode before its failsafe.

@@ -26,6 +26,8 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.parts.reach import Reached, reached
 from gcs.scenario.parts.trust import digest, text
 
+CHANGED = "was changed since its sessions were flown, and only sessions may grow: put it back, or fly it anew"
+
 
 class RowError(Exception):
     """A row that cannot be flown; the text says why."""
@@ -77,10 +79,15 @@ class Plan:
         return digest(*self.modules, dump(self.campaign), self.text)
 
     @property
-    def _fingerprint(self) -> str:
+    def fingerprint(self) -> str:
         """Hash of all that the rows follow from, but for how many there are."""
         campaign = self.campaign.model_copy(update={"sessions": 1})
         return digest(dump(campaign), self.text)
+
+    def refuse_other(self, since: str, name: str) -> None:
+        """Raise ScenarioError, by the file's name, where rows of the fingerprint `since` follow from something else."""
+        if since != self.fingerprint:
+            raise ScenarioError([Problem(name, None, None, CHANGED)])
 
     def row(self, number: int) -> PlannedRow:
         """A row: sessions in turn, each with every combination, so that pairs are complete early."""
@@ -193,7 +200,7 @@ class Plan:
         (folder / "campaign.yaml").write_text(dump(self.campaign), encoding="utf-8")
         if self.campaign.generate is None:
             (folder / "scenario.yaml").write_text(self.text, encoding="utf-8")
-        about = {"scenario": self.file, "modules": self.modules, "search": self.is_search, "sha256": self._fingerprint}
+        about = {"scenario": self.file, "modules": self.modules, "search": self.is_search, "sha256": self.fingerprint}
         (folder / "plan.json").write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
@@ -217,9 +224,7 @@ def read(folder: Path) -> Plan:
     campaign = load(folder / "campaign.yaml")
     text = "" if campaign.generate is not None else (folder / "scenario.yaml").read_text(encoding="utf-8")
     plan = Plan(campaign, about["scenario"], text, tuple(about["modules"]), is_search=about.get("search", False))
-    if about.get("sha256", plan._fingerprint) != plan._fingerprint:
-        why = "was changed since its sessions were flown, and only sessions may grow: put it back, or fly it anew"
-        raise ScenarioError([Problem(str(folder / "campaign.yaml"), None, None, why)])
+    plan.refuse_other(about.get("sha256", plan.fingerprint), str(folder / "campaign.yaml"))
     return plan
 
 

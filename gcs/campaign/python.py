@@ -94,11 +94,14 @@ class Campaign:
         return [f"row {row['row']}: {row['error'] or row['fault']}" for row in rows if not row["ok"]]
 
     def fly(self, notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
-        """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt."""
+        """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt, and
+        ScenarioError where the scenario, or what is in `out`, was changed since its sessions were flown."""
         if self._folder is None:
             if self._out is not None and (self._out / "plan.json").exists():
-                if read(self._out).campaign != self.plan.campaign:
+                flown = read(self._out)
+                if flown.campaign != self.plan.campaign:
                     raise EngineError(f"{self._out} holds another campaign; give a new folder")
+                self.plan.refuse_other(flown.fingerprint, self.plan.file)
                 self._folder = self._out
             else:
                 self._folder = make_folder(self.plan, self._out)

@@ -53,12 +53,16 @@ class Flown:
 
     @functools.cached_property
     def arrivals_s(self) -> list[float]:
-        """When each pursuer with way points first came to its last one, after which it stayed; inf where it did not."""
+        """When each pursuer with way points first came to its last one, after which it stayed; inf where it did not,
+        NaN where it recorded nothing."""
         found = []
         for pursuer in self.scenario.vehicles.pursuers:
             if not pursuer.waypoints_m:
                 continue
             rows = self.truth(pursuer.sysid)
+            if not len(rows):
+                found.append(math.nan)
+                continue
             away_m = np.linalg.norm(rows[:, 1:] - np.array(pursuer.waypoints_m[-1]), axis=1)
             outside = np.flatnonzero(away_m > REACHED_M)
             last = int(outside[-1]) + 1 if len(outside) else 0
@@ -120,6 +124,12 @@ def _arrival(flown: Flown) -> Value:
     """When the last one that arrives at all has arrived."""
     there = [t for t in flown.arrivals_s if math.isfinite(t)]
     return max(there, default=None)
+
+
+def _stuck(flown: Flown) -> Value:
+    """None where one of them recorded nothing."""
+    arrivals_s = flown.arrivals_s
+    return None if any(map(math.isnan, arrivals_s)) else float(sum(map(math.isinf, arrivals_s)))
 
 
 def _in_flight(flown: Flown) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
@@ -237,10 +247,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "tanker_idle_s": (_from_summary("tanker_idle_s"), "tankers' time free while a vehicle waited, s"),
     "wait_s": (_waited, "mean time from a decision to its transfer, s"),
     "time_to_goal_s": (_arrival, "when the last arriving pursuer came to its last way point and stayed, s"),
-    "stuck": (
-        lambda f: float(sum(math.isinf(t) for t in f.arrivals_s)),
-        "pursuers that did not come to theirs, or not to stay",
-    ),
+    "stuck": (_stuck, "pursuers that did not come to theirs, or not to stay"),
     "path_length_m": (_of_vehicles("path_length_m", sum), "sum of all vehicles' ways, m"),
     "control_effort": (_of_vehicles("control_effort", sum), "sum of all vehicles' control efforts"),
     "max_tracking_error_m": (_of_vehicles("max_tracking_error_m", max), "greatest distance from a planned path, m"),

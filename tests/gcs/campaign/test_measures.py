@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 import yaml
 
-from gcs.campaign.measures import SHIPPED
+from gcs.campaign.measures import SHIPPED, Flown
 from gcs.scenario.file import load
 
 BATTERY = {"capacity_j": 40_000, "initial_percent": 90, "hover_w": 200}
@@ -136,3 +137,19 @@ def test_vehicles_that_started_airborne_fly_at_any_height(name: str, value: floa
 def test_what_a_vehicle_without_truth_did_is_not_known(tmp_path: Path) -> None:
     without = apart(tmp_path, airborne=False, down_m=-4.0, ends_s=0.0)
     assert [SHIPPED[name][0](without) for name in WANTED] == [None] * len(WANTED)
+
+
+@pytest.mark.parametrize(("ends_s", "stuck"), [(20.1, 1.0), (0.0, None)])
+def test_pursuers_that_recorded_nothing_are_not_known_to_be_stuck(
+    ends_s: float, stuck: float | None, tmp_path: Path
+) -> None:
+    """2 stays 10 m away from its way point, or left no truth, and the others stay at theirs."""
+    (tmp_path / "vehicles").mkdir()
+    scenario = apart(tmp_path, airborne=True, down_m=-10.0, ends_s=20.1).scenario
+    places = {1: (9.0, 0.0, -10.0), 2: (9.0, 0.0, -10.0), 3: (9.0, 80.0, -10.0)}
+    for sysid, place in places.items():
+        times_s = np.arange(0.0, ends_s if sysid == 2 else 20.1, 0.1)
+        head = json.dumps({"state": ["n", "e", "d"], "energy": []}).encode() + b"\n"
+        records = [[time_s, 0.0, *place] for time_s in times_s]
+        (tmp_path / "vehicles" / f"{sysid}.truth").write_bytes(head + np.array(records, dtype="<f8").tobytes())
+    assert SHIPPED["stuck"][0](Flown(tmp_path, scenario)) == stuck

@@ -8,16 +8,19 @@ import json
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from types import NoneType
+from typing import Any, get_args, get_origin
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import BaseModel
 
 from gcs.campaign.service_orders import some_order_keeps_all, tankers_alone_serve
 from gcs.recording import truth
 from gcs.recording.summary import FILE, GoalPartSummary, Summary
 from gcs.refuelling.loss_bound import least_lost
 from gcs.scenario import goal
+from gcs.scenario.document import did_you_mean
 from gcs.scenario.model import Scenario
 from skytender import geometry
 from skytender.safety.patrol import patrol
@@ -260,15 +263,44 @@ WORDS = ("outcome",)
 """Measures that are words; all others are numbers."""
 
 
-def exists(name: str) -> bool:
-    """Whether there is a measure of this name, or a key path that a summary may have."""
+def fault(name: str, *, number: bool = False) -> str | None:
+    """Why there is no measure of this name, or none that is a number, as a sentence; None where there is one.
+
+    It is a shipped one, or a key path into a summary, as deep as its models go.
+    """
+    if is_word(name):
+        return f"{name} is no number" if number else None
     if name in SHIPPED:
-        return True
-    first, dot, rest = name.partition(".")
-    if first == "goal":  # by part, as in goal.separation.met
-        part, _, key = rest.partition(".")
-        return (part.isdecimal() or part in goal.BY_NAME) and key in GoalPartSummary.model_fields
-    return first in Summary.model_fields and (bool(dot) or first not in ("vehicles", "refuelling", "link", "bases"))
+        return None
+    kind: Any = Summary
+    parts = name.split(".")
+    for i, part in enumerate(parts):
+        known, others = _inside(kind)
+        kind = known.get(part, others(part))
+        if kind is None:
+            beside = (".".join([*parts[:i], one, *parts[i + 1 :]]) for one in known)
+            return f"there is no measure {name!r}{did_you_mean(name, [*NAMES, *beside])}"
+    return None if kind in (bool, int, float) else f"{name} is no number"
+
+
+def _inside(kind: Any) -> tuple[dict[str, Any], Callable[[str], Any]]:
+    """Names of what a value of a type in the summary holds, with their types, and the type by any other name."""
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        fields = {field.alias or name: field.annotation for name, field in kind.model_fields.items()}
+        return {name: _present(annotation) for name, annotation in fields.items()}, lambda _: None
+    *keys, of = get_args(kind) or (None,)
+    if get_origin(kind) is list:
+        parts = goal.BY_NAME if of is GoalPartSummary else ()  # by part, as in goal.separation.met
+        return dict.fromkeys(parts, of), lambda part: of if part.isdecimal() else None
+    if get_origin(kind) is dict:
+        return dict.fromkeys(get_args(keys[0]), of), lambda _: of if keys[0] is str else None
+    return {}, lambda _: None
+
+
+def _present(annotation: Any) -> Any:
+    """A type without the None that its value may be instead."""
+    kinds = [kind for kind in get_args(annotation) if kind is not NoneType]
+    return kinds[0] if NoneType in get_args(annotation) else annotation
 
 
 def is_word(name: str) -> bool:

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, ConfigDict, Field, model_validator
 
 from gcs.campaign import measures
 from gcs.scenario import keys
-from gcs.scenario.document import Conflict, conflict_error, did_you_mean
+from gcs.scenario.document import Conflict, conflict_error
 from gcs.scenario.parts.reach import Asks, Shown, is_foreign_code
 from gcs.scenario.rules import OWN
 from gcs.scenario.types import Count, Flag, NotNegative, Number, Part, Positive
@@ -214,16 +214,14 @@ class CampaignRules(Part):
         for key, draw in self.draw.items():
             if (draw.random is not None) != (key == "obstacles"):
                 found.append(Conflict(("draw", key), "random goes with the key obstacles, and that with random"))
-        known = measures.NAMES
+        limited = {name for name, one in self.expect.items() if (one.at_least, one.at_most) != (None, None)}
         for place in ("measure", "expect"):
             for i, name in enumerate(getattr(self, place)):
-                if not measures.exists(name):
-                    path = (place, i if place == "measure" else name)
-                    found.append(Conflict(path, f"there is no measure {name!r}{did_you_mean(name, known)}"))
+                if why := measures.fault(name, number=place == "expect" and name in limited):
+                    found.append(Conflict((place, i if place == "measure" else name), why))
         if self.search is not None:
-            aim = str(self.search.minimise or self.search.maximise)
-            if not measures.exists(aim):
-                found.append(Conflict(("search",), f"there is no measure {aim!r}{did_you_mean(aim, known)}"))
+            if why := measures.fault(str(self.search.minimise or self.search.maximise), number=True):
+                found.append(Conflict(("search",), why))
             if not self.draw:
                 found.append(Conflict(("search",), "a search needs something to draw"))
         if found:

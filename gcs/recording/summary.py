@@ -158,6 +158,9 @@ class GoalPartSummary(SummaryPart):
     """when, s of session time; null of what has no one time"""
 
 
+Nearness = Literal["separation", "clearance", "traffic"]
+
+
 class ClosestSummary(SummaryPart):
     """The nearest approach: vehicles, object and time."""
 
@@ -216,8 +219,8 @@ class Summary(SummaryPart):
     """least distance to an obstacle's surface (a point's is its centre); null without obstacles"""
     min_traffic_m: float | None = None
     """least distance to traffic that is to be kept away from; null without any"""
-    closest: dict[str, ClosestSummary] = {}
-    """which vehicles and when, by `separation`, `clearance` and `traffic`"""
+    closest: dict[Nearness, ClosestSummary] = {}
+    """which vehicles and when"""
     believed_min_separation_m: float | None = None
     """the same by what vehicles reported"""
     believed_min_clearance_m: float | None = None

@@ -14,6 +14,7 @@ import numpy as np
 from gcs.recording import series
 from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
+from gcs.recording.summary import Nearness
 from gcs.report import distances
 from gcs.report.watched import Watched
 from gcs.scenario import goal
@@ -199,8 +200,8 @@ class Findings:
         k = int(np.nanargmin(line.values))
         return Nearest(float(line.values[k]), tuple(sorted(np.atleast_1d(pair[k]).tolist())), float(line.t_s[k]))
 
-    def closest(self, name: str) -> Nearest | None:
-        """Nearest approach: `separation`, `clearance` or `traffic`, as judged; None where that is not known."""
+    def closest(self, name: Nearness) -> Nearest | None:
+        """Nearest approach as judged; None where that is not known."""
         reported = self.summary.closest.get(name) if self.summary is not None else None
         if reported is None:
             return None

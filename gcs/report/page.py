@@ -19,7 +19,9 @@ from pathlib import Path
 from string import Template
 
 from gcs.recording.importing import opened
+from gcs.recording.series import Series
 from gcs.recording.session_folder import read, read_recording
+from gcs.recording.summary import Nearness
 from gcs.report import tables
 from gcs.report.charts import Charts
 from gcs.report.findings import NOT_ENDED, Findings
@@ -229,7 +231,11 @@ def _missing(problems: Sequence[str]) -> str:
 def _cards(found: Findings) -> str:
     cards: list[tuple[str, str, str]] = []
     summary, near = found.summary, found.nearness
-    reported = {"separation": near.separation, "clearance": near.clearance, "traffic": near.traffic}
+    reported: dict[Nearness, Series] = {
+        "separation": near.separation,
+        "clearance": near.clearance,
+        "traffic": near.traffic,
+    }
     for name, line in reported.items():
         nearest, least = found.closest(name), found.least(line)
         words = f"least distance to {name}" if name == "traffic" else f"least {name}"

@@ -35,6 +35,11 @@ def summarise(
     snapshot = supervisor.fleet.snapshot(supervisor.time_s)
     goal = [summary.GoalPartSummary(**asdict(one) | {"met": one.met is not False}) for one in supervisor.judged()]
     near, believed = supervisor.goal_watch.judged, supervisor.goal_watch.believed
+    approaches: dict[summary.Nearness, Nearest] = {
+        "separation": near.separation,
+        "clearance": near.clearance,
+        "traffic": near.traffic,
+    }
     links = link.links()
     schedule.settle(snapshot)
     credited_j: dict[int | str | None, int] = defaultdict(int)
@@ -61,15 +66,7 @@ def summarise(
         min_separation_m=_finite(near.separation.m),
         min_clearance_m=_finite(near.clearance.m),
         min_traffic_m=_finite(near.traffic.m),
-        closest={
-            name: _closest(nearest)
-            for name, nearest in (
-                ("separation", near.separation),
-                ("clearance", near.clearance),
-                ("traffic", near.traffic),
-            )
-            if math.isfinite(nearest.m)
-        },
+        closest={name: _closest(nearest) for name, nearest in approaches.items() if math.isfinite(nearest.m)},
         believed_min_separation_m=_finite(believed.separation.m),
         believed_min_clearance_m=_finite(believed.clearance.m),
         believed_min_traffic_m=_finite(believed.traffic.m),

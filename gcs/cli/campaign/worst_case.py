@@ -177,7 +177,6 @@ def _expectation(text: str) -> tuple[str, Expectation]:
     """A measure and its limit, from `MEASURE>=N` or `MEASURE<=N`."""
     from gcs.campaign import measures
     from gcs.campaign.model import Expectation as Limit
-    from gcs.scenario.document import did_you_mean
 
     name, sign, number = (part.strip() for part in re.fullmatch(r"([^<>=]*)([<>]=|)(.*)", text).groups())  # type: ignore[union-attr]
     try:
@@ -186,6 +185,6 @@ def _expectation(text: str) -> tuple[str, Expectation]:
         limit = math.nan
     if not sign or not math.isfinite(limit):
         raise click.UsageError(f"--expect {text}: write MEASURE>=N or MEASURE<=N")
-    if not measures.exists(name):
-        raise click.UsageError(f"--expect: there is no measure {name!r}{did_you_mean(name, measures.NAMES)}")
+    if fault := measures.fault(name, number=True):
+        raise click.UsageError(f"--expect: {fault}")
     return name, Limit(at_least=limit) if sign == ">=" else Limit(at_most=limit)

@@ -60,6 +60,21 @@ def told(**changes: Any) -> str:
         ({"draw": {"radio.loss": {"log_uniform": [0, 1]}}}, "must be above 0"),
         ({"measure": ["min_seperation_m"]}, "no measure 'min_seperation_m'; did you mean 'min_separation_m'?"),
         ({"expect": {"losst": {"at_most": 0}}}, "there is no measure 'losst'; did you mean 'lost'?"),
+        (
+            {"expect": {"closest.separaton.distance_m": {"at_least": 500}}},
+            "no measure 'closest.separaton.distance_m'; did you mean 'closest.separation.distance_m'?",
+        ),
+        (
+            {"measure": ["vehicles.1.energy.remaning_j"]},
+            "no measure 'vehicles.1.energy.remaning_j'; did you mean 'vehicles.1.energy.remaining_j'?",
+        ),
+        ({"measure": ["goal.seperation.met"]}, "did you mean 'goal.separation.met'?"),
+        ({"measure": ["refuelling.first.energy_j"]}, "there is no measure 'refuelling.first.energy_j'"),
+        ({"measure": ["vehicles.0.final_mode"]}, "vehicles.0.final_mode is no number"),
+        ({"measure": ["versions.numpy"]}, "versions.numpy is no number"),
+        ({"measure": ["goal.separation.sysids"]}, "goal.separation.sysids is no number"),
+        ({"expect": {"outcome": {"at_least": 1}}}, "outcome is no number"),
+        ({"search": {"minimise": "outcome"}}, "outcome is no number"),
         ({"sessions": 0}, "sessions must be greater than or equal to 1"),
         ({"scenario": "demmo"}, "did you mean 'demo'?"),
         ({"scenario": None}, "exactly one of scenario, generate"),
@@ -138,12 +153,29 @@ def test_what_is_no_plain_data_of_a_campaign_is_named() -> None:
     assert "set.goal is a Python set; it has to be" in told(set={"goal": {1}})
 
 
+@pytest.mark.parametrize(
+    ("expect", "why"),
+    [("vehicles.0.energy.drawm_j<=5", "did you mean 'vehicles.0.energy.drawn_j'?"), ("outcome>=1", "is no number")],
+)
+def test_a_limit_of_what_is_no_measure_is_refused(expect: str, why: str) -> None:
+    done = CliRunner().invoke(campaign, ["shrink", "demo", "--expect", expect])
+    assert (done.exit_code, why in done.output) == (2, True)
+
+
 @pytest.mark.parametrize("limit", ["nan", "inf", "-inf", "x", ""])
 def test_a_limit_that_is_no_number_is_refused(tmp_path: Path, limit: str) -> None:
     out = tmp_path / "small.yaml"
     done = CliRunner().invoke(campaign, ["shrink", "demo", "--expect", f"min_clearance_m>={limit}", "--out", str(out)])
     assert (done.exit_code, out.exists()) == (2, False)
     assert "write MEASURE>=N or MEASURE<=N" in done.output
+
+
+def test_key_paths_of_numbers_and_the_summarys_own_words_are_measures() -> None:
+    names = (
+        *("digest", "completed", "link.lost", "goal.0.met", "goal.separation.value", "goal.separation.sysids.0"),
+        *("closest.traffic.t_s", "vehicles.12.energy.drawn_j", "vehicles.0.mission.holds", "refuelling.0.bids.3"),
+    )
+    assert plan(measure=names).campaign.measure == names
 
 
 def test_a_campaign_is_written_and_read_back_equal(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
 from gcs.refuelling.service_plan import plan_services
-from gcs.scenario.guard import Guard, Nonsense, PluginFault
+from gcs.scenario.guard import Guard, Nonsense, PluginFault, shown
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
@@ -115,7 +115,7 @@ def _all_checked(answer: Any, request: RefuellingRequest) -> dict[int, int]:
     found = {}
     for tanker, receiver in answer.items():
         if tanker not in free:
-            raise Nonsense(f"returned {tanker!r}, which is no free tanker's system id")
+            raise Nonsense(f"returned {shown(tanker)}, which is no free tanker's system id")
         checked = _checked(receiver, request)
         if checked is not None:
             found[int(tanker)] = checked
@@ -131,8 +131,7 @@ def _checked(answer: Any, request: RefuellingRequest) -> int | None:
     for view in request.candidates:
         if answer == view.sysid:
             return view.sysid
-    told = "NaN" if answer != answer else " ".join(repr(answer).split())[:60]  # noqa: PLR0124 - NaN alone differs
-    raise Nonsense(f"returned {told}, which is no candidate's system id")
+    raise Nonsense(f"returned {shown(answer)}, which is no candidate's system id")
 
 
 class _Stateless:

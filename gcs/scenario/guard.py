@@ -9,6 +9,7 @@ the patience that vehicles have with a silent supervisor.
 from __future__ import annotations
 
 import math
+import re
 import signal
 import threading
 import time
@@ -24,6 +25,9 @@ LIMIT_S = 1.0
 AGAIN_S = 0.05
 """A call that swallows the cut is cut again."""
 MAX_TEXT = 200
+MAX_SHOWN = 60
+_ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+"""As in `<object at 0x7fcd0>`: another in each run."""
 LATE = "did not answer within"
 PROCESS = 0
 """System id of a fault that befalls all that a planner or policy decides: its process has ended."""
@@ -118,11 +122,24 @@ class Guard:
         return taken
 
 
+def shown(answer: Any) -> str:
+    """An answer for a problem's text, the same in every run: a number or a text as it is, else its type."""
+    plain = answer.item() if getattr(answer, "ndim", None) == 0 else answer  # a number of numpy's
+    if type(plain) not in (bool, int, float, complex, str, bytes):
+        return type(answer).__name__
+    return "NaN" if plain != plain else _one_line(repr(plain), MAX_SHOWN)  # noqa: PLR0124 - NaN alone differs
+
+
+def _one_line(text: str, longest: int) -> str:
+    """Text of somebody else's code, without addresses: by those each run would have another problem."""
+    return _ADDRESS.sub("", " ".join(text.split()))[:longest]
+
+
 def _described(error: BaseException) -> str:
     """`ValueError at planner.py:12: text`, on one line."""
     frames = traceback.extract_tb(error.__traceback__)
     where = next((f for f in reversed(frames) if "site-packages" not in f.filename), frames[-1])
-    text = " ".join(str(error).split())[:MAX_TEXT]
+    text = _one_line(str(error), MAX_TEXT)
     return f"{type(error).__name__} at {Path(where.filename).name}:{where.lineno}" + (f": {text}" if text else "")
 
 

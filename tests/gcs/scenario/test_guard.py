@@ -5,9 +5,10 @@ from __future__ import annotations
 import signal
 import time
 
+import numpy as np
 import pytest
 
-from gcs.scenario.guard import Guard, Nonsense
+from gcs.scenario.guard import Guard, Nonsense, shown
 
 
 def fails() -> None:
@@ -48,6 +49,33 @@ def test_an_answer_that_cannot_be_used_is_told_in_the_words_of_who_looked_at_it(
     guard = Guard("planner a:B")
     assert guard.call(1, looks) is None
     assert guard.pop_faults()[0].sentence == "planner a:B returned a poem; the vehicle is held"
+
+
+def test_a_problem_with_an_address_is_the_same_problem_in_the_next_call() -> None:
+    kept: list[object] = []  # each call has an object of its own, at another address
+
+    def refuses() -> None:
+        kept.append(object())
+        raise ValueError(f"no good: {kept[-1]!r}")
+
+    guard = Guard("planner a:B")
+    for _ in range(3):
+        guard.call(1, refuses)
+    assert len({repr(one) for one in kept}) == 3
+    (fault,) = guard.pop_faults()
+    assert fault.problem.endswith(": no good: <object object>")
+
+
+def test_an_answer_is_shown_by_its_number_or_text_or_else_by_its_type() -> None:
+    numbers = [77, 2.5, float("nan"), True, np.int64(77), np.float64("nan"), np.array(77), np.True_]
+    assert [shown(one) for one in numbers] == ["77", "2.5", "NaN", "True", "77", "NaN", "77", "True"]
+    assert shown("two\nlines" + "x" * 99) == repr("two\nlines" + "x" * 99)[:60]
+    assert [shown(one) for one in (object(), (n for n in ()), [1], np.array([1, 2]))] == [
+        "object",
+        "generator",
+        "list",
+        "ndarray",
+    ]
 
 
 def test_an_exit_in_a_policy_does_not_end_the_session() -> None:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, Protocol
 
 import numpy as np
@@ -20,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from gcs.refuelling.giver import Giver, ServiceTimes, lasts_s, match
 from gcs.refuelling.service_plan import plan_services
-from gcs.scenario.guard import Guard, Nonsense, PluginFault, shown
+from gcs.scenario.guard import Guard, Nonsense, PluginFault, plain, shown
 from gcs.scenario.model import RefuellingRules, Scenario
 from gcs.telemetry.state import VehicleView
 from skytender import elementary
@@ -111,14 +112,14 @@ def _all_checked(answer: Any, request: RefuellingRequest) -> dict[int, int]:
     """The answer as receivers by tanker. Raises Nonsense."""
     if not isinstance(answer, Mapping):
         raise Nonsense(f"returned {type(answer).__name__}, which is no mapping from tankers to receivers")
-    free = {view.sysid for view in request.free_tankers}
     found = {}
     for tanker, receiver in answer.items():
-        if tanker not in free:
+        free = _named(tanker, request.free_tankers)
+        if free is None:
             raise Nonsense(f"returned {shown(tanker)}, which is no free tanker's system id")
         checked = _checked(receiver, request)
         if checked is not None:
-            found[int(tanker)] = checked
+            found[free] = checked
     if len(set(found.values())) < len(found):
         raise Nonsense("gave one vehicle to two tankers")
     return found
@@ -128,10 +129,18 @@ def _checked(answer: Any, request: RefuellingRequest) -> int | None:
     """The answer as a system id or None. Raises Nonsense."""
     if answer is None:
         return None
-    for view in request.candidates:
-        if answer == view.sysid:
-            return view.sysid
-    raise Nonsense(f"returned {shown(answer)}, which is no candidate's system id")
+    found = _named(answer, request.candidates)
+    if found is None:
+        raise Nonsense(f"returned {shown(answer)}, which is no candidate's system id")
+    return found
+
+
+def _named(answer: Any, views: Iterable[VehicleView]) -> int | None:
+    """System id of the vehicle that is meant by a number; True is no number, though it equals 1."""
+    number = plain(answer)
+    if isinstance(number, bool) or not isinstance(number, Real):
+        return None
+    return next((view.sysid for view in views if view.sysid == number), None)
 
 
 class _Stateless:

@@ -124,10 +124,15 @@ class Guard:
 
 def shown(answer: Any) -> str:
     """An answer for a problem's text, the same in every run: a number or a text as it is, else its type."""
-    plain = answer.item() if getattr(answer, "ndim", None) == 0 else answer  # a number of numpy's
-    if type(plain) not in (bool, int, float, complex, str, bytes):
+    value = plain(answer)
+    if type(value) not in (bool, int, float, complex, str, bytes):
         return type(answer).__name__
-    return "NaN" if plain != plain else _one_line(repr(plain), MAX_SHOWN)  # noqa: PLR0124 - NaN alone differs
+    return "NaN" if value != value else _one_line(repr(value), MAX_SHOWN)  # noqa: PLR0124 - NaN alone differs
+
+
+def plain(answer: Any) -> Any:
+    """An answer, as Python's own number where it is one of numpy's or of a library like it."""
+    return answer.item() if getattr(answer, "ndim", None) == 0 else answer
 
 
 def _one_line(text: str, longest: int) -> str:

@@ -6,8 +6,12 @@ import dataclasses
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
+import pytest
+
 from gcs.refuelling import policies
 from gcs.refuelling.giver import Giver, ServiceTimes
+from gcs.scenario.guard import Guard
 from gcs.scenario.model import RefuellingRules
 
 RULES = RefuellingRules(hold_s=0.0, rate_w=1000.0, until=1.0, lands_at=0.0)
@@ -106,3 +110,43 @@ def test_who_soon_wants_energy_is_planned_for() -> None:
 
 def test_whom_no_plan_keeps_is_flown_to_rather_than_nobody() -> None:
     assert policies.Optimal(SCENARIO).choose(request([view(1, 90.0, 500.0), view(2, 80.0, 600.0)])) in (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("answer", "text"),
+    [
+        (True, "True"),
+        (np.True_, "True"),
+        (np.array(True), "True"),
+        (np.array([1, 2]), "ndarray"),
+        (np.array([1]), "ndarray"),
+        ([1], "list"),
+        ("1", "'1'"),
+        (3, "3"),
+        (float("nan"), "NaN"),
+    ],
+)
+def test_only_a_number_is_a_system_id(answer: Any, text: str) -> None:
+    asked = request([view(1, 5.0, 5_000.0), view(2, 9.0, 5_000.0)])
+    chooses = policies.GuardedPolicy(SimpleNamespace(choose=lambda _: answer), Guard("policy a:B"))
+    assigns = policies.GuardedPolicy(SimpleNamespace(assign=lambda _: {201: answer}), Guard("policy a:B"))
+    for policy in (chooses, assigns):
+        assert policy.pairs(asked) == {}
+        (fault,) = policy.pop_faults()
+        assert fault.problem == f"returned {text}, which is no candidate's system id"
+
+
+def test_true_is_no_tankers_system_id() -> None:
+    asked = request([view(2, 5.0, 5_000.0)], [view(1, 0.0, 10_000.0)])
+    policy = policies.GuardedPolicy(SimpleNamespace(assign=lambda _: {True: 2}), Guard("policy a:B"))
+    assert policy.pairs(asked) == {}
+    (fault,) = policy.pop_faults()
+    assert fault.problem == "returned True, which is no free tanker's system id"
+
+
+@pytest.mark.parametrize("answer", [2, 2.0, np.int64(2), np.array(2)])
+def test_numbers_of_any_kind_are_system_ids(answer: Any) -> None:
+    asked = request([view(1, 5.0, 5_000.0), view(2, 9.0, 5_000.0)])
+    policy = policies.GuardedPolicy(SimpleNamespace(choose=lambda _: answer), Guard("policy a:B"))
+    assert policy.pairs(asked) == {201: 2}
+    assert not policy.pop_faults()

@@ -89,13 +89,10 @@ def _lowest_battery(flown: Flown) -> Value:
     return min(left, default=None)
 
 
-def _served(flown: Flown) -> list[dict[str, Any]]:
-    return [service for service in flown.summary["refuelling"] if service["energy_j"] > 0.0]
-
-
 def _waited(flown: Flown) -> Value:
     """Mean time from the decision to the first joule."""
-    waits = [s["start_s"] - s["decided_at_s"] for s in _served(flown) if s["start_s"] is not None]
+    fed = [service for service in flown.summary["refuelling"] if service["energy_j"] > 0.0]
+    waits = [s["start_s"] - s["decided_at_s"] for s in fed if s["start_s"] is not None]
     return float(np.mean(waits)) if waits else None
 
 
@@ -242,7 +239,7 @@ SHIPPED: dict[str, tuple[Callable[[Flown], Value], str]] = {
     "lost": (_lost, "vehicles lost: dead, run dry, landed by a failsafe, never in the air"),
     "lowest_battery": (_lowest_battery, "least charge of a pursuer at the end, % of its capacity"),
     "delivered_j": (lambda f: float(sum(s["energy_j"] for s in f.summary["refuelling"])), "energy delivered, J"),
-    "refuelled": (lambda f: float(len(_served(f))), "services that delivered energy"),
+    "refuelled": (lambda f: float(len(f.summary["refuel_order"])), "services that ended, and delivered energy"),
     "lost_somebody": (lambda f: float(bool(_lost(f))), "1 where a vehicle was lost, else 0"),
     "least_lost": (_least_lost, "vehicles that no schedule could have kept, at least; not known with bases or join_s"),
     "keepable": (_keepable, "1 where some order of services keeps everyone, 0 where none does, by a search; the same"),

@@ -25,6 +25,7 @@ from gcs.refuelling.service import NOTHING_DECIDED, Decision, Phase, Service, Se
 from gcs.refuelling.settlement import Settlement
 from gcs.refuelling.tanker_service import TankerSteps
 from gcs.refuelling.target_assignment import meeting_s, way
+from gcs.scenario.goal import is_refuelling
 from gcs.scenario.model import Base, CompetitionRules, RefuellingRules, Tanker
 from gcs.telemetry.state import FleetSnapshot, VehicleView
 from skytender import elementary
@@ -117,8 +118,8 @@ class Scheduler:
 
     @property
     def refuelled(self) -> list[Service]:
-        """Services that ended with energy on board of the receiver."""
-        return [service for service in self.services if service.phase is Phase.DONE and service.energy_j > 0]
+        """Services that count as refuellings."""
+        return [service for service in self.services if is_refuelling(service.end_s, service.energy_j)]
 
     def settle(self, snapshot: FleetSnapshot) -> None:
         """Book on each service what its receiver's counter shows by now: the last joules may be reported late."""

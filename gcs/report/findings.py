@@ -135,6 +135,13 @@ class Findings:
                     found.append(ServiceFinding(*pair, None, None, None, 0.0, NOT_ENDED, d["bids"]))
         return sorted(found, key=lambda service: service.decided_at_s)
 
+    @property
+    def refuelled(self) -> int:
+        """How many services count as refuellings: by the summary, which has joules that were reported late."""
+        if self.summary is not None:
+            return len(self.summary.refuel_order)
+        return sum(goal.is_refuelling(s.end_s, s.energy_j) for s in self.services)
+
     @cached_property
     def ledgers(self) -> list[dict[str, Any]]:
         """Each vehicle's energies in J, by the summary."""
@@ -166,14 +173,14 @@ class Findings:
 
     def _measured(self) -> Measured:
         """Figures from the recording alone."""
-        near, summary = self.nearness, self.summary
+        near = self.nearness
         held = near.held_s if self.scenario is not None and self.scenario.pursuit.by != "competition" else {}
         return Measured(
             time_s=self.end_s,
             separation=self._closest(near.separation, near.pair) if self.tracks else None,
             lost=self._losses() or None,
             pursuit_held_s=min(held.values()) if held and self.tracks else None,
-            refuelled=len(summary.refuel_order) if summary else sum(s.energy_j > 0 for s in self.services),
+            refuelled=self.refuelled,
             late=self._late(),
         )
 

@@ -253,10 +253,9 @@ def _cards(found: Findings) -> str:
         cards.append(("lowest battery", f"{lowest[whose]:.0f} %", f"vehicle {whose}"))
     if found.services:
         moved = sum(s.energy_j for s in found.services)
-        ended = [s for s in found.services if s.reason != NOT_ENDED]
-        under_way = f", {len(found.services) - len(ended)} not ended" if len(ended) < len(found.services) else ""
-        done = sum(s.energy_j > 0 for s in ended)
-        cards.append(("refuellings", str(done), f"{moved / 1e3:.1f} kJ moved{under_way}"))
+        open_now = sum(s.reason == NOT_ENDED for s in found.services)
+        under_way = f", {open_now} not ended" if open_now else ""
+        cards.append(("refuellings", str(found.refuelled), f"{moved / 1e3:.1f} kJ moved{under_way}"))
     if summary is not None:
         cards.append(("frames lost", str(summary.link.lost), f"of {summary.link.received} received"))
     items = "".join(

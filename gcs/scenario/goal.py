@@ -95,6 +95,12 @@ class Judgement:
         return f"{self.part} {self.reached}"
 
 
+def is_refuelling(end_s: float | None, energy_j: float) -> bool:
+    """Whether a service counts as a refuelling: it has ended, and energy came to its receiver. One that is under way
+    when the session ends does not."""
+    return end_s is not None and energy_j > 0
+
+
 class GoalPart(NamedTuple):
     """One part: `limit` is what a scenario demands of it, None where it demands nothing; `wanted` a sentence of it, and
     `wanted_0` of a limit of 0; `judge` is called with what of the measures it is judged by, where that is known, the

@@ -21,6 +21,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.participation import Participation
 from gcs.refuelling.service import Phase, Service
+from gcs.scenario.goal import is_refuelling
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import WORLD, Worlds
 from gcs.session import messages
@@ -209,7 +210,7 @@ class Timeline(Moments):
         line.competition = CompetitionRow(**explain.competition_of(competition_state, scenario.competition))
         line.services = messages.services_of(is_open, snapshot, scenario)
         line.history = [ServedRow(**row) for row in explain.history_of(services)]
-        line.refuelled = sum(service.phase is Phase.DONE and service.energy_j > 0 for service in services)
+        line.refuelled = sum(is_refuelling(service.end_s, service.energy_j) for service in services)
         line.goal = messages.goal_state(self.worlds.judged, pursue_held_s, self._broken_at(t_s, snapshot))
         if pursue_held_s is None:
             line.goal.pursue_within_m = line.goal.pursue_for_s = None

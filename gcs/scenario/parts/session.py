@@ -61,7 +61,7 @@ class Goal(Part):
     pursue: Pursue | None = None
     """pursuit that is demanded; none by default"""
     refuelled_at_least: Count = 0
-    """number of services that must have delivered energy; 0 demands none"""
+    """number of services that must have ended, and delivered energy; 0 demands none"""
     duration_s: Annotated[float, Exact(gt=0, le=604_800)]
     """length of the session, s of session time"""
     separation_m: Limit = None

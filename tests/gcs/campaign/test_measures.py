@@ -51,6 +51,13 @@ def flown(folder: Path, service: dict[str, Any], near_s: float) -> Any:
     return SimpleNamespace(scenario=load(path), summary={"refuelling": [service]}, truth=rows.__getitem__)
 
 
+def test_a_service_under_way_at_the_end_is_no_refuelling_though_its_energy_counts() -> None:
+    fed = [{"energy_j": 900.0, "decided_at_s": 1.0, "start_s": 3.0, "end_s": 9.0}]
+    fed += [{"energy_j": 500.0, "decided_at_s": 9.0, "start_s": 13.0, "end_s": None}]
+    session: Any = SimpleNamespace(summary={"refuelling": fed, "refuel_order": [1]})
+    assert [SHIPPED[name][0](session) for name in ("refuelled", "delivered_j", "wait_s")] == [1.0, 1400.0, 3.0]
+
+
 @pytest.mark.parametrize(
     ("decided_at_s", "end_s", "near_s", "counts"),
     [

@@ -126,7 +126,11 @@ def test_a_service_that_the_end_cut_is_no_refuelling_of_the_page(tmp_path: Path)
     ended = {"t_s": 9.0, "kind": "served", "receiver": 1, "end_s": 9.0, "energy_j": 800, "reason": "full", **steps}
     (tmp_path / "scenario.yaml").touch()
     shown = text(
-        Findings(replace(found(decisions=[ended], summary=summary(refuelling=[cut])).recorded, folder=tmp_path))
+        Findings(
+            replace(
+                found(decisions=[ended], summary=summary(refuelling=[cut], refuel_order=[1])).recorded, folder=tmp_path
+            )
+        )
     )
     assert "<dt>refuellings</dt><dd>1<small>3.0 kJ moved, 1 not ended</small></dd>" in shown
 

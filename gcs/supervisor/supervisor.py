@@ -216,6 +216,7 @@ class Supervisor:
         """Collect and record the answers to the last grant; nothing is decided any more."""
         received = self._receive(self._answers(idle, lambda: 1), self.time_s)
         self.snapshot = self.fleet.snapshot(self.time_s)
+        self.metrics.finish(self.snapshot)
         broken = self._watch_goal(self.snapshot, self._partners)
         self._record(TickRecord(self.time_ms, received.frames, [], self._new_records() + broken))
 

@@ -59,28 +59,34 @@ class Metrics:
         if pursuing is not None and pursuing != self.target_of:
             self.target_of = dict(pursuing)
             self._pairs = self._pairs_of(self.target_of)
-        columns = snapshot.columns
-        flags, places = columns.flags, columns.places
-        if len(columns.sysids) < len(self._row):
-            flags, places = self._in_order(columns)
         points = SetPoints.of(set_points)
         if points.sysids != self._sysids:
             self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
             self._sysids = points.sysids
+        self._measure(snapshot.columns, self._rows, points.values, self._pairs)
+        if self._pursuit.keys:
+            self._time_s[0] = snapshot.time_s + late_s
+            self._pursuit.update(self._time_s, self._distances_m)
+
+    def finish(self, snapshot: FleetSnapshot) -> None:
+        """Count the way to the last reports: at the session's end nothing is planned, and no pursuit is measured."""
+        self._measure(snapshot.columns, np.empty(0, np.int64), np.empty((0, 6)), np.empty((0, 3), np.int64))
+
+    def _measure(self, columns: FleetColumns, rows: Ints, planned: Floats, pairs: Ints) -> None:
+        flags, places = columns.flags, columns.places
+        if len(columns.sysids) < len(self._row):
+            flags, places = self._in_order(columns)
         _measure(
             flags.view(np.uint8),
             places,
-            self._rows,
-            points.values,
-            self._pairs,
+            rows,
+            planned,
+            pairs,
             self._flown,
             self._plans,
             self._planned,
             self._distances_m,
         )
-        if self._pursuit.keys:
-            self._time_s[0] = snapshot.time_s + late_s
-            self._pursuit.update(self._time_s, self._distances_m)
 
     @property
     def path_length_m(self) -> dict[int, float]:

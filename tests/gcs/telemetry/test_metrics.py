@@ -62,6 +62,17 @@ def test_path_length_is_the_way_flown_without_the_gaps() -> None:
     assert m.path_length_m == {1: 8.0}
 
 
+def test_the_way_to_the_last_report_counts_and_pursuit_ends_with_the_last_tick() -> None:
+    m = metrics()
+    for k, north_m in enumerate([0.0, 1.0, 2.5]):
+        update(m, k / 10, view(1, (north_m, 0, 0)), view(2, (0, 0, 0)), view(101, (north_m, 1, 0)))
+    held_s = dict(m._pursuit.held_s)
+    m.finish(FleetSnapshot(0.3, (view(1, (4.5, 0, 0)), view(2, (0, 0, 0)), view(101, (4.5, 1, 0))), ()))
+    assert m.path_length_m == {1: 4.5, 2: 0.0, 101: 4.5}
+    assert m._pursuit.held_s == held_s
+    assert held_s[1] == pytest.approx(0.2)
+
+
 def test_pursuit_is_the_longest_unbroken_run_of_the_worst_pursuer() -> None:
     m = metrics()
     for k in range(100):  # 1 is away at 4 s; 2 only comes at 7 s

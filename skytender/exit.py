@@ -33,6 +33,12 @@ class Terminated(BaseException):
         return 128 + self.number
 
 
+def ending() -> list[signal.Signals]:
+    """The signals that ask this program to end: SIGHUP only where its caller does not ignore it, as nohup does."""
+    hang_up = [] if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN else [signal.SIGHUP]
+    return [signal.SIGINT, signal.SIGTERM, *hang_up]
+
+
 def terminate(number: int, _: object) -> NoReturn:
     """A handler of signals that raises them."""
     raise Terminated(number)
@@ -43,7 +49,7 @@ def leave(status: int) -> NoReturn:
 
     A reader that has gone is no error; what cannot be written for another reason turns success into NOT_DONE.
     """
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in ending():
         signal.signal(number, signal.SIG_IGN)
     for stream in (sys.stdout, sys.stderr):
         if stream is None:  # closed before the program began

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import click
 
-from skytender.exit import BAD_INPUT, NOT_DONE, leave
+from skytender.exit import BAD_INPUT, NOT_DONE, ending, leave
 
 SIGNALLED = 128
 """Exit statuses above it stand for a signal."""
@@ -90,8 +90,8 @@ def after_run(
     """The report at the end of a session that ended with `status`.
 
     The path is printed; any failure to make it is a warning. Where the user has stopped the session, the terminal says
-    at once what is waited for. Ctrl-C, or SIGTERM, leaves the report out and ends the process; it is
-    left out, too, where that came before (`hurried`). `last`: nothing comes after it, so that either ends the process
+    at once what is waited for. Ctrl-C, SIGTERM or SIGHUP leaves the report out and ends the process; it is
+    left out, too, where that came before (`hurried`). `last`: nothing comes after it, so that each ends the process
     with its status from then on.
     """
     tlog = folder / "session.tlog"
@@ -112,7 +112,7 @@ def after_run(
                 click.echo(left_out, err=True)
         leave(status)
 
-    handlers = {number: signal.signal(number, leave_out) for number in (signal.SIGINT, signal.SIGTERM)}
+    handlers = {number: signal.signal(number, leave_out) for number in ending()}
     try:
         if status > SIGNALLED:
             echo(f"saved; {MAKING}")

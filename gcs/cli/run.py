@@ -175,7 +175,7 @@ def run(
     server = click.get_current_context().with_resource(early(lines and can_fork()))
     with uncollected():
         from gcs.scenario.plugins import named
-        from gcs.session.plain_text import logged, mute_stdout
+        from gcs.session.plain_text import logged, mute
         from gcs.session.supervised import SupervisorFork, new_folder, write_scenario
         from gcs.session.supervised import run as fly
 
@@ -216,7 +216,7 @@ def run(
             try:
                 click.echo(f"{resolved.name}: starting; the session's folder is {folder}", err=as_json)
             except OSError:
-                mute_stdout()
+                mute(1)
         shown, said = _view(folder, resolved.name, plain or web, as_json, verbose=verbose, quiet=quiet)
         arguments = ["--drop-datagrams", str(drop_datagrams), *module_arguments(scenario)]
         fork = None

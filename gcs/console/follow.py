@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from gcs.session.client import Message, MessageSource
-from gcs.session.plain_text import JsonView, PlainView, View, mute_stdout, outcome_line, progress
+from gcs.session.plain_text import JsonView, PlainView, View, mute, outcome_line, progress
 
 LOOK_EVERY_S = 0.1
 STEP_S = 0.5
@@ -79,7 +79,7 @@ def follow(
         if end is not None:
             write(json.dumps(end) if as_json else outcome_line(end.get("outcome") or "unknown", end.get("text")))
     except BrokenPipeError:
-        mute_stdout()
+        mute(1)
     finally:
         source.close()
 

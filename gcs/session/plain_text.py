@@ -6,6 +6,7 @@ import contextlib
 import json
 import math
 import os
+import select
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -217,11 +218,20 @@ def _listed(title: str, parts: Sequence[str]) -> list[str]:
     return lines
 
 
-def mute_stdout() -> None:
-    """Discard further output: what is still written to stdout goes nowhere, and is no error."""
+def mute(descriptor: int) -> None:
+    """Discard further output: what is still written to this descriptor goes nowhere, and is no error."""
     null = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(null, 1)
+    os.dup2(null, descriptor)
     os.close(null)
+
+
+def mute_gone() -> None:
+    """Discard further output to standard output and error where their terminal, or their reader, is gone."""
+    poll = select.poll()
+    for descriptor in (1, 2):
+        poll.register(descriptor, 0)
+    for descriptor, _ in poll.poll(0):
+        mute(descriptor)
 
 
 class View:

@@ -27,8 +27,8 @@ from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.pydantic_plugins import without_plugins
 from gcs.session.client import SOCKET, Client, EarlierEvents, Lines
-from gcs.session.plain_text import View, clean, farewell, mute_stdout, shortfalls
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, Terminated, terminate
+from gcs.session.plain_text import View, clean, farewell, mute, mute_gone, shortfalls
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, Terminated, ending, terminate
 from skytender.loading import uncollected
 
 SUPERVISOR = "gcs.session.process"
@@ -47,16 +47,14 @@ class RunError(click.ClickException):
 
 
 class Signals:
-    """SIGINT and SIGTERM as something to select on, while in its context."""
+    """The signals that ask this program to end as something to select on, while in its context."""
 
     def __enter__(self) -> Self:
         self._read, self._write = socket.socketpair()
         self._read.setblocking(False)
         self._write.setblocking(False)
         self._wakeup = signal.set_wakeup_fd(self._write.fileno(), warn_on_full_buffer=False)
-        self._handlers = {number: signal.signal(number, _ignore) for number in (signal.SIGINT, signal.SIGTERM)}
-        if signal.getsignal(signal.SIGHUP) is terminate:  # the supervisor saves the session also where we are no more
-            self._handlers[signal.SIGHUP] = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+        self._handlers = {number: signal.signal(number, _ignore) for number in ending()}
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -123,8 +121,7 @@ def new_folder(out: Path | None, name: str) -> Iterator[Path]:
             else:
                 shutil.rmtree(folder, ignore_errors=True)
                 end = f"interrupted before the session began; its folder {folder} is removed"
-            with contextlib.suppress(OSError):  # the terminal may be gone
-                print(f"gcs: {end}", file=sys.stderr)
+            _say(end)
             raise
     finally:
         for number, handler in handlers.items():
@@ -330,6 +327,7 @@ def run(
             with contextlib.suppress(OSError):
                 view.close()
         verdict, status = process.verdict, process.status
+    mute_gone()
     if verdict is None:
         (folder / SOCKET).unlink(missing_ok=True)
     if verdict is None and not interrupted:
@@ -392,7 +390,7 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
             process.insist(now_s)
             if not notified and not ended and process.keeps_waiting(now_s):
                 notified = True
-                print("gcs: waiting until the session is saved; Ctrl-C twice more ends it unsaved", file=sys.stderr)
+                _say("waiting until the session is saved; Ctrl-C twice more ends it unsaved")
             try:
                 for content in earlier.joined(watched.receive()) if watched is not None else ():
                     if content.get("type") == "snapshot":
@@ -403,11 +401,11 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
                 interrupted = interrupted or signal.SIGPIPE
                 process.interrupt(now_s)
                 view = View()
-                mute_stdout()
+                mute(1)
             except OSError as error:  # the session goes on unseen
-                print(f"gcs: cannot show the session: {error.strerror}; it goes on", file=sys.stderr)
+                _say(f"cannot show the session: {error.strerror}; it goes on")
                 view = View()
-                mute_stdout()
+                mute(1)
             if watched is not None and not watched.connected:
                 selector.unregister(watched)
                 watched = None
@@ -417,6 +415,11 @@ def _watch(process: Supervised, signals: Signals, view: View, hurry: Callable[[]
                 assert process.client is not None
                 watched = process.client
                 selector.register(watched, selectors.EVENT_READ)
+
+
+def _say(line: str) -> None:
+    with contextlib.suppress(OSError):  # the terminal may be gone
+        print(f"gcs: {line}", file=sys.stderr)
 
 
 def _summary(folder: Path) -> dict[str, Any] | None:

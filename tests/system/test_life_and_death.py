@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import pty
 import signal
 import subprocess
 from collections.abc import Callable, Iterator
@@ -14,7 +16,7 @@ import numpy as np
 import psutil
 import pytest
 import yaml
-from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, small
+from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, run_words, small
 
 from gcs.cli.main import run_argv
 
@@ -98,6 +100,22 @@ def test_ctrl_c_saves_what_was_flown_and_leaves_nobody(running: Running) -> None
     assert not all_gone(family)
     assert_tlog_is_whole(outcome)
     assert not (outcome.folder / "session.sock").exists()
+
+
+def test_a_terminal_that_is_closed_ends_the_session_and_saves_it(tmp_path: Path) -> None:
+    """It sends SIGHUP and takes no line more."""
+    words = run_words(merged(small(), PACED), tmp_path, "--plain", report=True)
+    ours, theirs = pty.openpty()
+    own = ["env", "--default-signal=HUP", "setsid", "--ctty"]  # `nohup` has it ignored
+    with subprocess.Popen([*own, *GCS, *words], stdin=theirs, stdout=theirs, stderr=theirs) as process:
+        os.close(theirs)
+        shown = b""
+        while b"Offboard" not in shown:
+            shown += os.read(ours, 65536)
+        os.close(ours)
+    assert process.returncode == 129
+    assert json.loads((tmp_path / "session" / "summary.json").read_text())["outcome"] == "interrupted"
+    assert (tmp_path / "session" / "report.html").is_file()
 
 
 def the_supervisor(session: Running) -> psutil.Process:

@@ -304,12 +304,14 @@ sys.exit(status)
 """
 
 RUN = """
+import signal
 import sys
 from pathlib import Path
 from gcs.session.plain_text import PlainView
 from gcs.session.supervised import run
 write = lambda line: print(line, flush=True)
-folder, *arguments = sys.argv[1:]
+folder, hangs_up, *arguments = sys.argv[1:]
+signal.signal(signal.SIGHUP, int(hangs_up))
 sys.exit(run(Path(folder), PlainView(write), write, supervisor="fake", arguments=arguments))
 """
 
@@ -326,8 +328,11 @@ def folder(tmp_path: Path) -> Path:
 
 
 @contextmanager
-def started(folder: Path, behaviour: str) -> Iterator[subprocess.Popen[str]]:
-    command, path = [sys.executable, "-c", RUN, str(folder), behaviour], {**os.environ, "PYTHONPATH": str(folder)}
+def started(
+    folder: Path, behaviour: str, hangs_up: signal.Handlers = signal.SIG_DFL
+) -> Iterator[subprocess.Popen[str]]:
+    command = [sys.executable, "-c", RUN, str(folder), str(int(hangs_up)), behaviour]
+    path = {**os.environ, "PYTHONPATH": str(folder)}
     process = subprocess.Popen(command, env=path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         with process:
@@ -356,7 +361,7 @@ def test_a_session_is_shown_summed_up_and_its_status_passed_on(folder: Path, beh
     assert err == ""
 
 
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)])
 def test_a_signal_stops_the_session_once_and_saves_it(folder: Path, number: signal.Signals, status: int) -> None:
     with started(folder, "waits") as process:
         until(process, "Refuelled")
@@ -365,6 +370,15 @@ def test_a_signal_stops_the_session_once_and_saves_it(folder: Path, number: sign
     assert process.returncode == status
     assert json.loads((folder / "told").read_text()) == {"command": "stop"}
     assert "outcome: interrupted" in out
+
+
+def test_a_hang_up_that_the_caller_ignores_stops_nothing(folder: Path) -> None:
+    with started(folder, "waits", hangs_up=signal.SIG_IGN) as process:  # as nohup starts it
+        until(process, "Refuelled")
+        process.send_signal(signal.SIGHUP)
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=60)
+    assert process.returncode == 143
 
 
 def test_the_second_signal_closes_the_pipe(folder: Path) -> None:

@@ -258,20 +258,23 @@ def _global_position_int(v: Any, m: Any) -> None:
 
 
 def _gps_raw_int(v: Any, m: Any) -> None:
+    """Without a fix it says no place, and that nothing is known, as those of PX4 and ArduPilot do: accuracies have no
+    other word for that than 0."""
+    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
+    if v.failed and Failure.GPS in v.failed:
+        m.fix_type = mav.GPS_FIX_TYPE_NO_FIX
+        m.eph = m.epv = m.vel = m.cog = UNKNOWN_U16
+        return
     north, east, down = _place(v)
     v_north, v_east = v.plant.row.velocity[0], -v.plant.row.velocity[1]
-    lost = bool(v.failed) and Failure.GPS in v.failed
-    m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
-    m.fix_type = mav.GPS_FIX_TYPE_NO_FIX if lost else mav.GPS_FIX_TYPE_3D_FIX
+    m.fix_type, m.satellites_visible = mav.GPS_FIX_TYPE_3D_FIX, 14
     m.lat, m.lon = _latitude(v, north), _longitude(v, east)
     m.alt = m.alt_ellipsoid = _bounded(1e3 * (v.origin[2] - down), 32)
     m.eph, m.epv = 70, 100
     m.vel = _bounded(100.0 * math.sqrt(v_north * v_north + v_east * v_east), 16)
     m.cog = _cdeg(elementary.atan2(v_east, v_north))
-    m.satellites_visible = 0 if lost else 14
-    if not lost:  # 0 is unknown
-        m.h_acc = m.v_acc = max(_rounded(1e3 * v.plant.place_deviation_m), 1)
-        m.vel_acc = max(_rounded(1e3 * v.plant.velocity_deviation_m_s), 1)
+    m.h_acc = m.v_acc = max(_rounded(1e3 * v.plant.place_deviation_m), 1)
+    m.vel_acc = max(_rounded(1e3 * v.plant.velocity_deviation_m_s), 1)
 
 
 def _home_position(v: Any, m: Any) -> None:

@@ -12,6 +12,7 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.parameters import Parameters
 from simvehicle.autopilot.vehicle import Vehicle
+from simvehicle.law.plants import Plant
 from simvehicle.mavlink.codec import split
 from simvehicle.mavlink.connection import Connection
 from simvehicle.mavlink.dispatcher import Services
@@ -34,9 +35,11 @@ class Bench:
         start: Start | None = None,
         store: Any = None,
         log: Any = None,
+        plant: Plant | None = None,
     ) -> None:
         self.sysid = sysid
-        self.vehicle = Vehicle(IDENTITIES[autopilot], Parameters(params), LocalFrame(*ORIGIN), start or Start())
+        identity, frame = IDENTITIES[autopilot], LocalFrame(*ORIGIN)
+        self.vehicle = Vehicle(identity, Parameters(params), frame, start or Start(), plant)
         self.connection = Connection(sysid)
         self.services = Services(self.vehicle, sysid, [self.connection], store, log=log)
         self.heard: list[Any] = []

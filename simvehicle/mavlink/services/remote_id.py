@@ -3,14 +3,14 @@ station takes.
 
 With DID_ENABLE 1 the moving part (LOCATION) goes out once a second on every connection, the others every three, as the
 standard asks at least. The vehicle is simulated: its serial number is SKYT5 and its system id in five digits, its
-operator SKYTENDER-SIM, placed where it took off.
+operator SKYTENDER-SIM, placed where it took off. Its accuracies are those of its GPS, and unknown without a fix.
 [lineage] https://mavlink.io/en/services/opendroneid.html; ASTM F3411; serial numbers by ANSI/CTA-2063-A
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from simvehicle.autopilot.vehicle import Vehicle
@@ -26,6 +26,27 @@ UNKNOWN_M = -1000.0
 EPOCH_S = 1_546_300_800
 """2019-01-01 in Unix time, from which SYSTEM counts."""
 OPERATOR = "SKYTENDER-SIM"
+_HORIZONTAL = {
+    1.0: mav.MAV_ODID_HOR_ACC_1_METER,
+    3.0: mav.MAV_ODID_HOR_ACC_3_METER,
+    10.0: mav.MAV_ODID_HOR_ACC_10_METER,
+    30.0: mav.MAV_ODID_HOR_ACC_30_METER,
+}
+_VERTICAL = {
+    1.0: mav.MAV_ODID_VER_ACC_1_METER,
+    3.0: mav.MAV_ODID_VER_ACC_3_METER,
+    10.0: mav.MAV_ODID_VER_ACC_10_METER,
+    25.0: mav.MAV_ODID_VER_ACC_25_METER,
+    45.0: mav.MAV_ODID_VER_ACC_45_METER,
+    150.0: mav.MAV_ODID_VER_ACC_150_METER,
+}
+_SPEED = {
+    0.3: mav.MAV_ODID_SPEED_ACC_0_3_METERS_PER_SECOND,
+    1.0: mav.MAV_ODID_SPEED_ACC_1_METERS_PER_SECOND,
+    3.0: mav.MAV_ODID_SPEED_ACC_3_METERS_PER_SECOND,
+    10.0: mav.MAV_ODID_SPEED_ACC_10_METERS_PER_SECOND,
+}
+"""Classes of accuracy, by what they are better than, m or m/s."""
 
 
 def serial_number(sysid: int) -> str:
@@ -67,7 +88,7 @@ class RemoteIdService:
 
     def _location(self) -> Any:
         vehicle = self._vehicle
-        place = message_of(vehicle, "GLOBAL_POSITION_INT")
+        place, fix = message_of(vehicle, "GLOBAL_POSITION_INT"), message_of(vehicle, "GPS_RAW_INT")
         north, east = place.vx / 100.0, place.vy / 100.0
         towards_cdeg = round(elementary.atan2(east, north) * 18_000.0 / math.pi) % 36_000
         flying = mav.MAV_ODID_STATUS_EMERGENCY if vehicle.failed else mav.MAV_ODID_STATUS_AIRBORNE
@@ -84,10 +105,10 @@ class RemoteIdService:
             altitude_geodetic=place.alt / 1e3,
             height_reference=mav.MAV_ODID_HEIGHT_REF_OVER_TAKEOFF,
             height=place.relative_alt / 1e3,
-            horizontal_accuracy=mav.MAV_ODID_HOR_ACC_1_METER,
-            vertical_accuracy=mav.MAV_ODID_VER_ACC_1_METER,
+            horizontal_accuracy=_class_of(fix.h_acc, _HORIZONTAL),
+            vertical_accuracy=_class_of(fix.v_acc, _VERTICAL),
             barometer_accuracy=mav.MAV_ODID_VER_ACC_UNKNOWN,
-            speed_accuracy=mav.MAV_ODID_SPEED_ACC_1_METERS_PER_SECOND,
+            speed_accuracy=_class_of(fix.vel_acc, _SPEED),
             timestamp=unix_s % 3600.0,
             timestamp_accuracy=mav.MAV_ODID_TIME_ACC_0_1_SECOND,
         )
@@ -107,3 +128,8 @@ class RemoteIdService:
 
     def _operator_id(self) -> Any:
         return message("OPEN_DRONE_ID_OPERATOR_ID")(operator_id=OPERATOR)
+
+
+def _class_of(accuracy_mm: int, classes: Mapping[float, int]) -> int:
+    """The best class that an accuracy is within; 0 stands for one that is not known, here and there."""
+    return next((number for limit, number in classes.items() if 0 < accuracy_mm < 1e3 * limit), 0)

@@ -6,9 +6,14 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
+from simvehicle.law.plants import RotorPlant
+from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
+from simvehicle.world.estimate import EstimateErrors
 
 KINDS = ("BASIC_ID", "LOCATION", "SYSTEM", "OPERATOR_ID")
 ON = {"DID_ENABLE": 1.0}
@@ -71,3 +76,38 @@ def test_a_failure_in_the_air_is_an_emergency(vehicle_bench: Any) -> None:
     bench.command(mav.MAV_CMD_INJECT_FAILURE, mav.FAILURE_UNIT_SENSOR_GPS, mav.FAILURE_TYPE_OFF, 0.0)
     bench.tick(11)
     assert of(bench, "LOCATION")[-1].status == mav.MAV_ODID_STATUS_EMERGENCY
+
+
+def accuracies(bench: Any) -> tuple[int, int, int]:
+    location = of(bench, "LOCATION")[-1]
+    return location.horizontal_accuracy, location.vertical_accuracy, location.speed_accuracy
+
+
+def test_accuracies_are_unknown_without_a_fix(vehicle_bench: Any) -> None:
+    bench = vehicle_bench(params={**ON, "SYS_FAILURE_EN": 1}, start=Start((0.0, 0.0, -8.0), airborne=True))
+    for failure, expected in (
+        (mav.FAILURE_TYPE_OK, (12, 6, 4)),  # better than 1 m, 1 m and 0.3 m/s
+        (mav.FAILURE_TYPE_OFF, (0, 0, 0)),
+        (mav.FAILURE_TYPE_OK, (12, 6, 4)),
+    ):
+        bench.command(mav.MAV_CMD_INJECT_FAILURE, mav.FAILURE_UNIT_SENSOR_GPS, failure, 0.0)
+        bench.tick(11)
+        assert accuracies(bench) == expected
+
+
+@pytest.mark.parametrize(
+    ("position_m", "velocity_m_s", "expected"),
+    [
+        (0.3, 0.05, (12, 6, 4)),
+        (2.0, 0.5, (11, 5, 3)),  # better than 3 m and 1 m/s
+        (20.0, 2.0, (9, 3, 2)),  # better than 30 m, 25 m and 3 m/s
+        (200.0, 20.0, (0, 0, 0)),
+    ],
+)
+def test_accuracies_are_those_of_its_sensors(
+    vehicle_bench: Any, position_m: float, velocity_m_s: float, expected: tuple[int, int, int]
+) -> None:
+    errors = EstimateErrors(position_m=position_m, velocity_m_s=velocity_m_s)
+    bench = vehicle_bench(params=ON, plant=RotorPlant(WorldVehicle(AIRFRAMES["iris"], errors)))
+    bench.tick(1)
+    assert accuracies(bench) == expected

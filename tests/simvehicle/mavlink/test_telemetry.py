@@ -8,6 +8,7 @@ import pytest
 from pymavlink.dialects.v20 import common as mav
 
 from simvehicle.autopilot.body import Start
+from simvehicle.autopilot.failures import Failure
 from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.vehicle import Vehicle
@@ -58,6 +59,27 @@ def test_global_position_agrees_with_the_ellipsoid(vehicle_bench: Any, p_ned: tu
     assert gps.cog == round(100 * (math.degrees(math.atan2(-2.0, 1.5)) % 360.0))
     assert gps.fix_type == mav.GPS_FIX_TYPE_3D_FIX
     assert (gps.h_acc, gps.v_acc, gps.vel_acc) == (1, 1, 1)  # it knows its place exactly, and 0 would be unknown
+
+
+def test_without_a_fix_nothing_of_a_place_is_said(vehicle_bench: Any) -> None:
+    """What PX4's GPS_RAW_INT.hpp sends without a GPS and ArduPilot's AP_GPS once it times out, and MAVLink's words for
+    what is not known: UINT16_MAX, and 0 in extensions."""
+    s = flying(vehicle_bench)
+    s.failed.add(Failure.GPS)
+    gps = told(s, "GPS_RAW_INT")
+    assert gps.fix_type == mav.GPS_FIX_TYPE_NO_FIX
+    assert (gps.lat, gps.lon, gps.alt, gps.alt_ellipsoid, gps.satellites_visible) == (0, 0, 0, 0, 0)
+    assert (gps.eph, gps.epv, gps.vel, gps.cog) == (65535, 65535, 65535, 65535)
+    assert (gps.h_acc, gps.v_acc, gps.vel_acc) == (0, 0, 0)
+
+
+def test_a_gps_that_jumps_is_sure_of_its_place(vehicle_bench: Any) -> None:
+    s = flying(vehicle_bench)
+    before = told(s, "GPS_RAW_INT")
+    s.position_error_ned = (40.0, 0.0, 0.0)
+    gps = told(s, "GPS_RAW_INT")
+    assert gps.lat - before.lat == pytest.approx(3600, abs=40)  # 40 m
+    assert (gps.fix_type, gps.eph, gps.h_acc) == (before.fix_type, before.eph, before.h_acc)
 
 
 def test_origin_home_and_follow_target_stand_in_one_frame(vehicle_bench: Any) -> None:

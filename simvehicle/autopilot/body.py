@@ -41,6 +41,8 @@ class Body:
     initial_j: float
     fastest_turn_rad_s: float
     power_w: float
+    lift_m_s2: float
+    full_m_s2: float
     steps: int
     """of the last flight"""
     shift_ned: Any
@@ -68,7 +70,7 @@ class Body:
         )
         self.have_room(CHUNK_MS // STEP_MS)
         self.steps = 0
-        self.power_w = 0.0
+        self.power_w = self.lift_m_s2 = 0.0
         self.shifted = False
 
     def retune(self) -> None:
@@ -76,6 +78,7 @@ class Body:
         flight = self.parameters.flight()
         self.fastest_turn_rad_s = flight.guidance.yaw_rate_rad_s
         self.plant.tune(flight)
+        self.full_m_s2 = self.plant.full_thrust_m_s2(self.parameters["MPC_THR_MAX_G"] * flight.airframe.gravity_m_s2)
 
     @property
     def time_s(self) -> float:
@@ -164,6 +167,10 @@ class Body:
         """Thrust per mass after each step of the last flight, (1, steps)."""
         return self._thrust[:, : self.steps].copy()
 
+    def throttle(self) -> float:
+        """Thrust as a share of what there is at full throttle, 0 to 1."""
+        return min(max(self.lift_m_s2 / self.full_m_s2, 0.0), 1.0)
+
     def have_room(self, steps: int) -> None:
         """Have room for the thrust of some steps."""
         self._thrust, self.room = np.zeros((1, steps)), steps
@@ -191,4 +198,5 @@ class Body:
         drawn_j = self.plant.row.drawn_j
         self.plant.fly(command, self.time_ms / 1e3, steps, self.thrust + self.steps)
         self.steps += steps
+        self.lift_m_s2 = self.thrust[self.steps - 1] if motors else 0.0
         self.power_w = (self.plant.row.drawn_j - drawn_j) / (steps * STEP_MS / 1e3)

@@ -76,6 +76,10 @@ class Plant:
         """Parameters as they are in force on this plant."""
         return flight
 
+    def full_thrust_m_s2(self, allowed_m_s2: float) -> float:
+        """Thrust per mass at full throttle: that which is allowed, since the plant has no limit of its own."""
+        return allowed_m_s2
+
     def start(
         self,
         flight: VehicleParams,
@@ -197,6 +201,10 @@ class RotorPlant(Plant):
     def parameters(self, flight: VehicleParams) -> VehicleParams:
         """As every plant. Raises ValueError where its rotors cannot lift it."""
         return rotor_flight.on_rotors(flight, self.own.airframe, self._air.density_kg_m3)
+
+    def full_thrust_m_s2(self, allowed_m_s2: float) -> float:
+        """Thrust per mass at full throttle: of all rotors at their fastest, in its air."""
+        return self._air.density_kg_m3 / airframes.SEA_LEVEL_KG_M3 * self.own.airframe.greatest_thrust_m_s2
 
     def _begin(self, flight: VehicleParams, known: NDArray[np.float64], airborne: bool) -> None:
         """As every plant."""

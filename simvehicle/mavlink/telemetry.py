@@ -386,6 +386,7 @@ def _vfr_hud(v: Any, m: Any) -> None:
     m.groundspeed = elementary.hypot(north, east)
     m.airspeed = elementary.norm((north, east, v_down))
     m.heading = _turned(_rounded(-v.plant.row.attitude[2] * _DEG), 360)
+    m.throttle = _rounded(100.0 * v.throttle())
     m.alt, m.climb = v.origin[2] - down, -v_down
 
 

@@ -13,8 +13,11 @@ from simvehicle.autopilot.geodesy import LocalFrame
 from simvehicle.autopilot.identity import IDENTITIES
 from simvehicle.autopilot.vehicle import Vehicle
 from simvehicle.law import rows
+from simvehicle.law.plants import RotorPlant
 from simvehicle.mavlink.codec import encode
 from simvehicle.mavlink.telemetry import TELEMETRY, autopilot_version, message_of
+from simvehicle.world.airframes import AIRFRAMES
+from simvehicle.world.description import WorldVehicle
 
 ORIGIN = (47.397742, 8.545594, 488.0)
 
@@ -105,6 +108,46 @@ def test_battery_is_told_in_hectojoules_and_percent(vehicle_bench: Any) -> None:
     assert sum(cells) == pytest.approx(status.voltage_battery, abs=4)
     power_w = battery.current_battery / 100 * status.voltage_battery / 1000
     assert power_w == pytest.approx(210.0, rel=0.01)
+
+
+def throttles(bench: Any, seconds: float) -> list[int]:
+    """VFR_HUD's in some seconds, at 10 Hz."""
+    bench.connection.streams.set_rate("VFR_HUD", 10.0, bench.vehicle.time_ms)
+    before = len(bench.of("VFR_HUD"))
+    bench.fly(seconds)
+    return [m.throttle for m in bench.of("VFR_HUD")[before:]]
+
+
+@pytest.mark.parametrize("autopilot", ["px4", "ardupilot"])
+def test_throttle_is_the_share_of_the_greatest_thrust(vehicle_bench: Any, autopilot: str) -> None:
+    """PX4's VFR_HUD.hpp and ArduCopter's vfr_hud_throttle send the thrust, in percent of what there is; it hovers with
+    its weight, of which it has 2.5."""
+    bench = vehicle_bench(autopilot=autopilot, params={"MPC_THR_MAX_G": 2.5})
+    assert set(throttles(bench, 1.0)) == {0}
+    bench.in_air() if autopilot == "px4" else bench.in_air_guided()
+    assert set(throttles(bench, 1.0)) == {40}
+    assert bench.result(mav.MAV_CMD_DO_REPOSITION, -1, 1, 0, math.nan, math.nan, math.nan, 508.0) == 0
+    assert 45 < max(throttles(bench, 2.0)) <= 100  # it climbs
+    assert bench.result(mav.MAV_CMD_NAV_LAND) == 0
+    bench.fly(60.0, until=lambda b: not b.vehicle.armed)
+    assert set(throttles(bench, 1.0)) == {0}
+
+
+def test_throttle_of_rotors_is_of_all_at_their_fastest(vehicle_bench: Any) -> None:
+    airframe = AIRFRAMES["iris"]
+    bench = vehicle_bench(plant=RotorPlant(WorldVehicle(airframe))).in_air()
+    newtons = 4.0 * airframe.thrust_n_s2 * airframe.fastest_rad_s**2
+    hover = round(100.0 * airframe.mass_kg * 9.80665 / newtons)
+    assert all(abs(throttle - hover) <= 1 for throttle in throttles(bench, 1.0))
+    bench.result(mav.MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 21196.0)
+    assert throttles(bench, 0.2)[-1] == 0  # at once, while the rotors run down
+
+
+def test_throttle_without_a_limit_is_that_of_the_parameter(vehicle_bench: Any) -> None:
+    """The paper's set of gains limits no thrust; MPC_THR_MAX_G is 2 weights."""
+    bench = vehicle_bench(params={"SIM_GAIN_SET": 1.0}, start=Start((0.0, 0.0, -8.0), airborne=True))
+    bench.fly(0.5, p_ned=(0.0, 0.0, -8.0))
+    assert throttles(bench, 0.3)[-1] == 50
 
 
 def test_landed_state_follows_the_flight(vehicle_bench: Any) -> None:

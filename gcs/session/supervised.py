@@ -330,7 +330,7 @@ def run(
     mute_gone()
     if verdict is None:
         (folder / SOCKET).unlink(missing_ok=True)
-    if verdict is None and not interrupted:
+    if verdict is None and (process.last or not interrupted):
         how = f"was killed by signal {-status}" if status is not None and status < 0 else f"ended with status {status}"
         print(
             f"gcs: the supervisor of {folder} {how} before the session's end; what it said, if anything, stands "
@@ -339,7 +339,7 @@ def run(
         )
         for line in _left_in_the_air(folder, process.last):
             print(f"gcs: {line}", file=sys.stderr)
-        return INTERNAL_ERROR
+        return 128 + interrupted if interrupted else INTERNAL_ERROR
     verdict = verdict or {"exit": BAD_INPUT, "outcome": "interrupted", "error": None}
     finish(verdict)
     if verdict.get("error"):

@@ -255,6 +255,19 @@ def test_a_killed_supervisor_is_said_in_one_sentence_and_loses_no_more_than_the_
     assert max(json.loads(line)["t_s"] for line in lines[:-1]) >= flown_s - 2.0 * period_s - 1e-6
 
 
+def test_a_supervisor_that_hangs_and_is_ended_unsaved_is_said_so(running: Running) -> None:
+    the_supervisor(running).suspend()
+    running.process.terminate()
+    assert running.process.stderr is not None
+    assert any("twice more ends it unsaved" in line for line in running.process.stderr)
+    for number in (signal.SIGINT, signal.SIGTERM):  # two of one kind at once may be one
+        running.process.send_signal(number)
+    outcome = running.finish()
+    assert outcome.status == 143
+    assert f"the supervisor of {outcome.folder} was killed by signal 9 before the session's end" in outcome.stderr
+    assert not (outcome.folder / "summary.json").exists()
+
+
 def test_a_supervisor_that_is_told_to_end_saves_the_session(running: Running) -> None:
     family = running.family()
     the_supervisor(running).send_signal(signal.SIGTERM)

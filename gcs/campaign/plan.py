@@ -6,8 +6,8 @@ import functools
 import itertools
 import json
 import pickle
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +18,12 @@ from gcs.campaign.file import dump, load
 from gcs.campaign.model import ARGUMENTS, CampaignRules
 from gcs.campaign.plain_data import plain
 from gcs.processes import plugin_process
-from gcs.scenario import keys, plugins
+from gcs.scenario import keys, plugin_source, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
 from gcs.scenario.file import GROUPS, find, resolve
 from gcs.scenario.grid import expand
 from gcs.scenario.model import Scenario
-from gcs.scenario.parts.reach import Reached, reached
+from gcs.scenario.parts.reach import Reached, is_foreign_code, reached
 from gcs.scenario.parts.trust import digest, text
 
 CHANGED = "was changed since its sessions were flown, and only sessions may grow: put it back, or fly it anew"
@@ -67,6 +67,8 @@ class Plan:
     """whether what its scenarios name beyond a session may be used"""
     is_search: bool = False
     """whether its rows are the trials of a search, which follow from those before them (search.py)"""
+    sources: dict[str, str | None] = field(default_factory=dict)
+    """hash of the source of each module that is not shipped and that its first sessions name; None of a missing one"""
 
     @property
     def rows(self) -> int:
@@ -88,6 +90,13 @@ class Plan:
         """Raise ScenarioError, by the file's name, where rows of the fingerprint `since` follow from something else."""
         if since != self.fingerprint:
             raise ScenarioError([Problem(name, None, None, CHANGED)])
+
+    def refuse_changed_code(self, since: Mapping[str, str | None]) -> None:
+        """Raise ScenarioError, by the file's name, where a module has another source than the hash `since`."""
+        for module, was in since.items():
+            file, now = _source(module, self.modules)
+            if now != was:
+                raise ScenarioError([Problem(str(file or module), None, None, CHANGED)])
 
     def row(self, number: int) -> PlannedRow:
         """A row: sessions in turn, each with every combination, so that pairs are complete early."""
@@ -168,10 +177,11 @@ class Plan:
             raise ValueError(f"{self.campaign.generate} returned no block of keys")
         return _written_out(parse(emit(plain(data, self.campaign.generate)), self.campaign.generate))
 
-    def check(self) -> None:
-        """See that the first session of every combination can be flown, with the planners and policies that they name,
-        which are imported in a process of their own. Raises ScenarioError, or NotAllowed with all that they name,
-        OSError."""
+    def checked(self) -> Plan:
+        """The plan with its `sources`, once the first session of every combination can be flown, with the planners and
+        policies that they name, which are imported in a process of their own. Raises ScenarioError, or NotAllowed with
+        all that they name, OSError."""
+        used = dict.fromkeys(reached(self.campaign))
         problems: list[Problem] = []
         imported: set[tuple[tuple[str, str, str], ...]] = set()
         named: dict[Reached, None] = {}
@@ -179,6 +189,7 @@ class Plan:
             row = self.row(combination)
             try:
                 scenario, _ = self.resolved(row)
+                used |= dict.fromkeys(reached(scenario))
                 plugged = tuple(plugins.named(scenario))
                 if plugged not in imported:
                     imported.add(plugged)
@@ -194,6 +205,12 @@ class Plan:
             raise ScenarioError(problems[:1])
         if named:
             raise NotAllowed(list(named))
+        code = [one.value for one in used if one.reach == "code"]
+        for key in plugins.METHODS:
+            drawn = self.campaign.draw.get(key)
+            code += [name for name in (drawn and drawn.choice) or () if is_foreign_code(name)]
+        modules = dict.fromkeys(name.partition(":")[0] for name in code)
+        return replace(self, sources={module: _source(module, self.modules)[1] for module in modules})
 
     def write(self, folder: Path) -> None:
         """Put the campaign into its folder, from which `read` makes the same plan; raises OSError."""
@@ -201,6 +218,7 @@ class Plan:
         if self.campaign.generate is None:
             (folder / "scenario.yaml").write_text(self.text, encoding="utf-8")
         about = {"scenario": self.file, "modules": self.modules, "search": self.is_search, "sha256": self.fingerprint}
+        about["sources"] = self.sources
         (folder / "plan.json").write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
 
 
@@ -223,9 +241,25 @@ def read(folder: Path) -> Plan:
     about = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
     campaign = load(folder / "campaign.yaml")
     text = "" if campaign.generate is not None else (folder / "scenario.yaml").read_text(encoding="utf-8")
-    plan = Plan(campaign, about["scenario"], text, tuple(about["modules"]), is_search=about.get("search", False))
+    plan = Plan(
+        campaign,
+        about["scenario"],
+        text,
+        tuple(about["modules"]),
+        is_search=about.get("search", False),
+        sources=dict(about.get("sources", {})),
+    )
     plan.refuse_other(about.get("sha256", plan.fingerprint), str(folder / "campaign.yaml"))
     return plan
+
+
+def _source(module: str, folders: Sequence[str]) -> tuple[Path | None, str | None]:
+    """File of a module, and the hash of its content; None of what is not there."""
+    file = plugin_source.source(module, [Path(folder) for folder in folders])
+    try:
+        return file, None if file is None else digest(file.read_bytes())
+    except OSError:
+        return file, None
 
 
 @functools.lru_cache(4)

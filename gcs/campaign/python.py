@@ -65,12 +65,11 @@ class Campaign:
             loaded = file.from_data(plain | changes, loaded.name)
         self.plan = make(loaded, beside)
         try:
-            self.plan.check()
+            self.plan = self.plan.checked()
         except NotAllowed as asks:
             name = loaded.name if isinstance(campaign, Mapping) else os.fspath(campaign)
             require(name, asks.named, self.plan.trusted_by, trust=trust)
-            self.plan = replace(self.plan, trusted=True)
-            self.plan.check()
+            self.plan = replace(self.plan, trusted=True).checked()
         self._scheduler, self._workers = scheduler, workers
         self._out = None if out is None else Path(path_of(out, "out"))
         self._folder: Path | None = None
@@ -95,16 +94,18 @@ class Campaign:
 
     def fly(self, notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
         """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt, and
-        ScenarioError where the scenario, or what is in `out`, was changed since its sessions were flown."""
-        if self._folder is None:
-            if self._out is not None and (self._out / "plan.json").exists():
-                flown = read(self._out)
-                if flown.campaign != self.plan.campaign:
-                    raise EngineError(f"{self._out} holds another campaign; give a new folder")
-                self.plan.refuse_other(flown.fingerprint, self.plan.file)
-                self._folder = self._out
-            else:
-                self._folder = make_folder(self.plan, self._out)
+        ScenarioError where the scenario, a module that is named, or what is in `out` was changed since its sessions
+        were flown."""
+        folder = self._folder or self._out
+        if folder is not None and (folder / "plan.json").exists():
+            flown = read(folder)
+            if flown.campaign != self.plan.campaign:
+                raise EngineError(f"{folder} holds another campaign; give a new folder")
+            self.plan.refuse_other(flown.fingerprint, self.plan.file)
+            self.plan.refuse_changed_code(flown.sources)
+            self._folder = folder
+        else:
+            self._folder = make_folder(self.plan, folder)
         runner = Runner(self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, notify=notify)
         runner.run()
         if runner.interrupted:

@@ -28,6 +28,15 @@ def check(name: str, folders: Sequence[Path]) -> None:
         raise ValueError(f"{module_name} ({spec.origin}) has no {attribute!r}{near}")
 
 
+def source(module_name: str, folders: Sequence[Path]) -> Path | None:
+    """File of a module; None where there is none."""
+    try:
+        origin = _find(module_name, folders).origin
+    except ValueError:
+        return None
+    return Path(origin) if origin is not None else None
+
+
 def where(error: BaseException) -> str:
     """`TypeError at FILE:LINE: text`, of the innermost place."""
     if isinstance(error, SyntaxError):  # in a file that has not run, so that it is in no traceback

@@ -135,7 +135,7 @@ def _key(folder: Path) -> None:
 
 def _campaign(folder: Path) -> None:
     with contextlib.suppress(ScenarioError):
-        make(campaign_file.load(folder / "campaign.yaml"), [folder]).check()
+        make(campaign_file.load(folder / "campaign.yaml"), [folder]).checked()
 
 
 def _rows(folder: Path) -> None:

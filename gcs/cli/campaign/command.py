@@ -90,7 +90,7 @@ def resume(folder: Path, trust: bool, **how: Any) -> int:
     \b
     Exit status: as of `gcs campaign run`.
     """
-    plan = found(folder, trust=trust)
+    plan = found(folder, trust=trust, resumed=True)
     return fly_search(folder, plan, **how) if plan.is_search else _fly(folder, plan, **how)
 
 

@@ -73,22 +73,23 @@ def _allowed(name: str, plan: Plan, *, trust: bool) -> Plan:
     from gcs.campaign.plan import NotAllowed
 
     try:
-        plan.check()
+        return plan.checked()
     except NotAllowed as asks:
         allow(name, asks.named, plan.trusted_by, trust=trust)
-        plan = replace(plan, trusted=True)
-        plan.check()
-    return plan
+        return replace(plan, trusted=True).checked()
 
 
-def found(folder: Path, *, trust: bool | None = None) -> Plan:
-    """The plan in a campaign's folder, broken parts of its table named; with `trust`, once it may use what it names."""
+def found(folder: Path, *, trust: bool | None = None, resumed: bool = False) -> Plan:
+    """The plan in a campaign's folder, broken parts of its table named; with `trust`, once it may use what it names;
+    to be `resumed`, with the code by which its sessions were flown."""
     from gcs.campaign import table
     from gcs.campaign.plan import read
     from gcs.scenario.model import ScenarioError
 
     try:
         plan = read(folder)
+        if resumed:
+            plan.refuse_changed_code(plan.sources)
         for path in table.broken(folder, plan.campaign):
             why = f"no rows can be read from it; gcs campaign resume {folder} sets it aside and flies them again"
             click.echo(f"gcs: {path}: {why}", err=True)

@@ -46,7 +46,7 @@ def plan(**changes: Any) -> Plan:
 
 def told(**changes: Any) -> str:
     with pytest.raises(ScenarioError) as refused:
-        replace(plan(**changes), trusted=True).check()
+        replace(plan(**changes), trusted=True).checked()
     return str(refused.value)
 
 
@@ -145,7 +145,7 @@ def test_what_a_generator_cannot_return_is_named_before_anything_flies(
     tmp_path: Path, value: str, sentence: str
 ) -> None:
     with pytest.raises(ScenarioError) as refused:
-        generated(tmp_path, f"made_{value}", value).check()
+        generated(tmp_path, f"made_{value}", value).checked()
     assert sentence in str(refused.value)
 
 
@@ -301,7 +301,7 @@ def test_the_shipped_campaigns_can_be_flown() -> None:
     assert len(file.shipped_names()) == 11
     for name in file.shipped_names():
         path = file.find(name)
-        make(file.load(path), [path.parent]).check()
+        make(file.load(path), [path.parent]).checked()
 
 
 @pytest.mark.parametrize(

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
+from click.testing import CliRunner
 
 import gcs
 from gcs.campaign import table
+from gcs.cli.campaign.command import campaign
 
 SCENARIO = """
 schema: 1
@@ -22,14 +26,15 @@ vehicles:
 """
 
 
-def begun(folder: Path) -> Path:
+def begun(folder: Path, **content: Any) -> Path:
     """A campaign's file beside its scenario, and its folder `flown`, which has the only row."""
     (folder / "near.yaml").write_text(SCENARIO, encoding="utf-8")
     file = folder / "campaign.yaml"
-    file.write_text(yaml.safe_dump({"schema": 1, "name": "near", "scenario": "near.yaml", "sessions": 1}))
+    whole = {"schema": 1, "name": "near", "scenario": "near.yaml", "sessions": 1, **content}
+    file.write_text(yaml.safe_dump({key: value for key, value in whole.items() if value is not None}))
     flown = folder / "flown"
     flown.mkdir()
-    plan = gcs.Campaign(file).plan
+    plan = gcs.Campaign(file, trust=True).plan
     plan.write(flown)
     row = {"row": 0, "session": 0, "combination": 0, "seed": 1, "ok": True, "digest": "sha256:x"}
     table.Writer(flown, plan.campaign).write([row])
@@ -44,3 +49,52 @@ def test_from_python_a_changed_scenario_is_refused_as_by_the_command(tmp_path: P
         gcs.Campaign(file, out=out).fly()
     (tmp_path / "near.yaml").write_text(SCENARIO, encoding="utf-8")
     assert gcs.Campaign(file, out=out).fly().num_rows == 1
+
+
+CODE = """
+class Own:
+    def __init__(self, scenario):
+        pass
+
+    def plan(self, vehicle, situation):
+        return vehicle.p_now_ned(), (0.0, 0.0, 0.0)
+
+    def choose(self, request):
+        return request.candidates[0].sysid
+
+def near(seed):
+    import pathlib
+    import yaml
+    return yaml.safe_load((pathlib.Path(__file__).parent / "near.yaml").read_text())
+"""
+
+
+@pytest.mark.parametrize(
+    ("module", "content"),
+    [
+        ("own_planner", {"set": {"planner.method": "own_planner:Own"}}),
+        ("own_policies", {"vary": {"competition.policy": ["own_policies:Own"]}}),
+        ("own_drawn", {"draw": {"competition.policy": {"choice": ["optimal", "own_drawn:Own"]}}}),
+        ("own_family", {"scenario": None, "generate": "own_family:near"}),
+    ],
+)
+def test_changed_code_that_a_campaign_names_is_not_mixed_in(
+    module: str, content: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    source, out = tmp_path / f"{module}.py", tmp_path / "flown"
+    source.write_text(CODE, encoding="utf-8")
+    file = begun(tmp_path, **content)
+    again = ["resume", str(out), "--quiet", "--trust"]
+    assert CliRunner().invoke(campaign, again, standalone_mode=False).return_value == 0
+    source.write_text(CODE.replace("(0.0,", "(0.1,"), encoding="utf-8")
+    refused = CliRunner().invoke(campaign, again)
+    assert refused.exit_code == 2
+    assert f"{module}.py: was changed since its sessions were flown" in " ".join(refused.output.split())
+    with pytest.raises(gcs.ScenarioError, match=rf"{module}\.py: was changed since its sessions were flown"):
+        gcs.Campaign(file, out=out, trust=True).fly()
+    assert CliRunner().invoke(campaign, ["status", str(out)], standalone_mode=False).return_value == 0
+    about = json.loads((out / "plan.json").read_text(encoding="utf-8"))
+    del about["sources"]  # as folders were written before
+    (out / "plan.json").write_text(json.dumps(about), encoding="utf-8")
+    assert CliRunner().invoke(campaign, again, standalone_mode=False).return_value == 0

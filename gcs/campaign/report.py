@@ -21,7 +21,7 @@ from matplotlib.figure import Figure
 
 from gcs.campaign import measures, table
 from gcs.campaign.plan import Plan
-from gcs.campaign.statistics import Interval, mean, name_of, numbers, paired, wilson
+from gcs.campaign.statistics import ERRORS_STAY, Interval, mean, name_of, numbers, paired, wilson
 from gcs.report.paper.figures import sheet, style
 from gcs.web.document import source_hash
 
@@ -94,13 +94,17 @@ def worst(rows: pa.Table, measured: Sequence[str]) -> list[dict[str, Any]]:
 
 
 def _success(plan: Plan, rows: pa.Table) -> str:
-    lines = []
+    lines, errors = [], 0
     for number, of in _by_combination(plan, rows):
         ok = of["ok"].to_pylist()
+        failed = len(of) - of["error"].null_count
+        errors += failed
         rate = wilson(sum(map(bool, ok)), len(ok))
         interval = f"{100 * rate.low:.1f} to {100 * rate.high:.1f} %"
-        lines.append([name_of(plan, number) or "all", f"{sum(map(bool, ok))} of {len(ok)}", _percent(rate), interval])
-    return _table(["", "as expected", "rate", "95 % (Wilson)"], lines)
+        good = f"{sum(map(bool, ok))} of {len(ok)}"
+        lines.append([name_of(plan, number) or "all", good, _percent(rate), interval, str(failed)])
+    stay = f"<p>{ERRORS_STAY}</p>" if errors else ""
+    return _table(["", "as expected", "rate", "95 % (Wilson)", "errors"], lines) + stay
 
 
 def _means(plan: Plan, rows: pa.Table, measured: Sequence[str]) -> str:

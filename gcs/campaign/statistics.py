@@ -22,6 +22,11 @@ RESAMPLES = 2000
 SEED = 1
 """Of the resampling: the same table gives the same page."""
 
+ERRORS_STAY = (
+    "Sessions with an error count as failed, and gcs campaign resume leaves them so; gcs campaign fly DIR ROW flies "
+    "one again by itself."
+)
+
 Floats = NDArray[np.float64]
 
 
@@ -116,20 +121,22 @@ def name_of(plan: Plan, combination: int) -> str:
 
 
 def summary(plan: Plan, rows: pa.Table) -> dict[str, Any]:
-    """Each combination's success rate with its interval of 95 %, and the means of its numbers; None: no number came."""
+    """Each combination's success rate with its interval of 95 %, how many of its sessions ended with an error, which
+    are no success, and the means of its numbers; None: no number came."""
     campaign = plan.campaign
-    ok, combination = rows["ok"].to_pylist(), np.array(rows["combination"].to_pylist(), dtype=np.int64)
+    ok, errors = rows["ok"].to_pylist(), rows["error"].to_pylist()
+    combination = np.array(rows["combination"].to_pylist(), dtype=np.int64)
     columns = {name: numbers(rows, name) for name in campaign.measured if not measures.is_word(name)}
     combinations = []
     for number in range(campaign.combinations):
         of = np.flatnonzero(combination == number)
         good = sum(bool(ok[i]) for i in of)
+        failed = sum(errors[i] is not None for i in of)
         rate = wilson(good, len(of))
         means = {name: float(np.nanmean(v[of])) if np.isfinite(v[of]).any() else None for name, v in columns.items()}
         name = name_of(plan, number) or campaign.name
-        combinations.append(
-            {"name": name, "ok": good, "of": len(of), "low": rate.low, "high": rate.high, "means": means}
-        )
+        counts = {"ok": good, "of": len(of), "errors": failed}
+        combinations.append({"name": name, **counts, "low": rate.low, "high": rate.high, "means": means})
     return {
         "campaign": campaign.name, "sessions": rows.num_rows, "planned": plan.rows, "combinations": combinations
     }  # fmt: skip
@@ -138,12 +145,12 @@ def summary(plan: Plan, rows: pa.Table) -> dict[str, Any]:
 def text(plan: Plan, rows: pa.Table) -> list[str]:
     """The summary as a table for terminals."""
     found = summary(plan, rows)["combinations"]
-    lines = [("", "ok", "95 %", *found[0]["means"])]
+    lines = [("", "ok", "95 %", "errors", *found[0]["means"])]
     for one in found:
         cells = ["-" if mean is None else f"{mean:.4g}" for mean in one["means"].values()]
         interval = f"{100 * one['low']:.1f} to {100 * one['high']:.1f} %"
-        lines.append((one["name"], f"{one['ok']} of {one['of']}", interval, *cells))
-    return aligned(lines)
+        lines.append((one["name"], f"{one['ok']} of {one['of']}", interval, one["errors"], *cells))
+    return [*aligned(lines), *([ERRORS_STAY] if any(one["errors"] for one in found) else [])]
 
 
 def aligned(lines: Sequence[Sequence[Any]]) -> list[str]:

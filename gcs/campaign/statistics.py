@@ -108,16 +108,40 @@ def numbers(rows: pa.Table, measure: str) -> Floats:
 
 
 def name_of(plan: Plan, combination: int) -> str:
-    """A combination's values in words, of mappings what differs between them; empty where nothing is varied."""
-    row, words = plan.row(combination), []
-    for key, values in plan.campaign.vary.items():
-        value, name = row.values[key], key.rsplit(".", 1)[-1]
+    """A combination's values in words, of mappings what differs between them, each by the last part of its key path and
+    as much before it as tells it from the others; empty where nothing is varied."""
+    row, vary = plan.row(combination), plan.campaign.vary
+    names = _short([path for key, values in vary.items() for path in _paths(key, values)])
+    words = []
+    for key, values in vary.items():
+        value = row.values[key]
         if isinstance(value, Mapping):
-            differ = [k for k in value if any(not isinstance(v, Mapping) or v.get(k) != value[k] for v in values)]
-            words += [f"{k} {value[k]}" for k in differ] or [name]
+            words += [f"{names[f'{key}.{k}']} {value[k]}" for k in _differing(value, values)] or [names[key]]
         else:
-            words.append(f"{name} {value}")
+            words.append(f"{names[key]} {value}")
     return ", ".join(words)
+
+
+def _paths(key: str, values: Sequence[Any]) -> list[str]:
+    """Key paths by which a key's values are named."""
+    inner = [f"{key}.{k}" for value in values if isinstance(value, Mapping) for k in _differing(value, values)]
+    return list(dict.fromkeys([key, *inner]))
+
+
+def _differing(value: Mapping[str, Any], values: Sequence[Any]) -> list[str]:
+    """Keys of a mapping that not all of the values have as it has them."""
+    return [k for k in value if any(not isinstance(v, Mapping) or v.get(k) != value[k] for v in values)]
+
+
+def _short(paths: Sequence[str]) -> dict[str, str]:
+    """By key path its last parts: as few as no other one ends with, the first of them no number."""
+    short = {}
+    for path in paths:
+        parts = path.split(".")
+        ends = [".".join(parts[i:]) for i in reversed(range(len(parts))) if not parts[i].isdecimal()]
+        others = [f".{other}" for other in paths if other != path]
+        short[path] = next((end for end in ends if not any(one.endswith(f".{end}") for one in others)), path)
+    return short
 
 
 def summary(plan: Plan, rows: pa.Table) -> dict[str, Any]:

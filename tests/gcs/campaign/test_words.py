@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from gcs.campaign import file, report, table
+from gcs.campaign import file, report, statistics, table
 from gcs.campaign.plan import Plan, make
 from gcs.cli.campaign.command import campaign
 
@@ -39,3 +39,38 @@ def test_sessions_with_errors_are_counted_beside_the_rate(errors: int, tmp_path:
         assert ("gcs campaign resume leaves them so" in words) == bool(errors)
     counts = json.loads(CliRunner().invoke(campaign, ["status", str(tmp_path), "--json"]).output)["combinations"]
     assert [(one["ok"], one["of"], one["errors"]) for one in counts] == [(3, 3, 0), (good, 3, errors)]
+
+
+VEHICLE = "vehicles.pursuers.{}.battery.{}"
+
+
+@pytest.mark.parametrize(
+    ("vary", "name"),
+    [
+        (
+            {VEHICLE.format(0, "capacity_j"): [20_000], VEHICLE.format(1, "capacity_j"): [10_000]},
+            "pursuers.0.battery.capacity_j 20000, pursuers.1.battery.capacity_j 10000",
+        ),
+        (
+            {VEHICLE.format(0, "capacity_j"): [20_000], VEHICLE.format(0, "hover_w"): [200]},
+            "capacity_j 20000, hover_w 200",
+        ),
+        (
+            {"vehicles.pursuers.0.start_m.1": [1.0], "vehicles.pursuers.0.start_m.2": [2.0], "radio.loss": [0.1]},
+            "start_m.1 1.0, start_m.2 2.0, loss 0.1",
+        ),
+        (
+            {VEHICLE.format("0", "capacity_j"): [9000], "vehicles.tankers.0.battery.capacity_j": [8000]},
+            "pursuers.0.battery.capacity_j 9000, tankers.0.battery.capacity_j 8000",
+        ),
+        (
+            {
+                "vehicles.pursuers.0.battery": [{"capacity_j": 1, "hover_w": 5}, {"capacity_j": 2, "hover_w": 5}],
+                "vehicles.pursuers.1.battery.capacity_j": [3],
+            },
+            "pursuers.0.battery.capacity_j 1, pursuers.1.battery.capacity_j 3",
+        ),
+    ],
+)
+def test_labels_have_as_much_of_the_key_path_as_tells_them_apart(vary: dict[str, list[Any]], name: str) -> None:
+    assert statistics.name_of(plan(vary), 0) == name

@@ -217,6 +217,10 @@ class BatterySeries:
     capacity_j: float
     remaining: Series
 
+    def is_empty(self, t_s: Floats) -> NDArray[np.bool_]:
+        """(k,) whether it was known to be empty at each time."""
+        return held(Series(self.remaining.t_s, np.where(self.remaining.values <= 0.0, 1.0, 0.0)), t_s) > 0.0
+
 
 def batteries(recorded: Recorded) -> dict[int, BatterySeries]:
     """Each vehicle's battery after each report of it, and at the end: the account that the session kept, kept again."""

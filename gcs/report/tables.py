@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
+import numpy as np
+
 from gcs.report.findings import Findings, finite
 
 ORDERS = ("command", "taken", "said")
@@ -99,7 +101,6 @@ def numbers(found: Findings) -> str:
         sysid = vehicle.sysid
         reported = of.get(sysid)
         energy = reported.energy if reported else None
-        speed = found.greatest({sysid: found.speeds[sysid]}) if sysid in found.speeds else None
         error = found.greatest({sysid: found.errors[sysid]}) if sysid in found.errors else None
         battery = found.battery_percent.get(sysid)
         link = found.links.get(sysid)
@@ -111,7 +112,7 @@ def numbers(found: Findings) -> str:
                 (reported.final_mode_name or reported.final_mode) if reported else None,
                 f"{reported.path_length_m:.1f}" if reported else None,
                 f"{error[0]:.3f}" if error else None,
-                speed[0] if speed else None,
+                _top_speed(found, sysid),
                 f"{reported.control_effort:.0f}" if reported else None,
                 *(f"{getattr(energy, name):.0f}" if energy else None for name in whole),
                 f"{battery.values.min():.1f}" if battery is not None and len(battery.values) else None,
@@ -125,6 +126,15 @@ def numbers(found: Findings) -> str:
         *("lowest battery (%)", "frames lost", "longest silence (s)"),
     )
     return _table("Each vehicle", heads, rows, ("vehicle", "role", "final mode"))
+
+
+def _top_speed(found: Findings, sysid: int) -> float | None:
+    """m/s, while its battery was not empty: with an empty one it falls. None where no speed is known."""
+    if sysid not in found.speeds:
+        return None
+    speed, battery = found.speeds[sysid], found.batteries.get(sysid)
+    counts = np.isfinite(speed.values) & (True if battery is None else ~battery.is_empty(speed.t_s))
+    return float(speed.values[counts].max()) if counts.any() else None
 
 
 def again(found: Findings) -> str:

@@ -5,6 +5,7 @@ cdef enum:  # rows of the blocks, as columns.py has them
     FLYING = 2
     FRESH = 3
     P_NOW = 2
+    REMAINING = 2
 
 cdef struct Flown:
     double[3] last  # place at the last tick, NaN where it does not count
@@ -17,6 +18,7 @@ cdef inline Flown* flown_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:
 cdef double distance_to_path(
     const double* plan, Py_ssize_t count, Py_ssize_t oldest, double n, double e, double d) noexcept nogil
 cdef void _measure(
-    const unsigned char[:, ::1] flags, const double[:, :, ::1] places, const int64_t[::1] rows,
+    const unsigned char[:, ::1] flags, const double[:, :, ::1] places, const double[:, ::1] figures,
+    const int64_t[::1] rows,
     const double[:, ::1] planned, const int64_t[:, ::1] pairs, double[:, ::1] flown, double[:, :, ::1] plans,
     int64_t[::1] counts, double[:, ::1] distances_m) noexcept nogil

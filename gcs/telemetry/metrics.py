@@ -8,14 +8,14 @@ from typing import Any
 import cython
 import numpy as np
 from cython.cimports.gcs.telemetry.approach import segment_gap2
-from cython.cimports.gcs.telemetry.metrics import FLYING, FRESH, P_NOW, flown_at
+from cython.cimports.gcs.telemetry.metrics import FLYING, FRESH, P_NOW, REMAINING, flown_at
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
 from gcs.mavlink.setpoints import SetPoint, SetPoints
 from gcs.scenario.model import Scenario
 from gcs.telemetry.approach import Ints
-from gcs.telemetry.columns import FLAGS, PLACES, Flags, FleetColumns, Floats
+from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, Flags, FleetColumns, Floats
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
@@ -73,12 +73,13 @@ class Metrics:
         self._measure(snapshot.columns, np.empty(0, np.int64), np.empty((0, 6)), np.empty((0, 3), np.int64))
 
     def _measure(self, columns: FleetColumns, rows: Ints, planned: Floats, pairs: Ints) -> None:
-        flags, places = columns.flags, columns.places
+        flags, places, figures = columns.flags, columns.places, columns.figures
         if len(columns.sysids) < len(self._row):
-            flags, places = self._in_order(columns)
+            flags, places, figures = self._in_order(columns)
         _measure(
             flags.view(np.uint8),
             places,
+            figures,
             rows,
             planned,
             pairs,
@@ -90,7 +91,8 @@ class Metrics:
 
     @property
     def path_length_m(self) -> dict[int, float]:
-        """By system id, of those that were in the air for two ticks in a row."""
+        """By system id, of those that were in the air for two ticks in a row; a fall with an empty battery is none of
+        it."""
         return _known(self._row, self._flown[:, _LENGTH])
 
     @property
@@ -103,13 +105,14 @@ class Metrics:
         """By system id, of those whose way was held against a plan."""
         return _known(self._row, self._flown[:, _ERROR])
 
-    def _in_order(self, columns: FleetColumns) -> tuple[Flags, Floats]:
-        """Flags and places of all the scenario's vehicles, where the fleet has fewer by now."""
+    def _in_order(self, columns: FleetColumns) -> tuple[Flags, Floats, Floats]:
+        """Flags, places and figures of all the scenario's vehicles, where the fleet has fewer by now."""
         count = len(self._row)
         rows = [self._row[sysid] for sysid in columns.sysids]
         flags, places = np.zeros((FLAGS, count), np.bool_), np.zeros((PLACES, count, 3))
-        flags[:, rows], places[:, rows] = columns.flags, columns.places
-        return flags, places
+        figures = np.zeros((FIGURES, count))
+        flags[:, rows], places[:, rows], figures[:, rows] = columns.flags, columns.places, columns.figures
+        return flags, places, figures
 
     def _pairs_of(self, target_of: Mapping[int, int]) -> Ints:
         """(k, 3) rows of pursuers and targets, and whose distance it is, of those that are measured."""
@@ -140,6 +143,7 @@ def distance_to_path(plan: Any, count: int, oldest: int, n: float, e: float, d: 
 def _measure(
     flags: NDArray[np.uint8],
     places: Floats,
+    figures: Floats,
     rows: Ints,
     planned: Floats,
     pairs: Ints,
@@ -148,7 +152,7 @@ def _measure(
     counts: Ints,
     distances_m: Floats,
 ) -> None:
-    """One tick of n vehicles, which count while they are flying and fresh, of `FleetColumns` flags and places.
+    """One tick of n vehicles, which count while they are flying and fresh, of `FleetColumns` flags, places and figures.
 
     rows (k,), planned (k, 6): which have a set point, and what. pairs (m, 3): rows of pursuer and target, and the
     column of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to
@@ -161,7 +165,7 @@ def _measure(
             own.last[0] = math.NAN
             continue
         n, e, d = places[P_NOW, i, 0], places[P_NOW, i, 1], places[P_NOW, i, 2]
-        if not math.isnan(own.last[0]):
+        if not (math.isnan(own.last[0]) or figures[REMAINING, i] <= 0.0):
             north, east, down = n - own.last[0], e - own.last[1], d - own.last[2]
             before_m = 0.0 if math.isnan(own.length_m) else own.length_m
             own.length_m = before_m + math.sqrt(north * north + east * east + down * down)

@@ -62,6 +62,13 @@ def test_path_length_is_the_way_flown_without_the_gaps() -> None:
     assert m.path_length_m == {1: 8.0}
 
 
+def test_a_way_ends_with_an_empty_battery_and_goes_on_with_a_charged_one() -> None:
+    m = metrics()
+    for k, (down_m, drawn_j) in enumerate([(-9.0, 9e3), (-8.0, 9.9e3), (-6.0, 1e4), (-2.0, 1e4), (-1.0, 9e3)]):
+        update(m, k / 10, view(1, (0, 0, down_m))._replace(drawn_j=drawn_j))
+    assert m.path_length_m == {1: 2.0}
+
+
 def test_the_way_to_the_last_report_counts_and_pursuit_ends_with_the_last_tick() -> None:
     m = metrics()
     for k, north_m in enumerate([0.0, 1.0, 2.5]):
@@ -139,7 +146,8 @@ def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> N
         ]
         m.update(stamped, points)
         here = {view.sysid: view.p_now_ned() for view in stamped.vehicles if view.flying and view.fresh}
-        for sysid in here.keys() & last.keys():
+        charged = {view.sysid for view in stamped.vehicles if view.remaining_j > 0.0}
+        for sysid in here.keys() & last.keys() & charged:
             lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(here[sysid], last[sysid])
         last = here
         planned = {point.sysid: point.p_ned for point in points}

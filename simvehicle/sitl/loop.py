@@ -11,6 +11,8 @@ from simvehicle.sitl.link import PlainLink
 from simvehicle.sitl.unit import Unit
 
 FREE_TICK_MS = 20
+MOST_BEHIND_MS = 100
+"""[choice] What is later, as after a process was stopped or on a machine that is too slow, becomes one long tick."""
 
 
 class ConnectedUnit(NamedTuple):
@@ -21,23 +23,31 @@ class ConnectedUnit(NamedTuple):
     plain: Sequence[PlainLink]
 
 
-def run_free(seats: Sequence[ConnectedUnit], *, stop: Callable[[], bool] = lambda: False) -> None:
-    """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, never dropped."""
-    start_s = time.monotonic()
+def run_free(
+    seats: Sequence[ConnectedUnit],
+    *,
+    stop: Callable[[], bool] = lambda: False,
+    clock: Callable[[], float] = time.monotonic,
+    sleep: Callable[[float], object] = time.sleep,
+) -> None:
+    """Live on the wall clock, 50 ticks a second; ticks that come late are caught up with, up to MOST_BEHIND_MS."""
+    start_s = clock()
     for unit, _, plain in seats:
         unit.start_clock(0, time.time_ns() // 1000)
         for link in plain:
             link.connection.streams.tick_ms = FREE_TICK_MS
-    now_ms = 0
+    due_ms = 0
     while not stop():
-        wait_ms = now_ms + FREE_TICK_MS - 1e3 * (time.monotonic() - start_s)
-        if wait_ms > 0.0:
-            time.sleep(wait_ms / 1e3)
-        now_ms = int(1e3 * (time.monotonic() - start_s))
+        due_ms += FREE_TICK_MS
+        behind_ms = 1e3 * (clock() - start_s) - due_ms
+        if behind_ms < 0.0:
+            sleep(-behind_ms / 1e3)
+        elif behind_ms > MOST_BEHIND_MS:
+            due_ms += int(behind_ms) // FREE_TICK_MS * FREE_TICK_MS
         for unit, _, plain in seats:
             for link in plain:
                 for frame in link.receive():
                     unit.receive(frame, link.connection)
-            unit.advance(now_ms)
+            unit.advance(due_ms)
             for link in plain:
                 link.flush()

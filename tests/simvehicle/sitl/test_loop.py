@@ -134,6 +134,78 @@ def test_streams_know_how_often_they_are_looked_at() -> None:
             assert plain.connection.streams.tick_ms == 20
 
 
+class Machine:
+    """Wall time that passes while one sleeps, later than asked, and while it keeps a process from running."""
+
+    def __init__(self, late_s: float, **stalls_s: float) -> None:
+        self.now_s, self._late_s, self._stalls_s = 1000.0, late_s, stalls_s
+        self._sleeps = 0
+
+    def clock(self) -> float:
+        return self.now_s
+
+    def sleep(self, for_s: float) -> None:
+        self._sleeps += 1
+        self.now_s += for_s + self._late_s + self._stalls_s.get(f"at_{self._sleeps}", 0.0)
+
+
+class Living(Unit):
+    """A unit that writes down its times, and when each was on the wall."""
+
+    def __init__(self, machine: Machine, until_s: float) -> None:
+        self.ticks_ms: list[int] = []
+        self.behind_ms: list[float] = []
+        self._machine, self._start_s, self._until_s = machine, machine.now_s, until_s
+
+    def start_clock(self, time_ms: int, unix_us: int) -> None:
+        pass
+
+    def advance(self, to_ms: int) -> None:
+        self.ticks_ms.append(to_ms)
+        self.behind_ms.append(1e3 * (self._machine.now_s - self._start_s) - to_ms)
+        self._machine.now_s += 0.002
+
+    def live(self) -> None:
+        def over() -> bool:
+            return self._machine.now_s - self._start_s >= self._until_s
+
+        run_free([ConnectedUnit(self, None, ())], stop=over, clock=self._machine.clock, sleep=self._machine.sleep)
+
+
+@pytest.mark.parametrize("machine", [Machine(0.0), Machine(0.004), Machine(0.012), Machine(0.0, at_30=0.095)])
+def test_there_are_fifty_ticks_a_second_however_late_they_come(machine: Machine) -> None:
+    unit = Living(machine, 10.0)
+    unit.live()
+    assert unit.ticks_ms == list(range(20, 20 * len(unit.ticks_ms) + 1, 20))
+    assert len(unit.ticks_ms) in (499, 500, 501)
+    assert all(-1e-6 <= behind < 100.0 for behind in unit.behind_ms)
+    assert unit.behind_ms[-1] < 13.0
+
+
+def test_what_a_stopped_process_missed_is_one_tick() -> None:
+    unit = Living(Machine(0.001, at_50=60.0), 70.0)
+    unit.live()
+    gaps = [after - before for before, after in zip(unit.ticks_ms, unit.ticks_ms[1:], strict=False)]
+    assert sorted(set(gaps)) == [20, 60_000]
+    assert gaps.count(60_000) == 1
+    assert unit.behind_ms[-1] < 20.0
+
+
+def test_a_machine_that_is_too_slow_is_behind_by_no_more_than_is_caught_up_with() -> None:
+    machine = Machine(0.0)
+    unit = Living(machine, 10.0)
+    advance = unit.advance
+
+    def slow(to_ms: int) -> None:
+        advance(to_ms)
+        machine.now_s += 0.033
+
+    unit.advance = slow  # type: ignore[method-assign]
+    unit.live()
+    assert max(unit.behind_ms) <= 100.0
+    assert unit.ticks_ms[-1] > 9800
+
+
 def test_a_hello_carries_the_secret_of_the_fork_server() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as supervisor:
         supervisor.bind(("127.0.0.1", 0))

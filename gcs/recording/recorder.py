@@ -37,7 +37,7 @@ class _File:
         try:
             self._fd = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC, 0o666)
         except OSError as error:
-            raise RecorderError(f"{path} cannot be created: {_reason(error)}.") from None
+            raise RecorderError(f"{path} cannot be created: {reason(error)}.") from None
 
     def write(self) -> None:
         """Write the batch. Raises OSError, with the file cut back to whole records and closed."""
@@ -117,7 +117,7 @@ class Recorder:
             try:
                 self._rotate()
             except OSError as error:
-                failure = RecorderError(f"{self._tlog.path} cannot be rotated: {_reason(error)}; recording has ended.")
+                failure = RecorderError(f"{self._tlog.path} cannot be rotated: {reason(error)}; recording has ended.")
                 self._shut(failure)
                 raise failure from None
 
@@ -141,7 +141,7 @@ class Recorder:
                 file.write()
             except OSError as error:
                 failure = failure or RecorderError(
-                    f"{file.path} cannot be written: {_reason(error)}; recording has ended."
+                    f"{file.path} cannot be written: {reason(error)}; recording has ended."
                 )
         if failure is not None:
             self._shut(failure)
@@ -159,7 +159,7 @@ class Recorder:
         self._decisions.close()
 
 
-def _reason(error: OSError) -> str:
+def reason(error: OSError) -> str:
     """The system's words for it, lower case."""
-    reason = error.strerror or str(error)
-    return reason[:1].lower() + reason[1:]
+    words = error.strerror or str(error)
+    return words[:1].lower() + words[1:]

@@ -21,8 +21,9 @@ from gcs.planner.returns.warnings import given_heights
 from gcs.processes.fork_server import Ended
 from gcs.processes.pace import Pace
 from gcs.processes.suspension import SuspensionWatch
-from gcs.recording.recorder import Recorder, RecorderError
+from gcs.recording.recorder import Recorder, RecorderError, reason
 from gcs.recording.reserve import Reserve
+from gcs.recording.summary import FILE as SUMMARY
 from gcs.scenario import goal
 from gcs.scenario.file import dump
 from gcs.scenario.model import Scenario
@@ -235,6 +236,7 @@ class SessionProcess:
         while supervisor.time_ms < end_ms and self._link.joined:
             self._await_program()
             supervisor.tick(self._watch, lambda: pace.next(self._scenario.clock.period_s))
+            self._keep_room()
             if supervisor.preflight.under_way and self._external_link is not None:
                 self._old_parameters.keep(supervisor.preflight.before())
                 self._old_plans.keep(supervisor.preflight.plans_before(), supervisor.snapshot.vehicle)
@@ -246,6 +248,13 @@ class SessionProcess:
         self._await_program()
         supervisor.finish(self._watch)
         self._show_program()
+
+    def _keep_room(self) -> None:
+        """Keep room on the disk for the summary, which grows; where there is none, the disk is full."""
+        try:
+            self._reserve.keep_for(self._supervisor.schedule.services)
+        except OSError as error:
+            raise RecorderError(f"{self._folder} has no room for {SUMMARY}: {reason(error)}; recording ends.") from None
 
     def _begin_on_true_time(self) -> None:
         """Let session time 0 be now: autopilots' own logs, beside which the recording is laid, are on the true time."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import pty
@@ -19,6 +20,7 @@ import yaml
 from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, run_words, small
 
 from gcs.cli.main import run_argv
+from gcs.recording.reserve import PER_SESSION_BYTES, PER_VEHICLE_BYTES
 
 PACED = {"clock": {"mode": "real", "speed": 5.0}, "goal": {"duration_s": 300.0, "refuelled_at_least": 0}}
 
@@ -367,6 +369,24 @@ def test_on_a_disk_that_fills_there_is_room_for_what_the_session_came_to(tmp_pat
     assert outcome.summary["outcome"] == "interrupted"
     assert outcome.summary["sim_time_s"] > 1.0
     assert_tlog_is_whole(outcome)
+
+
+def reserved_bytes(supervisor: psutil.Process) -> int:
+    """What the supervisor keeps of the disk for its last words: the file without a name."""
+    for fd in Path(f"/proc/{supervisor.pid}/fd").iterdir():
+        with contextlib.suppress(OSError):
+            if "/.reserve." in os.readlink(fd):
+                return fd.stat().st_size
+    return 0
+
+
+def test_room_for_the_summary_grows_with_each_refuelling(tmp_path: Path) -> None:
+    session = Running(small(clock={"mode": "real", "speed": 5.0}, goal={"duration_s": 300.0}), tmp_path, "--json")
+    try:
+        session.wait_for(lambda s: s["refuelled"] >= 1)
+        assert reserved_bytes(session.named("gcs.session.process")) > PER_SESSION_BYTES + 3 * PER_VEHICLE_BYTES
+    finally:
+        session.stop()
 
 
 def test_a_full_disk_stops_the_session_with_closed_files(tmp_path: Path) -> None:

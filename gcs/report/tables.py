@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from gcs.report.findings import Findings, finite
+from gcs.scenario.plugins import named, policy_of
 
 ORDERS = ("command", "taken", "said")
 
@@ -147,6 +148,12 @@ def again(found: Findings) -> str:
         parts.append(
             f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )
+        if code := " and ".join(policy_of(key, name) for key, name, _ in named(found.scenario)):
+            parts.append(
+                f"<p>The scenario names code, {escape(code)}, which is not in the session's folder. Where Python does "
+                "not find its module, copy that to where you call the command, or name the folder that has it in "
+                "PYTHONPATH. The command asks before it runs the code.</p>"
+            )
     orders = [d for d in found.recorded.decisions if d["kind"] == "operator"]
     if orders:
         rows_of = [(f"{d['t_s']:.1f}", d["command"], "yes" if d["taken"] else "no", d["text"]) for d in orders]

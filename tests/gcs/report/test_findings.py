@@ -135,6 +135,22 @@ def test_a_service_that_the_end_cut_is_no_refuelling_of_the_page(tmp_path: Path)
     assert "<dt>refuellings</dt><dd>1<small>3.0 kJ moved, 1 not ended</small></dd>" in shown
 
 
+def test_code_that_a_scenario_names_stands_where_the_flight_is_to_be_reproduced(tmp_path: Path) -> None:
+    (tmp_path / "scenario.yaml").touch()
+    flown = scenario()
+    named = flown.model_copy(
+        update={
+            "planner": flown.planner.model_copy(update={"method": "mine:Ring"}),
+            "competition": flown.competition.model_copy(update={"policy": "mine:InTurn"}),
+        }
+    )
+    with_code, without = (
+        page.text(Findings(Recorded(tmp_path, scenario=one, summary=summary(), end_s=60.0))) for one in (named, flown)
+    )
+    assert "The scenario names code, planner mine:Ring and policy mine:InTurn, which is not in" in with_code
+    assert "names code" not in without
+
+
 def test_an_operators_orders_stand_where_the_flight_is_to_be_reproduced(tmp_path: Path) -> None:
     (tmp_path / "scenario.yaml").write_text("schema: 1 # <script>", encoding="utf-8")
     order = {"t_s": 4.0, "kind": "operator", "command": "hold", "sysid": 1, "taken": True, "text": "1 <holds>"}

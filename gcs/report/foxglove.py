@@ -133,7 +133,7 @@ class Topics:
                 parent_frame_id=FRAME,
                 child_frame_id=_frame(row["sysid"]),
                 translation=m.Vector3(x=row["p_ned"][1], y=row["p_ned"][0], z=-row["p_ned"][2]),
-                rotation=m.Quaternion(**_attitude(row["roll_rad"], row["pitch_rad"], row["heading_rad"])),
+                rotation=m.Quaternion(**_attitude(*(row[angle] or 0.0 for angle in _ANGLES))),
             )
             for row in placed
         ]
@@ -265,6 +265,10 @@ def _rgba(colour: str) -> Vector:
 
 def _level(messages: Any) -> Any:
     return messages.Quaternion(w=1.0)
+
+
+_ANGLES = ("roll_rad", "pitch_rad", "heading_rad")
+"""One that was not reported is drawn as 0: a transform has no place for an unknown one."""
 
 
 def _attitude(roll_rad: float, pitch_rad: float, yaw_rad: float) -> dict[str, float]:

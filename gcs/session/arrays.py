@@ -103,7 +103,7 @@ class Snapshot:
     v_ned: NDArray[np.float64]
     """(n, 3) m/s"""
     attitude_rad: NDArray[np.float64]
-    """(n, 3) roll, pitch and yaw: ATTITUDE's, the heading where there is none"""
+    """(n, 3) roll, pitch and yaw, by ATTITUDE"""
     set_point_p_ned: NDArray[np.float64]
     """(n, 3) position that was sent in this tick, after the safety filter, m; NaN: none was"""
     set_point_v_ned: NDArray[np.float64]

@@ -208,12 +208,12 @@ class VehicleRow(Struct):
     landed: bool
     autopilot: str | None
     p_ned: Vec3 | None
-    v_ned: Vec3
-    speed_m_s: float
+    v_ned: Vec3 | None
+    speed_m_s: float | None
     height_m: float | None
-    heading_rad: float
-    roll_rad: float
-    pitch_rad: float
+    heading_rad: float | None
+    roll_rad: float | None
+    pitch_rad: float | None
     aim_ned: Vec3 | None
     """its set point"""
     margin_m: float | None

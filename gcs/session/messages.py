@@ -66,23 +66,23 @@ def vehicle_row(
         landed=view.landed,
         autopilot=view.profile.name if received else None,
         p_ned=view.p_ned,
-        v_ned=view.v_ned,
-        speed_m_s=elementary.norm(view.v_ned),
+        v_ned=view.v_ned if view.placed else None,
+        speed_m_s=elementary.norm(view.v_ned) if view.placed else None,
         height_m=-view.p_ned[2] if view.p_ned is not None else None,
         heading_rad=view.heading_rad,
         roll_rad=view.roll_rad,
         pitch_rad=view.pitch_rad,
         aim_ned=None,
         margin_m=None,
-        age_s=view.age_s if math.isfinite(view.age_s) else None,
-        heard_s=silent_s if math.isfinite(silent_s) else None,
+        age_s=_known(view.age_s),
+        heard_s=_known(silent_s),
         lost=quality.lost(view.sysid),
         lost_share=lost_share,
         target_m=None,
         battery=view.remaining_j / view.capacity_j,
         remaining_j=view.remaining_j,
-        power_w=view.power_w,
-        endurance_s=view.endurance_s if math.isfinite(view.endurance_s) else None,
+        power_w=view.power_w if view.metered else None,
+        endurance_s=_known(view.endurance_s),
         energy_source=view.energy_source,
         v=None,
         tau=None,
@@ -94,6 +94,10 @@ def vehicle_row(
         urgency=wrong.urgency,
         note="",
     )
+
+
+def _known(number: float) -> float | None:
+    return number if math.isfinite(number) else None
 
 
 def battery_rows(batteries: Collection[VehicleBattery], now_s: float) -> list[types.BatteryRow] | UnsetType:

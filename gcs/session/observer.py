@@ -391,7 +391,8 @@ class Observer:
             if aim is not None and frame is not None:
                 row.aim_ned = _sum(turned(aim, frame.turn_rad), frame.offset_ned)
             if adapter is not None and not math.isfinite(reported.remaining_j):
-                row.battery, row.remaining_j, row.power_w, row.endurance_s = adapter.share, None, adapter.power_w, None
+                row.battery, row.remaining_j, row.endurance_s = adapter.share, None, None
+                row.power_w = adapter.power_w if view.alive else None
             rows.append(row)
         return rows
 

@@ -305,11 +305,16 @@ class VerboseView(PlainView):
 
 
 def _vehicle_line(vehicle: Mapping[str, Any]) -> str:
-    n, e, d = vehicle["p_ned"] or (float("nan"),) * 3
+    n, e, d = vehicle["p_ned"] or (None, None, None)
+    high, percent = None if d is None else 0.0 - d, None if vehicle["battery"] is None else 100.0 * vehicle["battery"]
     state = vehicle["mode_name"] if vehicle["alive"] else "dead"
-    line = f"{'':12}{clean(vehicle['label']):<12} {clean(state):<9} N {n:7.2f}  E {e:7.2f}  {0.0 - d:6.2f} m high"
-    line += f"  {vehicle['speed_m_s']:5.2f} m/s  {100.0 * vehicle['battery']:5.1f} %"
+    line = f"{'':12}{clean(vehicle['label']):<12} {clean(state):<9} N {_column(n, 7)}  E {_column(e, 7)}"
+    line += f"  {_column(high, 6)} m high  {_column(vehicle['speed_m_s'], 5)} m/s  {_column(percent, 5, 1)} %"
     return f"{line}  {clean(vehicle['note'])}".rstrip()
+
+
+def _column(value: float | None, width: int, decimals: int = 2) -> str:
+    return f"{'-':>{width}}" if value is None else f"{value:{width}.{decimals}f}"
 
 
 class JsonView(View):

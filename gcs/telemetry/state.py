@@ -44,7 +44,7 @@ class VehicleView(NamedTuple):
     p_ned: Vec3 | None
     v_ned: Vec3
     age_s: float
-    heading_rad: float
+    heading_rad: float | None
     origin_offset_ned: Vec3 | None
     ground_amsl_m: float
     capacity_j: float
@@ -69,8 +69,8 @@ class VehicleView(NamedTuple):
     """in its own frame; where that lies it may not have reported yet"""
     doubt: str = ""
     """why it is not believed; nothing while it is"""
-    roll_rad: float = 0.0
-    pitch_rad: float = 0.0
+    roll_rad: float | None = None
+    pitch_rad: float | None = None
     received_reported_s: float = -math.inf
     """as of when it reported the energy received"""
     effort_age_s: float = 0.0
@@ -120,8 +120,18 @@ class VehicleView(NamedTuple):
 
     @property
     def endurance_s(self) -> float:
-        """Time that the battery lasts at the present draw."""
-        return self.remaining_j / self.power_w if self.power_w > 0.0 else math.inf
+        """Time that the battery lasts at the present draw; infinite without one, as of a dead vehicle."""
+        return self.remaining_j / self.power_w if self.alive and self.power_w > 0.0 else math.inf
+
+    @property
+    def placed(self) -> bool:
+        """Whether it has reported a place, and with it a velocity."""
+        return self.age_s < math.inf
+
+    @property
+    def metered(self) -> bool:
+        """Whether it draws what it has reported: not before its first report, nor once it is dead."""
+        return self.alive and self.energy_source != "none"
 
     @property
     def effort_now(self) -> float:

@@ -30,8 +30,11 @@ from gcs.telemetry.readings import (
     CLOCK_S,
     CUSTOM_MODE,
     EXTERNAL,
+    HEADING,
     LANDED,
     LANDED_REPORTED,
+    PITCH,
+    ROLL,
     SYSTEM_STATUS,
     new_readings,
 )
@@ -100,6 +103,7 @@ class VehicleTrack:
         self.profile = member.profile or GENERIC
         self.readings = new_readings()
         self.readings[[LANDED, LANDED_REPORTED]] = not member.airborne, not member.external
+        self.readings[[HEADING, ROLL, PITCH]] = math.nan
         self.readings[EXTERNAL] = member.external
         if not member.external:
             self.readings[CLOCK_S] = 0.0
@@ -231,7 +235,7 @@ class Instant(NamedTuple):
             p_ned if p_local is not None and offset is not None else None,
             turned(v_ned, turn_rad) if turn_rad else v_ned,
             age_s,
-            heading_rad + turn_rad,
+            heading_rad + turn_rad if heading_rad == heading_rad else None,  # noqa: PLR0124 - NaN is not
             offset,
             status.ground_amsl_m,
             capacity_j, initial_j, status.battery_reported,
@@ -244,7 +248,8 @@ class Instant(NamedTuple):
             status.failsafe,
             p_local,
             doubt or plausibility.charge(remaining_j, capacity_j),
-            roll_rad, pitch_rad,
+            roll_rad if roll_rad == roll_rad else None,  # noqa: PLR0124 - NaN is not
+            pitch_rad if pitch_rad == pitch_rad else None,  # noqa: PLR0124 - NaN is not
             received_reported_s,
             max(now_s - effort_s, 0.0) if effort_s == effort_s else 0.0,  # noqa: PLR0124 - NaN is not
             member.battery_apart,

@@ -130,6 +130,24 @@ def test_a_dead_vehicle_is_counted_and_described_as_dead(browser: Browser) -> No
         page.close()
 
 
+def test_what_a_vehicle_has_not_reported_is_a_dash(browser: Browser) -> None:
+    unknown = ("p_ned", "v_ned", "speed_m_s", "height_m", "heading_rad", "roll_rad", "pitch_rad", "age_s", "heard_s",
+               "power_w", "endurance_s", "target_m", "lost_share", "autopilot")  # fmt: skip
+    rows = [row(1, 0.0), row(2, 0.0, **dict.fromkeys(unknown))]
+    with served(Script(session(rows), snapshot(1.0, rows), snapshot(2.0, rows))) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        page.evaluate("skytender.choose(2)")
+        expect(page.locator(".vehicle-page h3")).to_have_text("pursuer 2")
+        facts = dict(zip(*(page.locator(f".facts {part}").all_inner_texts() for part in ("dt", "dd")), strict=True))
+        dashes = ("speed", "heading", "power", "lasts", "height", "north, east", "autopilot", "position's age")
+        assert {facts[name] for name in dashes} == {"–"}
+        assert facts["roll, pitch"] == "–, –"
+        assert not [word for word in ("NaN", "null", "undefined") if word in page.locator("body").inner_text()]
+        assert watched.wrong == []
+        page.close()
+
+
 def trouble_is_read(page: Page, width: int) -> None:
     """In the strip, wherever the page is scrolled to, and in the table's first rows."""
     page.evaluate("scrollTo(0, 0)")

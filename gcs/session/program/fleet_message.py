@@ -34,7 +34,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
         alive=columns.alive.tolist(),
         armed=[view.armed for view in views],
         p_ned=columns.p_ned.tolist(),
-        v_ned=columns.v_ned.tolist(),
+        v_ned=np.where(np.isfinite(columns.age_s)[:, None], columns.v_ned, np.nan).tolist(),
         attitude_rad=[[view.roll_rad, view.pitch_rad, view.heading_rad] for view in views],
         set_point_p_ned=set_points[:, :3].tolist(),
         set_point_v_ned=set_points[:, 3:].tolist(),

@@ -24,7 +24,7 @@ const MOST_WORLDS = 600;
 function numbersOf(row) {
   const [n, e, d] = row.p_ned ?? [NaN, NaN, NaN];
   const battery = row.battery === null ? NaN : 100 * row.battery;
-  return [n, e, d, row.heading_rad, row.roll_rad, row.pitch_rad, row.speed_m_s, row.height_m ?? NaN, battery,
+  return [n, e, d, row.heading_rad ?? NaN, row.roll_rad ?? NaN, row.pitch_rad ?? NaN, row.speed_m_s ?? NaN, row.height_m ?? NaN, battery,
     row.power_w ?? NaN, row.target_m ?? NaN, row.v ?? NaN, row.lost, row.age_s ?? NaN];
 }
 
@@ -262,8 +262,8 @@ export class Flight {
         sysid, role: member?.role ?? "", label: member?.label ?? String(sysid), autopilot: null, alive: true, stage: "",
         mode: "", mode_name: "", armed: true, landed: false, state: "", note: "", trouble: [], severity: 0, condition: "", figure: "", urgency: 0,
         ...this.words.get(sysid)?.at(t_s),
-        p_ned: at.n === null ? null : [at.n, at.e, at.d], v_ned: [0, 0, 0], speed_m_s: at.speed ?? 0, height_m: at.height,
-        heading_rad: at.heading ?? 0, roll_rad: at.roll ?? 0, pitch_rad: at.pitch ?? 0, aim_ned: null, margin_m: null,
+        p_ned: at.n === null ? null : [at.n, at.e, at.d], v_ned: null, speed_m_s: at.speed, height_m: at.height,
+        heading_rad: at.heading, roll_rad: at.roll, pitch_rad: at.pitch, aim_ned: null, margin_m: null,
         age_s: at.age, heard_s: null, lost: at.lost ?? 0, lost_share: null, target_m: at.target, battery,
         remaining_j: battery !== null && capacity_j !== null ? battery * capacity_j : null, power_w: at.power,
         endurance_s: null, energy_source: "", v: at.v, tau: null,

@@ -10,7 +10,7 @@ import { modeOf } from "./signs.js";
 export function described(row) {
   const parts = [
     row.label, row.trouble.join(", "), modeOf(row), row.battery === null ? "" : `battery ${number(100 * row.battery, 0)} %`,
-    row.height_m === null ? "" : `${number(row.height_m, 1)} m high`, `${number(row.speed_m_s, 1)} m/s`,
+    row.height_m === null ? "" : `${number(row.height_m, 1)} m high`, row.speed_m_s === null ? "" : `${number(row.speed_m_s, 1)} m/s`,
   ];
   return parts.filter(Boolean).join(" · ");
 }

@@ -381,7 +381,7 @@ export class MapView {
       context.lineWidth = 1.5;
       context.save();
       context.translate(x, y);
-      context.rotate(row.heading_rad);
+      context.rotate(row.heading_rad ?? 0);
       context.beginPath();
       if (row.role === "tanker") context.rect(-size, -size, 2 * size, 2 * size);
       else if (row.role === "target") [[0, -1.3], [1.1, 0], [0, 1.3], [-1.1, 0]].forEach(([u, w], k) => context[k ? "lineTo" : "moveTo"](u * size, w * size));

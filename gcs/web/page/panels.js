@@ -124,7 +124,7 @@ export function showVehicle(at, snapshot, sysid, session) {
     renew(at, "none", () => [h("p", { class: "soft" }, "Choose a vehicle in the table or in the picture.")]);
     return;
   }
-  const degrees = (/** @type {number} */ rad) => number((rad * 180) / Math.PI, 0, "°");
+  const degrees = (/** @type {number | null} */ rad) => number(rad === null ? null : (rad * 180) / Math.PI, 0, "°");
   /** @type {[string, string][]} */
   const facts = [
     ["state", [row.state, row.stage].filter(Boolean).join(", ") || "–"], ["mode", modeOf(row) || "–"], ["autopilot", row.autopilot ?? "–"],
@@ -134,7 +134,7 @@ export function showVehicle(at, snapshot, sysid, session) {
       `${one.share === null ? "–" : `${number(100 * one.share, 0)} %`}${one.voltage_v === null ? "" : `, ${number(one.voltage_v, 1)} V`}`])),
     ["power", number(row.alive ? row.power_w : null, 0, " W")], ["lasts", !row.alive || row.endurance_s === null ? "–" : clock(row.endurance_s)],
     ["north, east", row.p_ned ? `${number(row.p_ned[0], 1)}, ${number(row.p_ned[1], 1)} m` : "–"], ["height", number(row.height_m, 1, " m")],
-    ["speed", number(row.speed_m_s, 2, " m/s")], ["heading", degrees((row.heading_rad + 2 * Math.PI) % (2 * Math.PI))],
+    ["speed", number(row.speed_m_s, 2, " m/s")], ["heading", degrees(row.heading_rad === null ? null : (row.heading_rad + 2 * Math.PI) % (2 * Math.PI))],
     ["roll, pitch", `${degrees(row.roll_rad)}, ${degrees(row.pitch_rad)}`], ["to its target", number(row.target_m, 2, " m")],
     ["competition", row.v === null ? "does not compete" : `v ${number(row.v, 2)}${row.tau === null ? "" : `, τ ${number(row.tau, 2)}`}`],
     ["link", `${row.lost} frames lost${row.lost_share === null ? "" : `, ${number(100 * row.lost_share, 1)} % lately`}`],

@@ -361,7 +361,7 @@ function fillFlight(flight, model, told, column) {
     for (const name of CHANNELS) columns[name] = null;
     [columns.n, columns.e, columns.d] = one.p.map(column);
     columns.height = columns.d.map((/** @type {number} */ d) => -d);
-    for (const name of /** @type {const} */ (["heading", "roll", "pitch"])) columns[name] = one[name] ? column(one[name]) : new Float32Array(told.count);
+    for (const name of /** @type {const} */ (["heading", "roll", "pitch"])) columns[name] = one[name] ? column(one[name]) : new Float32Array(told.count).fill(NaN);
     columns.age = column(one.age);
     for (const [name, from] of Object.entries(sources)) {
       const source = from.get(one.sysid);

@@ -39,7 +39,7 @@ const place = (p, to = new Vector3()) => to.set(p[1], -p[2], -p[0]);
 
 /** Attitude of a body (nose along −z, up along y) by roll, pitch and yaw in rad. @param {VehicleRow} row @param {Quaternion} to */
 function turn(row, to) {
-  const [a, b, c] = [row.heading_rad / 2, row.pitch_rad / 2, row.roll_rad / 2];
+  const [a, b, c] = [row.heading_rad, row.pitch_rad, row.roll_rad].map((angle) => (angle ?? 0) / 2);
   const yaw = Q[0].set(0, -Math.sin(a), 0, Math.cos(a));
   const pitch = Q[1].set(Math.sin(b), 0, 0, Math.cos(b));
   const roll = Q[2].set(0, 0, -Math.sin(c), Math.cos(c));

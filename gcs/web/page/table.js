@@ -22,7 +22,7 @@ const COLUMNS = [
   { key: "role", name: "role", word: true, folds: true, text: (row) => row.role, sort: (row) => row.role },
   { key: "battery", name: "battery %", text: (row) => number(row.battery === null ? null : 100 * row.battery, 0), sort: (row) => row.battery ?? -1 },
   { key: "height", name: "height m", text: (row) => number(row.height_m, 1), sort: (row) => row.height_m ?? -1e9 },
-  { key: "speed", name: "speed m/s", text: (row) => number(row.speed_m_s, 1), sort: (row) => row.speed_m_s },
+  { key: "speed", name: "speed m/s", text: (row) => number(row.speed_m_s, 1), sort: (row) => row.speed_m_s ?? -1 },
   { key: "target", name: "target m", text: (row) => number(row.target_m, 1), sort: (row) => row.target_m ?? -1 },
 ];
 const FOLDED = COLUMNS.filter((column) => column.folds);

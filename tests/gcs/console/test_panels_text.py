@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from gcs.session.client import Client, Lines
-from gcs.session.plain_text import EventLines, JsonView, PlainView, farewell, progress
+from gcs.session.plain_text import EventLines, JsonView, PlainView, VerboseView, farewell, progress
 from gcs.session.supervised import PATIENCE_S, SAVES_WITHIN_S, Supervised
 
 
@@ -169,6 +169,14 @@ def test_plain_progress_comes_every_two_seconds_and_news_at_once() -> None:
         view.show(demo(events=[event(1.0, 5, "Refuel")] if tenth == 25 else []))
         view.tick(tenth / 10)
     assert [line.partition(" s ")[2][:9] for line in lines] == ["of 150 s ", "of 150 s ", "pursuer 5", "of 150 s "]
+
+
+def test_a_vehicle_that_has_not_reported_has_dashes_in_its_line() -> None:
+    lines: list[str] = []
+    view = VerboseView(lines.append)
+    view.show(snapshot(vehicle(1, mode_name="other", p_ned=None, speed_m_s=None, battery=None)))
+    view.tick(0.0)
+    assert " ".join(lines[1].split()) == "pursuer 1 other N - E - - m high - m/s - %"
 
 
 def test_a_start_that_takes_long_is_said_once() -> None:

@@ -3,13 +3,21 @@
 import json
 from typing import Any
 
+import msgspec
+import numpy as np
 import pytest
 
+from gcs.session.arrays import Snapshot, from_message
 from gcs.session.messages import snapshot_message
+from gcs.session.program.fleet_message import fleet_message
+from gcs.session.program.messages import FleetMessage
 from gcs.telemetry.events import Event
 
 HOLD, LAND = 4 << 16 | 3 << 24, 4 << 16 | 6 << 24
 """PX4's custom modes"""
+REPORTED = ("p_ned", "v_ned", "speed_m_s", "height_m", "heading_rad", "roll_rad", "pitch_rad", "power_w", "endurance_s",
+            "age_s", "heard_s", "autopilot")  # fmt: skip
+"""Keys that only messages of a vehicle can fill."""
 
 
 def shown(session: Any, **changed: Any) -> dict[str, Any]:
@@ -26,6 +34,49 @@ def test_before_anything_is_known_it_says_so(scripted: Any) -> None:
     first = content["vehicles"][0]
     assert (first["p_ned"], first["height_m"], first["target_m"], first["endurance_s"]) == (None, None, None, None)
     assert (first["battery"], first["stage"], first["note"]) == (1.0, "identify", "")
+    assert {first[key] for key in REPORTED} == {None}
+
+
+def test_arrays_have_nan_before_anything_is_known_and_for_the_endurance_of_the_dead(scripted: Any) -> None:
+    session = scripted()
+
+    def seen() -> Snapshot:
+        line = msgspec.json.encode(fleet_message(session.supervisor, []))
+        return from_message(msgspec.json.decode(line, type=FleetMessage))
+
+    at_first = seen()
+    assert np.isnan([*at_first.v_ned[0], *at_first.attitude_rad[0], at_first.endurance_s[0]]).all()
+    flown_on(session)
+    in_flight = seen()
+    assert np.isfinite([*in_flight.v_ned[0], *in_flight.attitude_rad[0], in_flight.endurance_s[0]]).all()
+    session.supervisor.fleet.lost(1)
+    session.fly(1)
+    assert np.isnan(seen().endurance_s).tolist()[0]
+
+
+def test_a_dead_vehicle_has_no_power_and_no_endurance_and_else_what_it_reported_last(scripted: Any) -> None:
+    session = scripted()
+    flown_on(session)
+    before = shown(session)["vehicles"][0]
+    assert before["power_w"] > 0.0
+    assert before["endurance_s"] > 0.0
+    session.link.leave((1, 1))
+    session.supervisor.fleet.lost(1)
+    session.fly(1)
+    dead = shown(session)["vehicles"][0]
+    assert (dead["alive"], dead["power_w"], dead["endurance_s"]) == (False, None, None)
+    last = ("p_ned", "heading_rad", "remaining_j", "energy_source", "mode", "armed", "landed")
+    assert [dead[key] for key in last] == [before[key] for key in last]
+
+
+def flown_on(session: Any) -> None:
+    """Two reports of its battery, between which it has drawn energy, and its attitude."""
+    pursuer = session.link.vehicles[1, 1]
+    angles = {"time_boot_ms": 0, "roll": 0.1, "pitch": 0.1, "yaw": 0.5}
+    pursuer.more = [("ATTITUDE", angles | {"rollspeed": 0.0, "pitchspeed": 0.0, "yawspeed": 0.0})]
+    for energy_hj in (10, 20):
+        pursuer.energy_hj = energy_hj
+        session.fly(10)
 
 
 def test_in_flight_it_shows_place_distance_battery_and_goal(scripted: Any) -> None:

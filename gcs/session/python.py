@@ -217,7 +217,8 @@ class Session:
 
         The returned command gets its `outcome` while the session is stepped on; `Snapshot.acknowledged` lists the
         commands that have ended.
-        Raises ValueError for what is no command, SessionError where it is refused or nothing can be commanded.
+        Raises ValueError for what is no command, or a vehicle that is not there; SessionError where the session refuses
+        it, or nothing can be commanded.
         """
         self._check_acts()
         sysid = acting.known(sysid, self._sysids)

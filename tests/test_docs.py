@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import importlib
+import json
 import os
 import pkgutil
 import re
@@ -180,6 +181,56 @@ def test_the_scenario_reference_has_every_key_with_its_meaning() -> None:
             assert f"| `{key}` |" in text
     for name in schema["$defs"]:
         assert len(re.findall(rf"^##? {name.removesuffix('Rules')}$", text, re.M)) == 1
+
+
+def schema(name: str) -> dict[str, Any]:
+    content: dict[str, Any] = json.loads((ROOT / "gcs" / "schemas" / f"{name}.schema.json").read_text(encoding="utf-8"))
+    return content
+
+
+def named(page: str, begins: str) -> set[str]:
+    """The words in code type of a protocol page's lines from the one that begins so to the next empty one, or of that
+    row of a table alone."""
+    text = (DOCS / "protocol" / page).read_text(encoding="utf-8")
+    (found,) = re.findall(rf"^{re.escape(begins)}.*", text, re.M)
+    if not begins.startswith("|"):
+        found = text[text.index(found) :].partition("\n\n")[0]
+    return set(re.findall(r"`([a-z0-9_ ]+)(?:\[\])?`", found))
+
+
+@pytest.mark.parametrize(("begins", "line"), [
+    ("| `session` |", "SessionLine"), ("| `snapshot` |", "SnapshotMessage"), ("| `reply` |", "Reply"),
+    ("| `end` |", "End"), ("A vehicle in a snapshot has", "VehicleRow"), ("A vehicle in a snapshot has", "EventRow"),
+])  # fmt: skip
+def test_the_page_of_the_socket_has_every_key_of_its_lines(begins: str, line: str) -> None:
+    keys = set(schema("messages")["$defs"][line]["properties"]) - {"type"}
+    assert not keys - named("socket.md", begins)
+
+
+def test_the_page_of_the_result_has_every_key_of_the_summary() -> None:
+    summary = schema("summary")
+    rows = re.findall(r"^\| (`.*?) \|", (DOCS / "protocol" / "result.md").read_text(encoding="utf-8"), re.M)
+    first = {name for row in rows for name in re.findall(r"`([a-z0-9_]+)(?:\[\])?`", row)}
+    assert not set(summary["properties"]) - first - {"schema"}
+    parts = {
+        "vehicles[]": ("VehicleSummary", "CheckedItem", "MissionSummary", "VehicleLinkSummary"),
+        "vehicles[].energy": ("EnergySummary",), "refuelling[]": ("RefuellingSummary",), "faults[]": ("FaultSummary",),
+        "bases[]": ("BaseSummary",), "link": ("LinkSummary",), "closest": ("ClosestSummary",),
+    }  # fmt: skip
+    for row, definitions in parts.items():
+        keys = {key for one in definitions for key in summary["$defs"][one]["properties"]}
+        assert not keys - named("result.md", f"| `{row}` |"), row
+
+
+def test_the_page_of_the_folder_has_every_kind_of_decision() -> None:
+    kinds = [one["properties"]["kind"] for one in schema("decisions")["oneOf"]]
+    text = (DOCS / "protocol" / "folder.md").read_text(encoding="utf-8").partition("## Decisions")[2]
+    rows = " ".join(re.findall(r"^\| (`.*?) \|", text.partition("\n## ")[0], re.M))
+    assert not {kind for one in kinds for kind in one.get("enum", [one.get("const")])} - set(
+        re.findall("`(.*?)`", rows)
+    )
+    (safety,) = (one for one in schema("decisions")["oneOf"] if one["properties"]["kind"].get("const") == "safety")
+    assert not set(safety["properties"]) - named("folder.md", "| `safety` |") - {"t_s", "kind"}
 
 
 def test_the_command_reference_has_every_command_and_option() -> None:

@@ -34,10 +34,10 @@ def export(session: Path, others: tuple[Path, ...], form: str, out: Path | None,
     A recording is a .tlog, .tlog.raw or .rlog file. ArduPilot's .BIN and PX4's .ulg are read as the MAVLink that their
     vehicle would have sent, motion ten times a second at most. OTHERS are recordings beside it, as in gcs replay.
 
-    Columns are SI and say so (x_ned_m, roll_rad, voltage_v, lat_deg); what MAVLink calls unknown is an empty cell.
-    Every table begins with time_s, seconds since the session's start (of a .tlog: since its first frame), sysid, compid
-    and direction: `from` a vehicle or `to` one. A session's decisions come as decisions_KIND, and what the vehicles
-    themselves knew as truth and truth_thrust.
+    Columns are SI and say so (x_ned_m, roll_rad, voltage_v, lat_deg); what MAVLink's definitions mark as unknown is
+    an empty cell. Every table begins with time_s, seconds since the session's start (of a .tlog: since its first
+    frame), sysid, compid and direction: `from` a vehicle or `to` one. A session's decisions come as decisions_KIND, and
+    what the vehicles themselves knew as truth and truth_thrust.
 
     MCAP is one file for Foxglove: the fleet in space and on a map, events, and the rows of each vehicle, ten a second.
 

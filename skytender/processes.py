@@ -28,6 +28,11 @@ def environment_for_programs() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if (name, value) != (SAFE_PATH, BY_US)}
 
 
+def printable(name: str | os.PathLike[str]) -> str:
+    """A file's name, or words with one in it, as text that can be encoded: names need not be UTF-8."""
+    return os.fsencode(name).decode(errors="replace")
+
+
 def end_with(parent: int, number: signal.Signals = signal.SIGKILL) -> None:
     """Let the kernel send this process a signal when its parent dies, also by SIGKILL.
 
@@ -67,7 +72,7 @@ def fork(
             end_with(parent)
         gc.freeze()  # a collection would write to, and so copy, the memory shared with the parent
         _separate(streams, keep)
-        setproctitle(title)
+        setproctitle(printable(title))
         status = run()
     except SystemExit as end:
         status = end.code if isinstance(end.code, int) else 1

@@ -170,6 +170,7 @@ def run(
         raise click.UsageError(f"--junit: {junit} will be a folder, as the session's folder is there; name a file.")
     from gcs.processes.fork_server import early
     from gcs.processes.forked import can_fork
+    from skytender.processes import printable
 
     lines = plain or as_json or quiet or verbose or web or not os.isatty(1)  # else its errors are the console's
     server = click.get_current_context().with_resource(early(lines and can_fork()))
@@ -243,7 +244,7 @@ def run(
             nonlocal error
             error = verdict.get("error")
             if as_json:
-                click.echo(json.dumps({"type": "end", **verdict, "session": str(folder)}))
+                click.echo(json.dumps({"type": "end", **verdict, "session": printable(folder)}))
 
         view, echo = stack.enter_context(logged(shown, said, folder))
 

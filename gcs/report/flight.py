@@ -27,6 +27,7 @@ from gcs.session import messages
 from gcs.session.message_types import BrokenRow, MemberRow, ServedRow, SessionLine, plain
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.health import Health
+from skytender.processes import printable
 
 MANY = 16
 MOST_SAMPLES, MOST_SAMPLES_OF_MANY = 1500, 600
@@ -133,7 +134,7 @@ def _session(found: Findings) -> dict[str, Any]:
     if found.scenario is not None:
         return messages.session_message(found.scenario, None, source="replay", clock="replay", control=False)
     members = [MemberRow(v.sysid, v.role, v.label, None, [], v.sysid - 1) for v in found.vehicles]
-    name = found.recorded.folder.resolve().name
+    name = printable(found.recorded.folder.resolve().name)
     goal = messages.goal_of(None)
     return plain(
         SessionLine(name, None, "replay", found.end_s, "replay", None, False, None, None, members, [], [], goal)

@@ -28,6 +28,7 @@ from gcs.report.findings import NOT_ENDED, Findings
 from gcs.report.pack import packed
 from gcs.scenario.goal import metres
 from gcs.web import document
+from skytender.processes import printable
 
 FILE = document.REPORT_FILE
 READ, MEASURED = 0.8, 0.9
@@ -139,7 +140,7 @@ def text(findings: Findings) -> str:
     made = [one for one in _sections(findings, {*model["figures"], *(["flight"] if model["flight"] else [])}) if one]
     flight, sections = [one for one in made if one[0] == FLIGHT], [one for one in made if one[0] != FLIGHT]
     recorded = findings.recorded
-    name = findings.scenario.name if findings.scenario else recorded.folder.resolve().name
+    name = findings.scenario.name if findings.scenario else printable(recorded.folder.resolve().name)
     picker = "Drawn singly:" if charts.many else "Vehicles:"
     style, script = document.built(document.STYLE), document.built(document.SCRIPT)
     allowed = " ".join(document.source_hash(one) for one in (LOADER, script))

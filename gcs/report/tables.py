@@ -10,6 +10,7 @@ import numpy as np
 
 from gcs.report.findings import Findings, finite
 from gcs.scenario.plugins import named, policy_of
+from skytender.processes import printable
 
 ORDERS = ("command", "taken", "said")
 
@@ -144,7 +145,7 @@ def again(found: Findings) -> str:
     parts = []
     if found.scenario is not None:
         pace = " --lockstep" if found.scenario.clock.mode == "lockstep" else ""
-        command = f"gcs run {folder.name}/scenario.yaml{pace} --seed {found.scenario.seed} --out again"
+        command = f"gcs run {printable(folder.name)}/scenario.yaml{pace} --seed {found.scenario.seed} --out again"
         parts.append(
             f"<p>With the same versions, from beside the session's folder:</p><pre><code>{escape(command)}</code></pre>"
         )

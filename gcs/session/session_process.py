@@ -41,6 +41,7 @@ from gcs.supervisor import summarise
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event, Kind, Level
 from skytender.exit import BAD_INPUT, DONE, INTERRUPTED, NOT_DONE
+from skytender.processes import printable
 
 if TYPE_CHECKING:
     from gcs.link.external import ExternalLink
@@ -107,7 +108,7 @@ class SessionProcess:
         self._reserve = Reserve(folder, len(scenario.vehicles.all))
         self._shown = scenario
         """world that clients are shown"""
-        self._publisher = Publisher(folder, session_message(scenario, str(folder.resolve())))
+        self._publisher = Publisher(folder, session_message(scenario, printable(folder.resolve())))
         self._supervisor = Supervisor(scenario, self._link, self._recorder, forwarder=self._forwarder, plugins=plugins)
         self._supervisor.faults.signal_process = self._signal
         self._unpublished: list[Event] = []
@@ -395,7 +396,7 @@ class SessionProcess:
         self._gather_events()
         if self._supervisor.worlds.now is not self._shown:
             self._shown = self._supervisor.worlds.now
-            self._publisher.greet(session_message(self._shown, str(self._folder.resolve())))
+            self._publisher.greet(session_message(self._shown, printable(self._folder.resolve())))
         events, self._unpublished = self._unpublished, []
         if self._publisher.watched:
             self._publisher.publish(self._snapshot(events))

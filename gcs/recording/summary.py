@@ -259,6 +259,6 @@ class Summary(SummaryPart):
         try:
             beside.write_text(text, encoding="utf-8")
             beside.replace(folder / FILE)
-        except OSError:
+        except OSError as error:
             beside.unlink(missing_ok=True)
-            raise
+            raise OSError(error.errno, error.strerror, str(folder / FILE)) from None

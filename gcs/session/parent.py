@@ -43,6 +43,9 @@ def explained(problem: Exception, folder: Path, *, begun: bool) -> tuple[int, st
     """
     if isinstance(problem, ScenarioError | BadVehicleError | AddressRefused | KeyRefused):
         return BAD_INPUT, str(problem)
+    if isinstance(problem, RecorderError | OSError) and not folder.is_dir():
+        why = f"{folder} is gone, and with it what was recorded there; the session has ended"
+        return NOT_DONE if begun else BAD_INPUT, why
     if isinstance(problem, RecorderError):
         return NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
     if isinstance(problem, SessionFailed | LaunchError):

@@ -321,6 +321,8 @@ class SessionProcess:
         for sysid, level, text in self._notices.poll(now_s, begun=self.begun):
             self._event(sysid, level, text, "link")
         if now_s - self._published_s >= PUBLISH_EVERY_S:
+            if not self._folder.is_dir():  # files that are open would be written to the end, for no reader
+                raise RecorderError(f"{self._folder} is gone.")
             self._published_s = now_s
             self._publish()
 

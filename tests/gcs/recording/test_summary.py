@@ -77,3 +77,13 @@ def test_least_separation_is_that_of_the_scripted_places(scripted: Any) -> None:
     session = scripted(start_m=(2.5, 0.0, -4.0))
     session.fly(1)
     assert summary(session).min_separation_m == pytest.approx(2.5, abs=1e-3)
+
+
+def test_where_it_cannot_be_written_it_is_named_and_nothing_is_left(scripted: Any) -> None:
+    session = scripted()
+    session.fly(1)
+    (session.folder / FILE).mkdir()
+    with pytest.raises(IsADirectoryError) as refused:
+        summary(session).write(session.folder)
+    assert refused.value.filename == str(session.folder / FILE)
+    assert not list(session.folder.glob(f".{FILE}*"))

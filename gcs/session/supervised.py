@@ -99,14 +99,15 @@ def make_folder(out: Path | None, name: str) -> Path:
     try:
         (folder / "vehicles").mkdir()
     except OSError as error:
+        folder.rmdir()
         raise RunError(f"cannot write in {folder}: {error.strerror}; give --out another place") from None
     return folder
 
 
 @contextlib.contextmanager
 def new_folder(out: Path | None, name: str) -> Iterator[Path]:
-    """A folder that `make_folder` makes; where Ctrl-C, SIGTERM or SIGHUP comes before anything is written to it, it is
-    removed."""
+    """A folder that `make_folder` makes; it is removed where the session ends before anything is written to it, by
+    Ctrl-C, SIGTERM or SIGHUP, or on a full disk."""
     handlers = {number: signal.getsignal(number) for number in (signal.SIGTERM, signal.SIGHUP)}
     for number, handler in handlers.items():
         if handler is signal.SIG_DFL:  # else the caller ignores it, as nohup does
@@ -116,16 +117,23 @@ def new_folder(out: Path | None, name: str) -> Iterator[Path]:
         try:
             yield folder
         except (KeyboardInterrupt, Terminated):
-            if any(path.is_file() and path.stat().st_size for path in folder.rglob("*")):
+            if _has_content(folder):
                 end = f"interrupted; what was written by then stands in {folder}"
             else:
                 shutil.rmtree(folder, ignore_errors=True)
                 end = f"interrupted before the session began; its folder {folder} is removed"
             _say(end)
             raise
+        finally:
+            if not _has_content(folder):  # else the same command would be refused, with room on the disk or not
+                shutil.rmtree(folder, ignore_errors=True)
     finally:
         for number, handler in handlers.items():
             signal.signal(number, handler)
+
+
+def _has_content(folder: Path) -> bool:
+    return any(path.is_file() and path.stat().st_size for path in folder.rglob("*"))
 
 
 def write_scenario(folder: Path, scenario: Scenario) -> None:

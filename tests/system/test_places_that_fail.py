@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from commands import gcs
-from sessions import Running, fly, small
+from sessions import GCS, Running, fly, small
 
 
 def test_a_folder_whose_name_is_no_utf8_is_flown_into_and_shown_as_text(tmp_path: Path) -> None:
@@ -43,3 +45,20 @@ def test_a_folder_that_is_removed_in_flight_ends_the_session_and_is_named(
     assert "kept" not in outcome.stderr
     assert ".summary" not in outcome.stderr
     assert not session.folder.exists()
+
+
+def test_the_same_command_flies_once_there_is_room_on_a_disk_that_was_full(tmp_path: Path) -> None:
+    alone = ["unshare", "--user", "--map-root-user", "--mount"]
+    if subprocess.run([*alone, "mount", "-t", "tmpfs", "t", "/mnt"], capture_output=True, check=False).returncode:
+        pytest.skip("this machine lets nobody mount a disk of his own")
+    (tmp_path / "disk").mkdir()
+    content = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
+    (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    full = "mount -t tmpfs -o size=4m t disk && { head -c 4M /dev/zero >disk/filler; "
+    script = full + '"$@"; echo $?; ls disk; rm disk/filler; "$@"; echo $?; }'
+    flown = [*GCS, "run", "scenario.yaml", "--quiet", "--no-report", "--out", "disk/session"]
+    done = subprocess.run(
+        [*alone, "sh", "-c", script, "sh", *flown], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.stdout.split() == ["2", "filler", "0"], done.stderr
+    assert "No space left on device; give --out another place" in done.stderr

@@ -16,6 +16,7 @@ import click
 
 from gcs.cli.options import STATION_OPTION, connect_option
 from gcs.cli.trust import TRUST
+from gcs.processes.python import current_folders
 from skytender.exit import BAD_INPUT, NOT_DONE
 from skytender.loading import uncollected
 
@@ -106,7 +107,7 @@ def load_scenario(
         given = read_settings(settings)
         with without_plugins():
             loaded = load(file, set=given)
-        folders = [file.parent, Path.cwd()]
+        folders = [file.parent, *current_folders()]
         named = named_by_file(loaded, file, given)
         if named and trust is not None:
             allow(scenario, named, digest_of(file), trust=trust)
@@ -141,7 +142,8 @@ def module_arguments(scenario: str) -> list[str]:
     """The supervisor's arguments that let it find planners and policies where `load_scenario` did."""
     from gcs.scenario.file import find
 
-    return [word for folder in (find(scenario).parent, Path.cwd()) for word in ("--modules", str(folder.resolve()))]
+    folders = find(scenario).parent, *current_folders()
+    return [word for folder in folders for word in ("--modules", str(folder.resolve()))]
 
 
 @click.command(short_help="Check a scenario and draw its plan.")

@@ -165,9 +165,10 @@ def run(
         raise click.UsageError("--verbose and --json exclude each other: choose what goes to stdout.")
     if junit is not None and not junit.parent.is_dir():
         raise click.UsageError(f"--junit: there is no folder {junit.parent}.")
-    session = (out or Path("sessions", "NAME-TIME")).resolve()
-    if junit is not None and junit.resolve() in (session, *session.parents):
-        raise click.UsageError(f"--junit: {junit} will be a folder, as the session's folder is there; name a file.")
+    if junit is not None:
+        session = (out or Path("sessions", "NAME-TIME")).resolve()
+        if junit.resolve() in (session, *session.parents):
+            raise click.UsageError(f"--junit: {junit} will be a folder, as the session's folder is there; name a file.")
     from gcs.processes.fork_server import early
     from gcs.processes.forked import can_fork
     from skytender.processes import printable

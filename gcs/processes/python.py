@@ -41,6 +41,14 @@ def safe_path() -> Iterator[None]:
             os.environ[SAFE_PATH] = before
 
 
+def current_folders() -> list[Path]:
+    """The current folder, where a user's modules may lie; none where it has been removed."""
+    try:
+        return [Path.cwd()]
+    except FileNotFoundError:
+        return []
+
+
 def beside_python(program: str) -> Path:
     """Where a program that was installed with this interpreter lies."""
     return Path(sys.executable).with_name(program)

@@ -22,7 +22,7 @@ import click
 
 from gcs.processes.fork_server import ForkServer
 from gcs.processes.forked import ForkedProcess, end
-from gcs.processes.python import start_python
+from gcs.processes.python import current_folders, start_python
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.pydantic_plugins import without_plugins
@@ -95,7 +95,9 @@ def make_folder(out: Path | None, name: str) -> Path:
             suffix += 1
             folder = folder.with_name(f"{name}-{stamp}-{suffix}")
         except OSError as error:
-            raise RunError(f"cannot make the folder {folder}: {error.strerror}; give a place to write") from None
+            homeless = not (folder.is_absolute() or current_folders())
+            why = "the current folder is gone" if homeless else error.strerror
+            raise RunError(f"cannot make the folder {folder}: {why}; give a place to write") from None
     try:
         (folder / "vehicles").mkdir()
     except OSError as error:
@@ -163,7 +165,7 @@ class SupervisorFork:
         return process
 
     def _fly(self) -> int:
-        if not sys.flags.safe_path and sys.path[:1] in ([""], [os.getcwd()]):
+        if not sys.flags.safe_path and sys.path[:1] in ([""], [str(folder) for folder in current_folders()]):
             del sys.path[0]  # as -P does for the command
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # nothing here is worth threads
         with without_plugins():

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +15,8 @@ import pytest
 import yaml
 from commands import gcs
 from sessions import GCS, Running, fly, small
+
+import gcs as gcs_package
 
 
 def test_a_folder_whose_name_is_no_utf8_is_flown_into_and_shown_as_text(tmp_path: Path) -> None:
@@ -62,3 +67,29 @@ def test_the_same_command_flies_once_there_is_room_on_a_disk_that_was_full(tmp_p
     )
     assert done.stdout.split() == ["2", "filler", "0"], done.stderr
     assert "No space left on device; give --out another place" in done.stderr
+
+
+def from_a_folder_that_is_gone(tmp_path: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """`gcs run …`, started where there is no folder any more."""
+    (tmp_path / "here").mkdir()
+    script = 'cd here && rmdir ../here && exec "$@"'
+    command = ["sh", "-c", script, "sh", sys.executable, "-P", "-m", "gcs", "run", *words, "--quiet", "--no-report"]
+    environment = {**os.environ, "PYTHONPATH": str(Path(gcs_package.__file__).parents[1])}
+    return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+
+
+def test_a_session_needs_no_current_folder_where_its_files_are_named_in_full(tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
+    (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    done = from_a_folder_that_is_gone(tmp_path, str(tmp_path / "scenario.yaml"), "--out", str(tmp_path / "session"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert json.loads((tmp_path / "session" / "summary.json").read_text(encoding="utf-8"))["outcome"] == "met"
+
+
+def test_a_session_without_a_place_says_that_the_current_folder_is_gone(tmp_path: Path) -> None:
+    done = from_a_folder_that_is_gone(tmp_path, "demo", "--lockstep")
+    assert done.returncode == 2
+    assert re.fullmatch(
+        "gcs: cannot make the folder sessions/demo-[-0-9]+: the current folder is gone; give a place to write\n",
+        done.stderr,
+    )

@@ -18,6 +18,9 @@ AUTOPILOT_GONE = 76
 INTERRUPTED = 130
 STANDARD_OUTPUT = "standard output"
 """in the place of a file's name"""
+TOO_FEW_FILES = (errno.EMFILE, errno.ENFILE)
+RAISE_LIMIT = "too few files may be open at once here: raise the limit (ulimit -n)"
+"""sentence for these errors of the system"""
 
 
 class Terminated(BaseException):

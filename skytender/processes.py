@@ -100,6 +100,8 @@ def _separate(streams: tuple[int, int, int], keep: Collection[int]) -> None:
     for standard, given in enumerate(streams):
         os.dup2(given, standard)
     kept = {0, 1, 2, *keep}
+    for given in {*streams} - kept:  # first, as the listing below needs a descriptor
+        os.close(given)
     for descriptor in map(int, os.listdir("/proc/self/fd")):
         if descriptor not in kept:
             with contextlib.suppress(OSError):  # the listing's own is closed already

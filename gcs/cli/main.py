@@ -11,7 +11,17 @@ from pathlib import Path
 import click
 
 from gcs.extras import MissingExtra
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, INTERRUPTED, NOT_DONE, STANDARD_OUTPUT, Terminated, leave
+from skytender.exit import (
+    BAD_INPUT,
+    INTERNAL_ERROR,
+    INTERRUPTED,
+    NOT_DONE,
+    RAISE_LIMIT,
+    STANDARD_OUTPUT,
+    TOO_FEW_FILES,
+    Terminated,
+    leave,
+)
 from skytender.loading import uncollected
 
 SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
@@ -97,6 +107,9 @@ def run_argv(argv: list[str] | None = None) -> int:
         if isinstance(error, MissingExtra):
             click.echo(f"gcs: {error}", err=True)
             return BAD_INPUT
+        if isinstance(error, OSError) and error.errno in TOO_FEW_FILES:
+            click.echo(f"gcs: {RAISE_LIMIT}", err=True)
+            return NOT_DONE
         if isinstance(error, OSError) and error.errno == errno.ENOSPC:
             click.echo(f"gcs: {error.filename or STANDARD_OUTPUT} cannot be written: {error.strerror}", err=True)
             return NOT_DONE

@@ -16,7 +16,7 @@ from gcs.processes.fork_server import LaunchError
 from gcs.recording.recorder import RecorderError
 from gcs.scenario.model import ScenarioError
 from gcs.session.arrival import BadVehicleError, SessionFailed
-from skytender.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE
+from skytender.exit import BAD_INPUT, INTERNAL_ERROR, NOT_DONE, RAISE_LIMIT, TOO_FEW_FILES
 from skytender.key_files import KeyRefused
 
 ELSEWHERE = "Free space there, or give --out another place."
@@ -50,6 +50,8 @@ def explained(problem: Exception, folder: Path, *, begun: bool) -> tuple[int, st
         return NOT_DONE, f"{problem} What was flown until then is kept. {ELSEWHERE}"
     if isinstance(problem, SessionFailed | LaunchError):
         return NOT_DONE, str(problem)
+    if isinstance(problem, OSError) and problem.errno in TOO_FEW_FILES:
+        return NOT_DONE if begun else BAD_INPUT, RAISE_LIMIT
     if isinstance(problem, OSError):
         why = f"{problem.filename or folder} cannot be written: {problem.strerror}; give --out another place"
         return NOT_DONE if begun else BAD_INPUT, why

@@ -93,3 +93,27 @@ def test_a_session_without_a_place_says_that_the_current_folder_is_gone(tmp_path
         "gcs: cannot make the folder sessions/demo-[-0-9]+: the current folder is gone; give a place to write\n",
         done.stderr,
     )
+
+
+@pytest.mark.parametrize("most", [6, 8, 10])
+def test_where_too_few_files_may_be_open_a_sentence_says_so(tmp_path: Path, most: int) -> None:
+    flown = limited(tmp_path, most)
+    assert flown.returncode == 1
+    assert flown.stderr == "gcs: too few files may be open at once here: raise the limit (ulimit -n)\n"
+    assert not (tmp_path / "session").exists()
+
+
+@pytest.mark.parametrize("most", [11, 12, 13])
+def test_a_supervisor_finds_what_it_inherits_where_hardly_any_file_may_be_opened(tmp_path: Path, most: int) -> None:
+    flown = limited(tmp_path, most)
+    assert "Traceback" not in flown.stderr
+    assert flown.returncode == 0 or "ulimit -n" in flown.stderr
+
+
+def limited(tmp_path: Path, most: int) -> subprocess.CompletedProcess[str]:
+    """A session whose every process may have so many files open."""
+    content = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
+    (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
+    words = [*GCS, "run", "scenario.yaml", "--quiet", "--no-report", "--out", "session"]
+    command = ["prlimit", f"--nofile={most}", *words]
+    return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)

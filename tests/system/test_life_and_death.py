@@ -18,6 +18,7 @@ import psutil
 import pytest
 import yaml
 from sessions import GCS, Outcome, Running, all_gone, fly, fly_apart, merged, run_words, small
+from small_disk import run_on_small_disk
 
 from gcs.cli.main import run_argv
 from gcs.recording.reserve import PER_SESSION_BYTES, PER_VEHICLE_BYTES
@@ -337,18 +338,11 @@ def test_a_vehicle_that_cannot_start_is_named_with_its_last_lines_and_there_is_n
 
 
 def on_a_disk_of(size_kib: int, tmp_path: Path) -> Outcome:
-    """A session on a disk of its own, mounted where nobody else sees it."""
-    (tmp_path / "disk").mkdir()
-    alone = ["unshare", "--user", "--map-root-user", "--mount"]
-    if subprocess.run([*alone, "mount", "-t", "tmpfs", "t", "/mnt"], capture_output=True, check=False).returncode:
-        pytest.skip("this machine lets nobody mount a disk of his own")
+    """A session on a disk of its own."""
     (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(small(goal={"duration_s": 300.0})), encoding="utf-8")
-    mount = f"mount -t tmpfs -o size={size_kib}k t disk"
-    script = mount + ' && { "$@"; status=$?; cp -r disk/session session; exit $status; }'
+    script = '"$@"; status=$?; cp -r disk/session session; exit $status'
     flown = [*GCS, "run", "scenario.yaml", "--plain", "--out", "disk/session"]
-    done = subprocess.run(
-        [*alone, "sh", "-c", script, "sh", *flown], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
+    done = run_on_small_disk(f"{size_kib}k", script, flown, tmp_path)
     assert "no space left on device" in done.stderr.lower()
     assert "give --out another place" in done.stderr
     assert "Traceback" not in done.stderr

@@ -15,6 +15,7 @@ import pytest
 import yaml
 from commands import gcs
 from sessions import GCS, Running, fly, small
+from small_disk import run_on_small_disk
 
 import gcs as gcs_package
 
@@ -53,18 +54,11 @@ def test_a_folder_that_is_removed_in_flight_ends_the_session_and_is_named(
 
 
 def test_the_same_command_flies_once_there_is_room_on_a_disk_that_was_full(tmp_path: Path) -> None:
-    alone = ["unshare", "--user", "--map-root-user", "--mount"]
-    if subprocess.run([*alone, "mount", "-t", "tmpfs", "t", "/mnt"], capture_output=True, check=False).returncode:
-        pytest.skip("this machine lets nobody mount a disk of his own")
-    (tmp_path / "disk").mkdir()
     content = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
     (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
-    full = "mount -t tmpfs -o size=4m t disk && { head -c 4M /dev/zero >disk/filler; "
-    script = full + '"$@"; echo $?; ls disk; rm disk/filler; "$@"; echo $?; }'
+    script = 'head -c 4M /dev/zero >disk/filler; "$@"; echo $?; ls disk; rm disk/filler; "$@"; echo $?'
     flown = [*GCS, "run", "scenario.yaml", "--quiet", "--no-report", "--out", "disk/session"]
-    done = subprocess.run(
-        [*alone, "sh", "-c", script, "sh", *flown], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
+    done = run_on_small_disk("4m", script, flown, tmp_path)
     assert done.stdout.split() == ["2", "filler", "0"], done.stderr
     assert "No space left on device; give --out another place" in done.stderr
 

@@ -45,7 +45,7 @@ class VehicleTexts:
         return taken
 
     def _shown(self, texts: Iterable[tuple[*Text, float]], now_s: float) -> list[Text]:
-        """Those of these texts that are to be shown; the last of each is when it came."""
+        """The texts to be shown; each ends with the time at which it came."""
         count: Counter[int] = Counter()
         shown = []
         for sysid, severity, text, came_s in texts:

@@ -2,11 +2,11 @@
 
 import errno
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from small_disk import run_on_small_disk
 
 from gcs.recording.reserve import PER_SESSION_BYTES, PER_VEHICLE_BYTES, Reserve
 from gcs.recording.summary import RefuellingSummary
@@ -77,19 +77,9 @@ print(known, error.errno, error.filename)
 
 
 def test_a_disk_without_room_to_grow_is_full_while_what_was_kept_suffices(tmp_path: Path) -> None:
-    alone = ["unshare", "--user", "--map-root-user", "--mount"]
-    if subprocess.run([*alone, "mount", "-t", "tmpfs", "t", "/mnt"], capture_output=True, check=False).returncode:
-        pytest.skip("this machine lets nobody mount a disk of his own")
-    (tmp_path / "disk").mkdir()
-    script = 'mount -t tmpfs -o size=300k t disk && exec "$@"'
-    done = subprocess.run(
-        [*alone, "sh", "-c", script, "sh", sys.executable, "-c", FILLED],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
+    env = {**os.environ, "PYTHONPATH": os.pathsep.join([str(Path(__file__).parent), *sys.path])}
+    done = run_on_small_disk("300k", '"$@"', [sys.executable, "-c", FILLED], tmp_path, env)
+    assert done.returncode == 0, done.stderr
     known, number, place = done.stdout.split()
     assert 200 < int(known) < 800
     assert (int(number), place) == (errno.ENOSPC, "disk")

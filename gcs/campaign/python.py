@@ -28,7 +28,8 @@ class Campaign:
     """One campaign and its folder.
 
     campaign: a file, the name of a shipped one, or its content as plain data. sessions, seed: instead of its own.
-    out: a new folder, or one to go on with, which then needs to be of this campaign; `campaigns/NAME-TIME` without it.
+    out: a new folder, or one to go on with, which then needs to be of this campaign, with no more sessions than this
+    one has; `campaigns/NAME-TIME` without it.
     scheduler: address of a Dask scheduler, by mutual TLS (docs/how-to/campaigns.md); otherwise so many `workers` here,
     one per core by default.
 
@@ -99,10 +100,13 @@ class Campaign:
         folder = self._folder or self._out
         if folder is not None and (folder / "plan.json").exists():
             flown = read(folder)
-            if flown.campaign != self.plan.campaign:
+            before, wanted = flown.campaign.sessions, self.plan.campaign.sessions
+            if wanted < before or flown.campaign.model_copy(update={"sessions": wanted}) != self.plan.campaign:
                 raise EngineError(f"{folder} holds another campaign; give a new folder")
             self.plan.refuse_other(flown.fingerprint, self.plan.file)
             self.plan.refuse_changed_code(flown.sources)
+            if wanted > before:
+                self.plan.write(folder)
             self._folder = folder
         else:
             self._folder = make_folder(self.plan, folder)

@@ -6,12 +6,14 @@ import json
 from pathlib import Path
 from typing import Any
 
+import pyarrow.compute as pc
 import pytest
 import yaml
 from click.testing import CliRunner
 
 import gcs
 from gcs.campaign import table
+from gcs.campaign.cluster import EngineError
 from gcs.cli.campaign.command import campaign
 
 SCENARIO = """
@@ -49,6 +51,16 @@ def test_from_python_a_changed_scenario_is_refused_as_by_the_command(tmp_path: P
         gcs.Campaign(file, out=out).fly()
     (tmp_path / "near.yaml").write_text(SCENARIO, encoding="utf-8")
     assert gcs.Campaign(file, out=out).fly().num_rows == 1
+
+
+def test_from_python_sessions_may_grow_and_not_shrink(tmp_path: Path) -> None:
+    file, out = begun(tmp_path), tmp_path / "flown"
+    rows = gcs.Campaign(file, out=out, sessions=2, workers=1).fly()
+    assert sorted(rows["row"].to_pylist()) == [0, 1]
+    assert rows.filter(pc.equal(rows["row"], 0))["digest"].to_pylist() == ["sha256:x"]
+    assert yaml.safe_load((out / "campaign.yaml").read_text())["sessions"] == 2
+    with pytest.raises(EngineError, match=r"holds another campaign; give a new folder$"):
+        gcs.Campaign(file, out=out).fly()
 
 
 CODE = """

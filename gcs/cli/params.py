@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import fnmatch
 import json
-import math
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -315,12 +314,11 @@ def _setting(text: str) -> tuple[str, int | float]:
     if len(name) > LONGEST_NAME:
         raise click.UsageError(f"{text!r}: a parameter's name has {LONGEST_NAME} letters at most, not {len(name)}.")
     try:
-        value = parsed(number)
+        return name, parsed(number)
     except ValueError:
-        value = math.nan
-    if isinstance(value, float) and not math.isfinite(value):  # a PX4 1.18 that is given a nan hangs
-        raise click.UsageError(f"{text!r}: {number!r} is no number; write NAME=VALUE, such as FENCE_RADIUS=80.")
-    return name, value
+        raise click.UsageError(
+            f"{text!r}: {number!r} is no number; write NAME=VALUE, such as FENCE_RADIUS=80."
+        ) from None
 
 
 def _load(file: Path) -> dict[Address, Numbers]:

@@ -119,12 +119,9 @@ def new_folder(out: Path | None, name: str) -> Iterator[Path]:
         try:
             yield folder
         except (KeyboardInterrupt, Terminated):
-            if _has_content(folder):
-                end = f"interrupted; what was written by then stands in {folder}"
-            else:
-                shutil.rmtree(folder, ignore_errors=True)
-                end = f"interrupted before the session began; its folder {folder} is removed"
-            _say(end)
+            stands = f"interrupted; what was written by then stands in {folder}"
+            removed = f"interrupted before the session began; its folder {folder} is removed"
+            _say(stands if _has_content(folder) else removed)
             raise
         finally:
             if not _has_content(folder):  # else the same command would be refused, with room on the disk or not

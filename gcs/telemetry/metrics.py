@@ -91,8 +91,8 @@ class Metrics:
 
     @property
     def path_length_m(self) -> dict[int, float]:
-        """By system id, of those that were in the air for two ticks in a row; a fall with an empty battery is none of
-        it."""
+        """Way in the air by system id, for vehicles that were in the air for two ticks in a row. A fall with an empty
+        battery does not count."""
         return _known(self._row, self._flown[:, _LENGTH])
 
     @property

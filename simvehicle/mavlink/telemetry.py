@@ -258,8 +258,8 @@ def _global_position_int(v: Any, m: Any) -> None:
 
 
 def _gps_raw_int(v: Any, m: Any) -> None:
-    """Without a fix it says no place, and that nothing is known, as those of PX4 and ArduPilot do: accuracies have no
-    other word for that than 0."""
+    """Without a fix the message has no place and unknown accuracies, as PX4's and ArduPilot's have; 0 is the only word
+    that accuracies have for unknown."""
     m.time_usec = v.unix_epoch_us + 1000 * v.time_ms
     if v.failed and Failure.GPS in v.failed:
         m.fix_type = mav.GPS_FIX_TYPE_NO_FIX

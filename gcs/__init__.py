@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from gcs.session.arrays import Snapshot
     from gcs.session.program.turn import SessionError
     from gcs.session.python import Session
+    from gcs.session.spawning.spawner import SessionSpawner
     from gcs.telemetry.state import FleetSnapshot, TrafficView, VehicleView
 
 __all__ = [
@@ -48,6 +49,7 @@ __all__ = [
     "ScenarioError",
     "Session",
     "SessionError",
+    "SessionSpawner",
     "Situation",
     "Snapshot",
     "Summary",
@@ -78,6 +80,7 @@ _HOME = {
     "ScenarioError": "scenario.document",
     "Session": "session.python",
     "SessionError": "session.program.turn",
+    "SessionSpawner": "session.spawning.spawner",
     "Situation": "planner.request",
     "Snapshot": "session.arrays",
     "Summary": "recording.summary",

@@ -4,7 +4,8 @@
 Standard input, a Unix socket, pipe or file, takes a JSON line per order; descriptors may come with it over the socket.
 Standard output reports {"ready": true}, then {…, "pid"} at each fork and {…, "pid", "exit", "last_lines", "cpu_s"} at
 each end. `exit` is negative for a signal, "cpu_s" the CPU time of the child and of the processes that it has waited
-for. The end of standard input ends all children and then the server. Its death, also by SIGKILL, kills them.
+for. The end of standard input ends all children, at once or when their patience is over, and then the server. Its
+death, also by SIGKILL, kills them.
 """
 
 from __future__ import annotations
@@ -12,10 +13,12 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import select
 import selectors
 import signal
 import socket
 import sys
+import time
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -37,8 +40,8 @@ class Child(NamedTuple):
     report: Mapping[str, object]
     """what each report on it holds besides"""
     title: str
-    log: Path
-    """takes its standard error, and its standard output where that goes nowhere else"""
+    log: Path | None
+    """takes its standard error, and its standard output where that goes nowhere else; None: this process's take them"""
     run: Callable[[], int]
     """returns its exit status"""
     stdin: int | None = None
@@ -46,6 +49,8 @@ class Child(NamedTuple):
     stdout: int | None = None
     keep: Sequence[int] = ()
     """further descriptors that it inherits"""
+    patience_s: float = 0.0
+    """time that it has for an end of its own once the server's standard input has ended"""
 
 
 Prepare = Callable[[Mapping[str, Any], Sequence[int]], Child]
@@ -77,6 +82,7 @@ def serve(prepare: Prepare) -> int:
                         continue
                     chunk, descriptors = _received()
                     if not chunk:
+                        _let_end(children)
                         return DONE
                     given += descriptors
                     *lines, pending = (pending + chunk).split(b"\n")
@@ -130,6 +136,8 @@ def _fork(child: Child, null: int) -> int:
 
 def _run(child: Child) -> int:
     """Be the child: with its log, to its end."""
+    if child.log is None:
+        return child.run()
     try:
         log = os.open(child.log, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
     except OSError as error:
@@ -143,12 +151,26 @@ def _run(child: Child) -> int:
 
 def _report_end(pid: int, child: Child) -> None:
     _, status, used = os.wait4(pid, 0)
-    try:
-        last = child.log.read_text(encoding="utf-8", errors="replace").splitlines()[-LAST_LINES:]
-    except OSError:
-        last = []
+    last: list[str] = []
+    with contextlib.suppress(OSError):
+        if child.log is not None:
+            last = child.log.read_text(encoding="utf-8", errors="replace").splitlines()[-LAST_LINES:]
     end = {"exit": os.waitstatus_to_exitcode(status), "last_lines": last, "cpu_s": used.ru_utime + used.ru_stime}
     _report({**child.report, "pid": pid, **end})
+
+
+def _let_end(children: dict[int, tuple[int, Child]]) -> None:
+    """Wait for the ends of those with patience, which are taken out."""
+    left_s = {death: child.patience_s for death, (_, child) in children.items() if child.patience_s}
+    began_s = time.monotonic()
+    while left_s:
+        within_s = max(began_s + max(left_s.values()) - time.monotonic(), 0.0)
+        ready = select.select([*left_s], [], [], within_s)[0]
+        if not ready:
+            return
+        for death in ready:
+            del left_s[death]
+            _report_end(*children.pop(death))
 
 
 def _end_all(pids: Sequence[int]) -> None:

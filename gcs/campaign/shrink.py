@@ -12,9 +12,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from gcs.campaign import measures
+from gcs.campaign.flight import fly
 from gcs.campaign.model import Expectation
-from gcs.campaign.spawner import SessionSpawner
 from gcs.scenario.model import Scenario
+from gcs.session.spawning.spawner import SessionSpawner
 
 LISTS = (
     ("vehicles", "pursuers"),
@@ -43,7 +44,7 @@ def failing(
             return False
         key = scenario.model_dump_json()
         if key not in known:
-            flight = sessions.fly(scenario, f"shrink-{len(known)}")
+            flight = fly(sessions, scenario, f"shrink-{len(known)}")
             try:
                 known[key] = bool(not flight.error and fault(measures.Flown(flight.folder, scenario), expect))
             finally:

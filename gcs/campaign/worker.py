@@ -14,9 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from gcs.campaign import measures
+from gcs.campaign.flight import Flight, fly
 from gcs.campaign.plan import Plan, PlannedRow, RowError
-from gcs.campaign.spawner import Flight, SessionSpawner, SpawnError
 from gcs.scenario.model import Scenario
+from gcs.session.spawning.spawner import SessionSpawner, SpawnError
 
 ATTEMPTS = 4
 """Number of times that a row is flown whose spawner dies."""
@@ -90,9 +91,8 @@ def _flown(scenario: Scenario, name: str, plan: Plan) -> Flight:
     """A flight; a spawner that has died is replaced, ATTEMPTS - 1 times."""
     for attempt in range(1, ATTEMPTS + 1):
         try:
-            return _sessions().fly(
-                scenario, f"{name}-{attempt}", modules=plan.modules, wall_limit_s=plan.campaign.limits.wall_s
-            )
+            limit_s = plan.campaign.limits.wall_s
+            return fly(_sessions(), scenario, f"{name}-{attempt}", modules=plan.modules, wall_limit_s=limit_s)
         except SpawnError:
             _drop()
             if attempt == ATTEMPTS:

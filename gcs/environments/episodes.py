@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-import tempfile
+import shutil
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, Unpack
@@ -22,6 +22,7 @@ from gcs.session.arrays import Snapshot
 from gcs.session.program.acting import known
 from gcs.session.program.turn import SessionError
 from gcs.session.python import Session
+from gcs.session.spawning.spawner import SessionSpawner
 
 _ROUNDING_S = 1e-6
 
@@ -59,6 +60,7 @@ class Episodes:
         self._drawing = None if mode is None else FleetDrawing(self.scenario)
         self._flown, self._flies = 0, False
         self._stack = contextlib.ExitStack()
+        self._spawner: SessionSpawner | None = None
         self._session: Session | None = None
         self._snapshot: Snapshot | None = None
 
@@ -94,13 +96,15 @@ class Episodes:
             scenario = vary(self.scenario, np.random.default_rng(seed))
             if [one.sysid for one in scenario.vehicles.all] != [one.sysid for one in self.scenario.vehicles.all]:
                 raise ValueError("vary has changed which vehicles there are: agents and spaces need the same ones")
+        if self._spawner is None or not self._spawner.alive:
+            self.close()
+            self._spawner = SessionSpawner()
         self._flown += 1
         with contextlib.ExitStack() as stack:
+            folder = (self._out or self._spawner.folder) / f"{self._flown}"
             if self._out is None:
-                folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="skytender-"))) / "session"
-            else:
-                folder = self._out / f"{self._flown}"
-            session = self._new(scenario, seed, folder)
+                stack.callback(shutil.rmtree, folder, ignore_errors=True)
+            session = self._new(scenario, seed, folder, self._spawner)
             self._observations = {
                 sysid: Observation(session.scenario, sysid, self._observations[sysid].space) for sysid in self.agents
             }
@@ -123,10 +127,14 @@ class Episodes:
         return snapshot
 
     def _new(
-        self, scenario: str | os.PathLike[str] | Scenario, seed: int | None = None, out: Path | None = None
+        self,
+        scenario: str | os.PathLike[str] | Scenario,
+        seed: int | None = None,
+        out: Path | None = None,
+        spawner: SessionSpawner | None = None,
     ) -> Session:
         every_s, trust = self._options.get("every_s"), self._options.get("trust", False)
-        return Session(scenario, lockstep=True, seed=seed, out=out, every_s=every_s, trust=trust)
+        return Session(scenario, lockstep=True, seed=seed, out=out, every_s=every_s, trust=trust, spawner=spawner)
 
     def _is_last(self, snapshot: Snapshot) -> bool:
         return snapshot.time_s + self.step_s > self.session.scenario.goal.duration_s + _ROUNDING_S
@@ -183,6 +191,13 @@ class Episodes:
         """End the present session; its folder is removed where none was asked for."""
         stack, self._stack, self._flies = self._stack, contextlib.ExitStack(), False
         stack.close()
+
+    def close(self) -> None:
+        """End the present session, and the processes from which sessions are forked."""
+        self.end()
+        if self._spawner is not None:
+            self._spawner.close()
+            self._spawner = None
 
 
 def check_names(options: Iterable[str], agents: str) -> None:

@@ -118,7 +118,7 @@ class ParallelSessionEnv(ParallelEnv[str, Any, Any]):  # type: ignore[misc]  # i
     def close(self) -> None:
         """End the session and remove its folder, unless `out` asked for that."""
         self.agents = []
-        self._episodes.end()
+        self._episodes.close()
 
 
 def _own(space: Space[Any]) -> Space[Any]:

@@ -67,4 +67,4 @@ class SessionEnv(gymnasium.Env[Any, Any]):
 
     def close(self) -> None:
         """End the session and remove its folder, unless `out` asked for that."""
-        self._episodes.end()
+        self._episodes.close()

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable, Collection
-from typing import IO
+from typing import IO, Protocol
 
 from skytender.processes import fork
 
@@ -19,7 +19,14 @@ def can_fork() -> bool:
     return threading.active_count() == 1 and None not in (sys.__stdin__, sys.__stdout__, sys.__stderr__)
 
 
-def end(process: subprocess.Popen[bytes] | ForkedProcess, patience_s: float) -> None:
+class Process(Protocol):
+    """A running program, as subprocess.Popen has it."""
+
+    def wait(self, timeout: float | None = None) -> int | None: ...
+    def kill(self) -> None: ...
+
+
+def end(process: Process, patience_s: float) -> None:
     """Wait for the end of a child that has been asked for it; kill it where that takes longer."""
     try:
         process.wait(timeout=patience_s)

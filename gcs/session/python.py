@@ -25,6 +25,7 @@ import os
 import socket
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, Self
 
@@ -53,6 +54,7 @@ from gcs.session.program.session_channel import SessionChannel
 from gcs.session.program.truth_tail import Truth, TruthTails
 from gcs.session.program.turn import SessionError, Turn
 from gcs.session.program.world import Bodies
+from gcs.session.spawning.spawner import SessionSpawner
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
 
 
@@ -75,6 +77,8 @@ class Session:
     called in this process while it waits for the session, without a deadline (docs/how-to/own-planner.md). What one
     raises holds the vehicle that it was asked about, and is raised again by `step` as the cause of a SessionError.
 
+    spawner: a `gcs.SessionSpawner`, around a loop of sessions, of which each then begins sooner.
+
     trust: let the scenario use the code, programs, key files, devices and addresses that it names, which for a file is
     remembered until it changes, as of `--trust`. Raises TrustError where that has not been agreed to, ScenarioError,
     ValueError for options, SessionError.
@@ -92,6 +96,7 @@ class Session:
         planner: Callable[[Scenario], PursuerPlanner] | PursuerPlanner | None = None,
         policy: Callable[[Scenario], RefuellingPolicy] | RefuellingPolicy | None = None,
         trust: bool = False,
+        spawner: SessionSpawner | None = None,
     ) -> None:
         if lockstep and speed is not None:
             raise ValueError("lockstep and speed exclude each other: lockstep is as fast as the machine can")
@@ -120,7 +125,8 @@ class Session:
             raise ValueError(
                 f"every_s is {every_s!r}; it must be a multiple of the scenario's period, {period_ms / 1e3} s"
             )
-        self._arguments = [word for folder in folders for word in ("--modules", str(folder.resolve()))]
+        self._modules = [str(folder.resolve()) for folder in folders]
+        self._spawner = spawner
         self._out = None if out is None else Path(path_of(out, "out"))
         self._folder: Path | None = None
         self._process: Supervised | None = None
@@ -161,6 +167,8 @@ class Session:
     def __enter__(self) -> Self:
         if self._folder is not None:
             raise SessionError("a session flies once; make another one")
+        if self._spawner is not None:
+            self._spawner.check()
         self._objects = Objects(self._given, self.scenario) if self._given else None
         try:
             self._folder = make_folder(self._out, self.scenario.name)
@@ -169,14 +177,20 @@ class Session:
             raise SessionError(error.message) from None
         ours, theirs = socket.socketpair()
         with theirs, contextlib.nullcontext() if self._objects is None else self._objects.theirs as asks:
-            passed = [theirs.fileno()]
-            arguments = ["--program", str(theirs.fileno()), "--every-ms", str(self._every_ms), *self._arguments]
-            if asks is not None:
-                passed.append(asks.fileno())
-                arguments += ["--objects", str(asks.fileno())]
             self._channel = SessionChannel(ours, self._objects)
-            self._process = Supervised(self._folder, arguments, tuple(passed))
+            self._process = self._supervised(theirs.fileno(), None if asks is None else asks.fileno())
         return self
+
+    def _supervised(self, program: int, objects: int | None) -> Supervised:
+        """Start the supervisor, with the descriptors that gcs.session.process.fly takes."""
+        folder, every_ms = self.folder, self._every_ms
+        if self._spawner is not None:
+            start = partial(self._spawner.start, self.scenario, folder, program=program, objects=objects)
+            return Supervised(folder, (), start=lambda _: start(modules=self._modules, every_ms=every_ms))
+        words = ["--program", str(program), "--every-ms", str(every_ms)]
+        words += [] if objects is None else ["--objects", str(objects)]
+        words += [word for path in self._modules for word in ("--modules", path)]
+        return Supervised(folder, words, (program,) if objects is None else (program, objects))
 
     def __iter__(self) -> Iterator[Snapshot]:
         self._check_flies()

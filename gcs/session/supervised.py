@@ -23,6 +23,7 @@ import click
 from gcs.processes.fork_server import ForkServer
 from gcs.processes.forked import ForkedProcess, end
 from gcs.processes.python import current_folders, start_python
+from gcs.processes.spawned import SpawnedProcess
 from gcs.scenario.file import dump, load
 from gcs.scenario.model import Scenario, ScenarioError
 from gcs.scenario.pydantic_plugins import without_plugins
@@ -186,14 +187,14 @@ class Supervised:
         arguments: Sequence[str],
         pass_fds: Sequence[int] = (),
         stderr: IO[bytes] | None = None,
-        fork: SupervisorFork | None = None,
+        start: Callable[[IO[bytes] | None], ForkedProcess | SpawnedProcess] | None = None,
         supervisor: str = SUPERVISOR,
     ) -> None:
-        """`fork` is started instead of the module `supervisor` where it is given."""
+        """`start` makes the process, with this standard error, instead of the module `supervisor` where it is given."""
         self._folder = folder
-        self._process: subprocess.Popen[bytes] | ForkedProcess = (
-            fork.start(stderr)
-            if fork is not None
+        self._process: subprocess.Popen[bytes] | ForkedProcess | SpawnedProcess = (
+            start(stderr)
+            if start is not None
             else start_python(
                 *(supervisor, str(folder), *arguments),
                 stdin=subprocess.PIPE,
@@ -207,7 +208,10 @@ class Supervised:
         assert self._process.stdout is not None
         self._in, self._out = self._process.stdin, self._process.stdout
         os.set_blocking(self._out.fileno(), False)
-        self.death = os.pidfd_open(self._process.pid)
+        try:
+            self.death = os.pidfd_open(self._process.pid)
+        except ProcessLookupError:  # ended already, and waited for by its fork server
+            self.death = os.eventfd(1)
         self._lines = Lines()
         self._listening = False
         self._connect_at_s = 0.0
@@ -323,9 +327,10 @@ def run(
     supervisor instead of that module. `stderr` takes what the supervisor says there; our own standard error without it.
     `hurry` is called where a person has asked more than once for the end.
     """
+    start = None if fork is None else fork.start
     with (
         Signals() as signals,
-        Supervised(folder, arguments, stderr=stderr, fork=fork, supervisor=supervisor) as process,
+        Supervised(folder, arguments, stderr=stderr, start=start, supervisor=supervisor) as process,
     ):
         begun()
         try:

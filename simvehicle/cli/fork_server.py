@@ -22,6 +22,8 @@ from skytender.fork_server import Child, serve
 from skytender.loading import uncollected
 
 COMMAND = "fork-server"
+ENDS_WITHIN_S = 10.0
+"""[choice] For a session that has lost the program that began it, to save what was flown."""
 OWN_PROCESS = {"-h", "--help", "--version", "--state"}
 """Options that a vehicle's own process reads: those that print, and the one that opens a file to write."""
 
@@ -45,17 +47,18 @@ def child_of(order: Mapping[str, Any], descriptors: Sequence[int]) -> Child:
     """The process that a line orders. The command `fork-server` with a socket makes another fork server, which has
     loaded all that this one has: of one session, where this one lasts."""
     argv = list(map(str, order["argv"]))
-    log = Path(order["log"])
     if argv == [COMMAND]:
         (socket,) = descriptors
-        return Child({"sysid": 0}, f"simvehicle {COMMAND}", log, partial(serve, child_of), socket, socket)
+        run = partial(serve, child_of)
+        return Child({"sysid": 0}, f"simvehicle {COMMAND}", None, run, socket, socket, patience_s=ENDS_WITHIN_S)
+    log = Path(order["log"])
     flight, secret = _flight(argv), order.get("secret")
 
-    def run() -> int:
+    def fly() -> int:
         hand_over(secret)
         return flight()
 
-    return Child({"sysid": sysid_of(argv)}, title_of(argv), log, run)
+    return Child({"sysid": sysid_of(argv)}, title_of(argv), log, fly)
 
 
 def _flight(argv: Sequence[str]) -> Callable[[], int]:

@@ -150,8 +150,8 @@ def shrink(
       2    it cannot be flown
     """
     from gcs.campaign import shrink as shrinking
-    from gcs.campaign.spawner import SessionSpawner, SpawnError
     from gcs.scenario.file import dump
+    from gcs.session.spawning.spawner import SessionSpawner, SpawnError
 
     if out.exists():
         raise Refused(f"{out} exists already and is left as it is; give --out another file")

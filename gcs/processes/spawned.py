@@ -1,0 +1,82 @@
+"""A child of a fork server, as subprocess.Popen runs a program."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import signal
+import subprocess
+import time
+from collections.abc import Mapping, Sequence
+from typing import IO, Any, Self
+
+from gcs.processes.fork_server import Ended, ForkServer, LaunchError
+
+FORKED_WITHIN_S = 60.0
+
+
+class SpawnedProcess:
+    """The one child of a fork server that runs; its standard input and output are pipes to us."""
+
+    def __init__(self, server: ForkServer, order: Mapping[str, Any], descriptors: Sequence[int]) -> None:
+        """Wait until it is forked. `descriptors` come to the server after those of the two pipes.
+
+        Raises LaunchError where that does not happen.
+        """
+        self._server = server
+        self.ended: Ended | None = None
+        reading, writing = os.pipe()
+        self.stdin: IO[bytes] = os.fdopen(writing, "wb")
+        out, theirs = os.pipe()
+        self.stdout: IO[bytes] = os.fdopen(out, "rb")
+        server.start([order], [reading, theirs, *descriptors])
+        os.close(reading)
+        os.close(theirs)
+        deadline_s = time.monotonic() + FORKED_WITHIN_S
+        while not (server.pids or self.ended) and server.alive and time.monotonic() < deadline_s:
+            self._read(FORKED_WITHIN_S)
+        if not (server.pids or self.ended):
+            self.stdin.close()
+            self.stdout.close()
+            raise LaunchError("its fork server has died, or has forked nothing")
+        self.pid = self.ended.pid if self.ended else next(iter(server.pids))
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        with contextlib.suppress(BrokenPipeError):
+            self.stdin.close()
+        self.stdout.close()
+
+    @property
+    def returncode(self) -> int | None:
+        """Exit status, negative for a signal, as it is known."""
+        if self.ended is None and not self._server.alive:
+            return -signal.SIGKILL  # the kernel kills it with the server
+        return None if self.ended is None else self.ended.status
+
+    def poll(self) -> int | None:
+        """Exit status, negative for a signal; None while it lives."""
+        if self.returncode is None:
+            self._read(0.0)
+        return self.returncode
+
+    def wait(self, timeout: float | None = None) -> int | None:
+        """The same, at its end. Raises subprocess.TimeoutExpired where that does not come within `timeout` s."""
+        deadline_s = float("inf") if timeout is None else time.monotonic() + timeout
+        while self.poll() is None:
+            left_s = None if timeout is None else max(deadline_s - time.monotonic(), 0.0)
+            if not select.select([self._server], [], [], left_s)[0]:
+                raise subprocess.TimeoutExpired("fork", timeout or 0.0)
+        return self.returncode
+
+    def kill(self) -> None:
+        """End it at once."""
+        if self.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGKILL)
+
+    def _read(self, within_s: float) -> None:
+        self.ended = next(iter(self._server.events(within_s)), self.ended)

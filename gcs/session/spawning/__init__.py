@@ -1,0 +1,1 @@
+"""Sessions one after the other from processes that stay loaded."""

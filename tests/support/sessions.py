@@ -22,6 +22,7 @@ import numpy as np
 import psutil
 import yaml
 from commands import gcs
+from lasting import lasting
 from patience import PATIENCE_S
 from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega
@@ -311,7 +312,8 @@ class Running:
 def fly(scenario: Mapping[str, Any] | str, folder: Path, *options: str) -> Outcome:
     """Run a session to its end; the command in this process, all that it starts in processes of its own."""
     folder.mkdir(parents=True, exist_ok=True)
-    done = gcs(*run_words(scenario, folder, *options))
+    with lasting():
+        done = gcs(*run_words(scenario, folder, *options))
     return Outcome(done.returncode, folder / "session", done.stdout, done.stderr)
 
 

@@ -67,7 +67,10 @@ class SessionSpawner:
 
     @property
     def alive(self) -> bool:
-        """Whether it can fly."""
+        """Whether it can fly; asked between sessions."""
+        for server in (self._vehicles, self._supervisors):
+            if server.alive:
+                server.events()
         return self._vehicles.alive and self._supervisors.alive
 
     @property
@@ -86,10 +89,10 @@ class SessionSpawner:
 
     def check(self) -> None:
         """See that a session can begin. Raises SpawnError."""
-        if not self.alive:
-            raise SpawnError("the spawner has ended, or its processes have died; make another one")
         if self._flight is not None and self._flight.poll() is None:
             raise SpawnError("a spawner flies one session at a time; make another one for sessions side by side")
+        if not self.alive:
+            raise SpawnError("the spawner has ended, or its processes have died; make another one")
 
     def start(
         self,
@@ -107,7 +110,6 @@ class SessionSpawner:
         log: takes the supervisor's standard error instead of ours. The others: as of gcs.session.process.fly. Raises
         SpawnError.
         """
-        self._vehicles.events()
         ours, theirs = socket.socketpair()
         pickled = base64.b64encode(pickle.dumps(scenario)).decode()
         given = {name: one for name, one in (("program", program), ("objects", objects)) if one is not None}

@@ -16,7 +16,7 @@ import pytest
 from gymnasium.spaces import Box, Discrete
 from gymnasium.utils.env_checker import check_env
 from pettingzoo.test import parallel_api_test, parallel_seed_test
-from sessions import merged, small
+from sessions import all_gone, merged, small
 
 import gcs
 from gcs.environments.parallel import ParallelSessionEnv
@@ -100,6 +100,22 @@ def test_equal_seeds_make_equal_episodes_to_the_byte(make: Callable[..., Paralle
     assert digests[0] == digests[1]
     assert len(set(digests)) == 3
     assert repr(fly(env, seed=drawn[0][1]["pursuer_1"]["seed"])) == repr(drawn)
+
+
+def test_an_episode_begins_also_where_the_processes_of_the_last_one_were_killed(
+    make: Callable[..., ParallelSessionEnv],
+) -> None:
+    env = make(scenario(goal={"duration_s": 0.5}))
+    before = set(psutil.Process().children())
+    first = fly(env, seed=7)
+    loaded = set(psutil.Process().children()) - before
+    assert len(loaded) == 2
+    assert repr(fly(env, seed=7)) == repr(first)
+    assert set(psutil.Process().children()) - before == loaded
+    for process in loaded:
+        process.kill()
+    assert not all_gone(list(loaded))
+    assert repr(fly(env, seed=7)) == repr(first)
 
 
 def test_an_episode_is_its_session_to_the_end(make: Callable[..., ParallelSessionEnv], tmp_path: Path) -> None:

@@ -63,7 +63,7 @@ def fly(
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.set_blocking(0, False)
-    status, outcome, error = INTERNAL_ERROR, "", None
+    status, error = INTERNAL_ERROR, None
     vehicles: OwnVehicles | None = None
     session = None
     try:
@@ -86,7 +86,7 @@ def fly(
 
                 lockstep = scenario.clock.mode == "lockstep"
                 session.program = Program(program, every_ms or round(1e3 * scenario.clock.period_s), lockstep=lockstep)
-            status, outcome = session.run()
+            status = session.run()
     except Exception as problem:
         from gcs.session.parent import explained  # noqa: PLC0415 - knows the errors of all that flies
 
@@ -96,7 +96,7 @@ def fly(
             vehicles.end()
     from gcs.session.parent import say  # noqa: PLC0415
 
-    say({"exit": status, "outcome": outcome, "error": error})
+    say({"exit": status, "outcome": None if session is None else session.outcome, "error": error})
     return status
 
 

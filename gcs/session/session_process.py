@@ -128,13 +128,15 @@ class SessionProcess:
         """whether anything has flown"""
         self._wall_time_s = 0.0
         self._terminated = False
+        self.outcome: str | None = None
+        """as it stands in the summary; None where there is none"""
 
     def terminate(self, *_: object) -> None:
         """End the session in order, soon; a handler of SIGTERM, as when the machine shuts down."""
         self._terminated = True
 
-    def run(self) -> tuple[int, str]:
-        """Fly the session; exit status and outcome. Raises SessionError, LaunchError, RecorderError, OSError."""
+    def run(self) -> int:
+        """Fly the session; the exit status. Raises SessionError, LaunchError, RecorderError, OSError."""
         try:
             with self._recorder:
                 say({"listening": True})
@@ -146,7 +148,7 @@ class SessionProcess:
             status = INTERRUPTED if interrupted else DONE if outcome == goal.MET else NOT_DONE
             self._publish()
             self._publisher.publish(end_message(outcome, status, text))
-            return status, outcome
+            return status
         except (SessionFailed, RecorderError) as problem:
             if self.begun:
                 died = isinstance(problem, ForkServerDied)
@@ -171,6 +173,7 @@ class SessionProcess:
             wall_time_s=self._wall_time_s,
             lag_s=self._pace.lag_s,
         ).write(self._folder)
+        self.outcome = outcome
 
     def _fly_fleet(self) -> bool:
         """The session from its first process to its last; True where it was interrupted."""

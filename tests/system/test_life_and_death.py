@@ -227,6 +227,7 @@ def test_a_killed_fork_server_is_said_in_one_sentence_and_nothing_outlives_it(ru
     outcome = running.finish()
     assert not all_gone(family)
     assert outcome.status == 1
+    assert json.loads(outcome.stdout.splitlines()[-1])["outcome"] == outcome.summary["outcome"] == "lost"
     assert "fork server" in outcome.stderr
     assert "Traceback" not in outcome.stderr
 

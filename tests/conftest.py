@@ -50,6 +50,8 @@ FIRST = (
     "tests/system/test_campaign.py",
     "tests/system/test_docs_pages.py",
     "tests/system/test_readme.py",
+    "tests/test_docs.py",
+    "tests/test_compiled.py",
 )
 SESSIONS = ("tests/peers/", "tests/system/")
 

@@ -1,5 +1,5 @@
 """Figures of a scenario that are valid and probably slips: shares for per cent, degrees for metres, speeds and
-distances that no vehicle flies in the time there is."""
+distances that no vehicle flies in the time there is, gains that do not take off."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FLOWN_SHARE = 0.5
 
 def warnings(scenario: Scenario) -> Iterator[ScenarioWarning]:
     """Those about units first."""
-    for of in (_of_units, _of_speeds, _of_times):
+    for of in (_of_units, _of_gains, _of_speeds, _of_times):
         yield from of(scenario)
 
 
@@ -49,6 +49,17 @@ def _of_units(scenario: Scenario) -> Iterator[ScenarioWarning]:
                 "place",
                 f"{name} is [{north_m:g}, {east_m:g}] m from the origin, whose latitude and longitude are these very "
                 "numbers: places are in metres, and [0, 0, 0] is the origin",
+            )
+
+
+def _of_gains(scenario: Scenario) -> Iterator[ScenarioWarning]:
+    """Gain sets of the paper on the ground (docs/model/vehicle.md)."""
+    for vehicle in scenario.vehicles.all:
+        if vehicle.params.get("SIM_GAIN_SET") and not vehicle.airborne:
+            yield ScenarioWarning(
+                "take-off",
+                f"{vehicle.label} starts on the ground, where the paper's gains (SIM_GAIN_SET 1 and 2) do not take "
+                "off: give it airborne: true, or leave SIM_GAIN_SET out",
             )
 
 

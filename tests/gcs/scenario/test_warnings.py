@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 import yaml
-from sessions import merged, small
+from sessions import fly, merged, small
 
 from gcs.cli.main import run_argv
 from gcs.scenario.accuracy import spreads_m
@@ -71,6 +71,16 @@ def test_the_way_to_a_stand_is_latency_and_braking() -> None:
     slow = scenario(radio={"delay_s": 0.1, "jitter_s": 0.05})
     assert latency_s(slow) == pytest.approx(0.72)
     assert stopping_m(slow, 3.0) == pytest.approx(3.0 * 0.72 + 0.9)
+
+
+@pytest.mark.parametrize(("gains", "airborne"), [(1, False), (1, True), (0, False)])
+def test_gains_that_do_not_take_off_are_warned_of(gains: int, airborne: bool, tmp_path: Path) -> None:
+    content = small(goal={"duration_s": 8.0, "refuelled_at_least": 0})
+    pursuer = content["vehicles"]["pursuers"][0]
+    pursuer |= {"params": {"SIM_GAIN_SET": gains}, "airborne": airborne, "start_m": [2.0, 0.0, -2.0 * airborne]}
+    flown = fly(content, tmp_path)
+    stays = flown.truth(1).p_ned[:, 2].min() == 0.0
+    assert ("take-off" in about(load(tmp_path / "scenario.yaml"))) == stays == (gains == 1 and not airborne)
 
 
 @pytest.mark.parametrize(("within_m", "warned"), [(2.4, ["pursue"]), (2.5, []), (3.0, [])])

@@ -1,4 +1,4 @@
-"""One row of a campaign, flown by this process's session spawner (gcs/campaign/spawner.py), on a campaign's workers.
+"""One row of a campaign, flown from this process's session spawner (gcs/session/spawning), on a campaign's workers.
 
 A worker thread keeps its spawner from row to row. Whatever goes wrong with a session becomes its row's error.
 """

@@ -68,15 +68,15 @@ def fly(
             limited = True
             process.stdin.close()
             end(process, ENDS_WITHIN_S)
-        words = [json.loads(line) for line in process.stdout]
+        last_word = next((line for line in process.stdout if line.startswith(b'{"exit"')), None)
     supervisor, vehicles = process.ended, sessions.vehicles_ended()
     if supervisor is None:
         raise SpawnError("a process that forks sessions has died while one flew")
     wall_s, cpu_s = time.monotonic() - began_s, supervisor.cpu_s + vehicles.cpu_s
-    verdict = next((word for word in words if "exit" in word), None)
-    why = None if verdict is None else verdict.get("error")
+    verdict = {} if last_word is None else json.loads(last_word)
+    why = verdict.get("error")
     if limited:
         why = f"it took longer than {wall_limit_s:g} s of wall time and was ended"
-    elif verdict is None:
+    elif last_word is None:
         why = f"the supervisor {supervisor.how()} before the session's end"
-    return Flight(folder, scenario, (verdict or {}).get("outcome") or "", why, wall_s, cpu_s)
+    return Flight(folder, scenario, verdict.get("outcome") or "", why, wall_s, cpu_s)

@@ -106,6 +106,13 @@ class CampaignStore:
         self._pending: list[dict[str, Any]] = []
         self._flushed_s = time.monotonic()
 
+    def drop_errors(self) -> None:
+        """Take the rows that are errors out of the table; raises EngineError."""
+        try:
+            self._writer.drop_errors()
+        except OSError as error:
+            raise self._full(error) from None
+
     def keep(self, row: dict[str, Any]) -> None:
         """Keep a row, soon on disk; raises EngineError."""
         content = row.pop("folder", None)

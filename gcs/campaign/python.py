@@ -93,8 +93,14 @@ class Campaign:
         rows = self.table.select(["row", "ok", "fault", "error"]).to_pylist()
         return [f"row {row['row']}: {row['error'] or row['fault']}" for row in rows if not row["ok"]]
 
-    def fly(self, notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None) -> pa.Table:
-        """Fly what is missing; the table. `notify` is called with each row. Raises EngineError, KeyboardInterrupt, and
+    def fly(
+        self,
+        notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
+        *,
+        errors: bool = False,
+    ) -> pa.Table:
+        """Fly what is missing, and with `errors` also what ended with an error; the table. `notify` is called with each
+        row. Raises EngineError, KeyboardInterrupt, and
         ScenarioError where the scenario, a module that is named, or what is in `out` was changed since its sessions
         were flown."""
         folder = self._folder or self._out
@@ -110,7 +116,9 @@ class Campaign:
             self._folder = folder
         else:
             self._folder = make_folder(self.plan, folder)
-        runner = Runner(self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, notify=notify)
+        runner = Runner(
+            self._folder, self.plan, scheduler=self._scheduler, workers=self._workers, notify=notify, errors=errors
+        )
         runner.run()
         if runner.interrupted:
             raise KeyboardInterrupt

@@ -40,7 +40,7 @@ def make_folder(plan: Plan, out: Path | None) -> Path:
 class Runner:
     """Flies what a campaign's folder lacks. Ctrl-C stops it; what has come is written.
 
-    rows: other rows than the plan's, as many as it has.
+    rows: other rows than the plan's, as many as it has. errors: fly those again that ended with an error.
     """
 
     def __init__(
@@ -52,8 +52,9 @@ class Runner:
         workers: int | None = None,
         notify: Callable[[Progress, dict[str, Any] | None], None] = lambda _progress, _row: None,
         rows: Iterator[PlannedRow | None] | None = None,
+        errors: bool = False,
     ) -> None:
-        self._rows = rows
+        self._rows, self._errors = rows, errors
         self._folder, self._plan = folder, plan
         self._scheduler, self._workers = scheduler, workers
         self._notify = notify
@@ -66,6 +67,8 @@ class Runner:
         store = CampaignStore(self._folder, self._plan)
         handlers = _handled(self._interrupt)
         try:
+            if self._errors:
+                store.drop_errors()
             done = set(table.read(self._folder, self._plan.campaign)["row"].to_pylist())
             progress = Progress(self._plan.rows, len(done))
 

@@ -23,8 +23,8 @@ SEED = 1
 """Of the resampling: the same table gives the same page."""
 
 ERRORS_STAY = (
-    "Sessions with an error count as failed, and gcs campaign resume leaves them so; gcs campaign fly DIR ROW flies "
-    "one again by itself."
+    "Sessions with an error count as failed, and gcs campaign resume leaves them so; gcs campaign resume --errors DIR "
+    "flies them again."
 )
 
 Floats = NDArray[np.float64]

@@ -1,7 +1,8 @@
 """Rows of a campaign on disk: Parquet parts in one folder, written as they come, each whole or not at all.
 
-Any reader of Parquet can open the folder `rows` while the campaign runs. A row that is in a part is done for good. A
-part that cannot be read, as after a disk failure, holds no row: a writer sets it aside, and its rows are flown again.
+Any reader of Parquet can open the folder `rows` while the campaign runs. A row that is in a part is done, until errors
+are to be flown again. A part that cannot be read, as after a disk failure, holds no row: a writer sets it aside, and
+its rows are flown again.
 """
 
 from __future__ import annotations
@@ -73,19 +74,37 @@ class Writer:
         if not rows:
             return
         import pyarrow as pa  # noqa: PLC0415 - an extra
-        import pyarrow.parquet as pq  # noqa: PLC0415
 
         columns = {
             field.name: pa.array([_fitted(row.get(field.name), field.type) for row in rows], field.type)
             for field in self._schema
         }
         name = f"part-{rows[0]['row']:08d}-{uuid.uuid4().hex[:8]}.parquet"
-        beside = self._folder / f".{name}"
+        self._put(self._folder / name, pa.table(columns, schema=self._schema))
+
+    def drop_errors(self) -> None:
+        """Take out the rows of sessions that ended with an error; raises OSError."""
+        import pyarrow.compute as pc  # noqa: PLC0415 - an extra
+
+        for path, part in _parts(self._folder.parent, self._schema).items():
+            assert part is not None  # a broken one was set aside
+            kept = part.filter(pc.is_null(part["error"]))
+            if not kept.num_rows:
+                path.unlink()
+            elif kept.num_rows < part.num_rows:
+                self._put(path, kept)
+
+    @staticmethod
+    def _put(path: Path, part: pa.Table) -> None:
+        """Write a part, or put it in place of another, whole or not at all; raises OSError."""
+        import pyarrow.parquet as pq  # noqa: PLC0415 - an extra
+
+        beside = path.with_name(f".{path.name}")
         try:
-            pq.write_table(pa.table(columns, schema=self._schema), beside, compression="zstd")
+            pq.write_table(part, beside, compression="zstd")
             with beside.open("rb") as written:
                 os.fsync(written.fileno())
-            beside.replace(self._folder / name)
+            beside.replace(path)
         except BaseException:
             beside.unlink(missing_ok=True)
             raise

@@ -83,15 +83,18 @@ def run(
 
 @campaign.command(short_help="Fly what a campaign lacks.")
 @FOLDER
+@click.option("--errors", is_flag=True, help="Fly also those again that ended with an error.")
 @flown
-def resume(folder: Path, trust: bool, **how: Any) -> int:
+def resume(folder: Path, errors: bool, trust: bool, **how: Any) -> int:
     """Go on with the campaign in DIR: only sessions without a row are flown.
 
     \b
     Exit status: as of `gcs campaign run`.
     """
     plan = found(folder, trust=trust, resumed=True)
-    return fly_search(folder, plan, **how) if plan.is_search else _fly(folder, plan, **how)
+    if errors and plan.is_search:
+        raise click.UsageError("--errors: a search went on from what its errors showed, and cannot take one back.")
+    return fly_search(folder, plan, **how) if plan.is_search else _fly(folder, plan, errors=errors, **how)
 
 
 @campaign.command(short_help="How far a campaign is.")
@@ -214,7 +217,16 @@ def _planned(plan: Plan, folder: Path, number: int) -> PlannedRow:
     return Search(plan, folder).row(number)
 
 
-def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None, plain: bool, quiet: bool) -> int:
+def _fly(
+    folder: Path,
+    plan: Plan,
+    *,
+    scheduler: str | None,
+    workers: int | None,
+    plain: bool,
+    quiet: bool,
+    errors: bool = False,
+) -> int:
     from gcs.campaign import statistics, table
     from gcs.campaign.cluster import EngineError
     from gcs.campaign.runner import NEEDED, Runner
@@ -226,7 +238,7 @@ def _fly(folder: Path, plan: Plan, *, scheduler: str | None, workers: int | None
     shown = ProgressLine(folder, quiet=quiet, plain=plain or not sys.stdout.isatty())
     if not quiet:
         click.echo(f"{plan.campaign.name}: {plan.rows} sessions; the campaign's folder is {folder}")
-    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=shown.update)
+    runner = Runner(folder, plan, scheduler=scheduler, workers=workers, notify=shown.update, errors=errors)
     try:
         progress = runner.run()
     except EngineError as error:

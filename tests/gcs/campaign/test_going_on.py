@@ -10,6 +10,7 @@ import pyarrow.compute as pc
 import pytest
 import yaml
 from click.testing import CliRunner
+from commands import gcs as gcs_command
 
 import gcs
 from gcs.campaign import table
@@ -61,6 +62,29 @@ def test_from_python_sessions_may_grow_and_not_shrink(tmp_path: Path) -> None:
     assert yaml.safe_load((out / "campaign.yaml").read_text())["sessions"] == 2
     with pytest.raises(EngineError, match=r"holds another campaign; give a new folder$"):
         gcs.Campaign(file, out=out).fly()
+
+
+@pytest.mark.parametrize("beside", [True, False])
+def test_errors_are_flown_again_where_that_is_asked_for(beside: bool, tmp_path: Path) -> None:
+    """Beside a row that is none in the same part, or alone in theirs."""
+    file, out = begun(tmp_path), tmp_path / "flown"
+    plan = gcs.Campaign(file, sessions=3).plan
+    plan.write(out)
+    (kept,) = table.read(out, plan.campaign).to_pylist()
+    fails = [{**kept, "row": k, "session": k, "ok": False, "error": "killed", "digest": None} for k in (1, 2)]
+    for part in (out / "rows").glob("*.parquet"):
+        part.unlink()
+    writer = table.Writer(out, plan.campaign)
+    for rows in ([kept, *fails],) if beside else ([kept], fails):
+        writer.write(rows)
+    assert gcs_command("campaign", "resume", str(out), "--quiet").returncode == 1
+    assert table.read(out, plan.campaign)["error"].to_pylist() == [None, "killed", "killed"]
+    assert gcs_command("campaign", "resume", str(out), "--errors", "--quiet").returncode == 0
+    again = table.read(out, plan.campaign)
+    assert (again["row"].to_pylist(), again["error"].to_pylist()) == ([0, 1, 2], [None] * 3)
+    digests = again["digest"].to_pylist()
+    assert digests[0] == "sha256:x"
+    assert all(len(digest) == len("sha256:") + 64 for digest in digests[1:])
 
 
 CODE = """

@@ -10,6 +10,8 @@ import numpy as np
 
 from gcs.report.findings import Findings, finite
 from gcs.scenario.plugins import named, policy_of
+from gcs.supervisor import script
+from gcs.supervisor.recorded_objects import PROGRAM
 from skytender.processes import printable
 
 ORDERS = ("command", "taken", "said")
@@ -155,6 +157,12 @@ def again(found: Findings) -> str:
                 "not find its module, copy that to where you call the command, or name the folder that has it in "
                 "PYTHONPATH. The command asks before it runs the code.</p>"
             )
+    if any(d["kind"] in {PROGRAM, *script.KINDS} for d in found.recorded.decisions):
+        decided = f"gcs replay {printable(folder.name)} --decide"
+        parts.append(
+            "<p>A program in Python took part; without it the flight is another. What it did, and its own planner and "
+            f"policy answered, is recorded: <code>{escape(decided)}</code> decides again with that.</p>"
+        )
     orders = [d for d in found.recorded.decisions if d["kind"] == "operator"]
     if orders:
         rows_of = [(f"{d['t_s']:.1f}", d["command"], "yes" if d["taken"] else "no", d["text"]) for d in orders]

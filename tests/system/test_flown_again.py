@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from sessions import GCS, fly, small
 
+import gcs
 from gcs.recording.session_folder import read
 from gcs.report import tables
 from gcs.report.findings import Findings
@@ -49,3 +50,22 @@ def test_a_session_with_a_planner_of_another_folder_is_flown_again_as_the_report
     subprocess.run(words, cwd=tmp_path, env=environment, check=False, capture_output=True)
     flown = json.loads((tmp_path / "again" / "summary.json").read_text(encoding="utf-8"))
     assert flown["digest"] == json.loads((tmp_path / "session" / "summary.json").read_text(encoding="utf-8"))["digest"]
+
+
+@pytest.mark.parametrize("part", ["set point", "policy", None])
+def test_a_session_in_which_a_program_took_part_says_so(part: str | None, tmp_path: Path) -> None:
+    class First:
+        def choose(self, request: gcs.RefuellingRequest) -> int:
+            return request.candidates[0].sysid
+
+    scenario = gcs.Scenario.model_validate(small(goal={"duration_s": 6.0, "refuelled_at_least": 0}))
+    policy = First() if part == "policy" else None
+    with gcs.Session(scenario, policy=policy, out=tmp_path / "session") as session:
+        while session.step().time_s < 5.0:
+            pass
+        if part == "set point":
+            session.step({1: ((4.0, 0.0, -3.0), (0.0, 0.0, 0.0))})
+        session.finish()
+    again = html.unescape(tables.again(Findings(read(tmp_path / "session"))))
+    assert ("A program in Python took part; without it the flight is another." in again) == (part is not None)
+    assert ("<code>gcs replay session --decide</code>" in again) == (part is not None)

@@ -18,6 +18,7 @@ from gcs.campaign import table, worker
 from gcs.campaign.cluster import Cluster, EngineError
 from gcs.campaign.plan import Plan, PlannedRow
 from gcs.campaign.pool import WorkerPool
+from gcs.processes.python import current_folders
 
 FLUSH_EVERY_S = 2.0
 FLUSH_ROWS = 200
@@ -68,6 +69,8 @@ def fly(
     `on_start` gets the address of Dask's dashboard. `look` gets the number of workers several times a second, and says
     whether to go on. Raises EngineError, and MissingExtra where a scheduler is given without Dask.
     """
+    if scheduler is None and not current_folders():
+        raise EngineError("the current folder is gone, without which Python starts no worker; change to another one")
     with WorkerPool(plan, workers) if scheduler is None else Cluster(plan, scheduler) as flyers:
         on_start(flyers.dashboard)
         waiting, flying, exhausted = iter(rows), 0, False

@@ -18,6 +18,7 @@ from gcs.campaign.file import dump, load
 from gcs.campaign.model import ARGUMENTS, CampaignRules
 from gcs.campaign.plain_data import plain
 from gcs.processes import plugin_process
+from gcs.processes.python import current_folders
 from gcs.scenario import keys, plugin_source, plugins
 from gcs.scenario.document import Document, Problem, ScenarioError, emit, parse
 from gcs.scenario.file import GROUPS, find, resolve
@@ -224,7 +225,7 @@ class Plan:
 
 def make(campaign: CampaignRules, beside: Sequence[Path]) -> Plan:
     """The plan of a campaign; files and modules are looked for in the folders `beside`. Raises ScenarioError."""
-    folders, name, text = [*beside, Path.cwd()], campaign.scenario, ""
+    folders, name, text = [*beside, *current_folders()], campaign.scenario, ""
     if name is None:
         name = str(campaign.generate)
     else:

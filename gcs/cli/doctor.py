@@ -20,6 +20,7 @@ from typing import Literal
 from gcs.cli.autopilot_programs import REAL_AUTOPILOTS
 from gcs.link.socket import BUFFER_BYTES
 from gcs.processes.fork_server import vehicle_program
+from gcs.processes.python import current_folders
 
 PACKAGE = "skytender"
 OLDEST_PYTHON = (3, 11)
@@ -226,21 +227,25 @@ def _port() -> Iterator[MachineFinding]:
 
 
 def _folder() -> Iterator[MachineFinding]:
-    here = Path.cwd()
+    advice = "change to a folder that you may write in, or give `gcs run` one with --out"
+    for here in current_folders():
+        yield _room(here, advice)
+        return
+    yield MachineFinding("problem", "this folder", "it is gone", advice)
+
+
+def _room(here: Path, advice: str) -> MachineFinding:
     try:
         with tempfile.TemporaryFile(dir=here):
             pass
     except OSError as error:
-        advice = "change to a folder that you may write in, or give `gcs run` one with --out"
-        yield MachineFinding("problem", "this folder", f"{here}: {error.strerror}", advice)
-        return
+        return MachineFinding("problem", "this folder", f"{here}: {error.strerror}", advice)
     free = shutil.disk_usage(here).free
     if free < ROOM_BYTES:
-        yield MachineFinding(
-            "note", "this folder", f"{free >> 20} MiB free", "a long session takes up to 200 MiB: make room"
+        return MachineFinding(
+            "note", "this folder", f"{free >> 20} MiB free", "a long session takes 200 MiB: make room"
         )
-    else:
-        yield MachineFinding("ok", "this folder", f"{here}, {free >> 20} MiB free")
+    return MachineFinding("ok", "this folder", f"{here}, {free >> 20} MiB free")
 
 
 def _terminal() -> Iterator[MachineFinding]:

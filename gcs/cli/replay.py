@@ -160,6 +160,7 @@ def replay(
 
 def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
     from gcs.processes.plugin_process import started
+    from gcs.processes.python import current_folders
     from gcs.recording.missing import SCENARIO
     from gcs.scenario.file import load
     from gcs.scenario.model import ScenarioError
@@ -177,7 +178,7 @@ def _decide(session: Path, as_json: bool, *, trust: bool) -> int:
         plugins: AbstractContextManager[PluginClient | None] = contextlib.nullcontext()
         if scenario is not None and (code := [one for one in reached(scenario) if one.reach == "code"]):
             allow(str(file), code, digest_of(file), trust=trust)
-            plugins = started(scenario, [str(Path.cwd()), str(session)], None)
+            plugins = started(scenario, [*map(str, current_folders()), str(session)], None)
         with progress_bar("deciding") as progress, plugins as process:
             verdict = redecide(session, progress, process)
     except RedecideError as error:

@@ -34,6 +34,7 @@ from numpy.typing import ArrayLike
 from gcs.html_table import html_table
 from gcs.planner.request import PursuerPlanner
 from gcs.processes import plugin_process
+from gcs.processes.python import current_folders
 from gcs.recording.summary import FILE, Summary
 from gcs.refuelling.policies import RefuellingPolicy
 from gcs.scenario.document import path_of
@@ -100,7 +101,7 @@ class Session:
     ) -> None:
         if lockstep and speed is not None:
             raise ValueError("lockstep and speed exclude each other: lockstep is as fast as the machine can")
-        folders = [Path.cwd()]
+        folders = current_folders()
         if isinstance(scenario, Scenario):
             loaded, file, key = scenario, None, None
         else:

@@ -63,11 +63,14 @@ def test_the_same_command_flies_once_there_is_room_on_a_disk_that_was_full(tmp_p
     assert "No space left on device; give --out another place" in done.stderr
 
 
+QUIET = ("--quiet", "--no-report")
+
+
 def from_a_folder_that_is_gone(tmp_path: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """`gcs run …`, started where there is no folder any more."""
+    """`gcs …`, started where there is no folder any more."""
     (tmp_path / "here").mkdir()
     script = 'cd here && rmdir ../here && exec "$@"'
-    command = ["sh", "-c", script, "sh", sys.executable, "-P", "-m", "gcs", "run", *words, "--quiet", "--no-report"]
+    command = ["sh", "-c", script, "sh", sys.executable, "-P", "-m", "gcs", *words]
     environment = {**os.environ, "PYTHONPATH": str(Path(gcs_package.__file__).parents[1])}
     return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
 
@@ -75,13 +78,15 @@ def from_a_folder_that_is_gone(tmp_path: Path, *words: str) -> subprocess.Comple
 def test_a_session_needs_no_current_folder_where_its_files_are_named_in_full(tmp_path: Path) -> None:
     content = small(goal={"duration_s": 2.0, "refuelled_at_least": 0})
     (tmp_path / "scenario.yaml").write_text(yaml.safe_dump(content), encoding="utf-8")
-    done = from_a_folder_that_is_gone(tmp_path, str(tmp_path / "scenario.yaml"), "--out", str(tmp_path / "session"))
+    done = from_a_folder_that_is_gone(
+        tmp_path, "run", str(tmp_path / "scenario.yaml"), *QUIET, "--out", str(tmp_path / "session")
+    )
     assert (done.returncode, done.stderr) == (0, "")
     assert json.loads((tmp_path / "session" / "summary.json").read_text(encoding="utf-8"))["outcome"] == "met"
 
 
 def test_a_session_without_a_place_says_that_the_current_folder_is_gone(tmp_path: Path) -> None:
-    done = from_a_folder_that_is_gone(tmp_path, "demo", "--lockstep")
+    done = from_a_folder_that_is_gone(tmp_path, "run", "demo", "--lockstep", *QUIET)
     assert done.returncode == 2
     assert re.fullmatch(
         "gcs: cannot make the folder sessions/demo-[-0-9]+: the current folder is gone; give a place to write\n",
@@ -111,3 +116,23 @@ def limited(tmp_path: Path, most: int) -> subprocess.CompletedProcess[str]:
     words = [*GCS, "run", "scenario.yaml", "--quiet", "--no-report", "--out", "session"]
     command = ["prlimit", f"--nofile={most}", *words]
     return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("replay {}/session --decide", r"all \d+ decisions up to \S+ s agree"),
+        ("doctor", "problem  this folder: it is gone"),
+        (
+            "campaign run policies --sessions 1 --out {}/campaign",
+            "gcs: the current folder is gone, without which Python starts no worker; change to another one",
+        ),
+    ],
+)
+def test_other_commands_do_without_a_current_folder_or_say_that_it_is_gone(
+    words: str, said: str, tmp_path: Path
+) -> None:
+    fly(small(goal={"duration_s": 10.0, "refuelled_at_least": 0}), tmp_path)
+    done = from_a_folder_that_is_gone(tmp_path, *words.format(tmp_path).split())
+    assert re.search(said, done.stdout + done.stderr), done
+    assert "internal error" not in done.stderr

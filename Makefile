@@ -21,7 +21,7 @@ INSTALL = $(VENV)/bin/python -m pip install --quiet --disable-pip-version-check 
 DECLARED := $(shell find gcs simvehicle skytender -name '*.pxd')
 BUILT := $(VENV)/.built
 
-.PHONY: run build check test test-all release-check bench simulators fuzz faults docs picture gallery clean
+.PHONY: run build environments check test test-all release-check bench simulators fuzz faults docs picture gallery clean
 
 run: $(BUILT)
 	@$(VENV)/bin/gcs run demo
@@ -29,6 +29,9 @@ run: $(BUILT)
 build: $(READY)
 	@$(VENV)/bin/python setup.py --quiet build_ext --inplace
 	@touch $(BUILT)
+
+# Of all tests, at once with `make -j2 environments`.
+environments: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
 
 # Tests of single packages: no whole session, no peer, no browser, and none that takes long by itself. CONTRIBUTING.md
 # names the folders that are left out.
@@ -46,7 +49,7 @@ check: $(DEV_READY)
 # The tests are imported once, and workers are forked from there. Many tests wait for real time: four workers for each of
 # two processors keep those busy. mypy runs beside them.
 test: CHOSEN := -m "not slow"
-test test-all: $(DEV_READY) $(PEERS_READY) $(DOCS_READY)
+test test-all: environments
 	@$(VENV)/bin/ruff check .
 	@$(VENV)/bin/ruff format --check .
 	@$(VENV)/bin/mypy >$(VENV)/mypy.log & typed=$$!; \

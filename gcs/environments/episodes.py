@@ -6,6 +6,7 @@ import contextlib
 import os
 import shutil
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Unpack
 
@@ -21,7 +22,7 @@ from gcs.scenario.model import Scenario
 from gcs.session.arrays import Snapshot
 from gcs.session.program.acting import known
 from gcs.session.program.turn import SessionError
-from gcs.session.python import Session
+from gcs.session.python import ScenarioSource, Session, source_of
 from gcs.session.spawning.spawner import SessionSpawner
 
 _ROUNDING_S = 1e-6
@@ -42,8 +43,9 @@ class Episodes:
         for given, space in (("observation", "observation_space"), ("action", "action_space")):
             if (given in options) != (space in options):
                 raise ValueError(f"{given} and {space} go together: give both, or neither")
-        self._given, self._options = scenario, options
-        self.scenario = self._new(scenario).scenario
+        self._options = options
+        self._source = source_of(scenario, trust=options.get("trust", False))
+        self.scenario = self._new(self._source).scenario
         """the scenario before `vary` and the seed"""
         self.agents = _checked(agents, self.scenario)
         """system ids, in order"""
@@ -53,7 +55,7 @@ class Episodes:
         self._observations = {sysid: Observation(self.scenario, sysid) for sysid in self.agents}
         self._action = VelocityAction(self.scenario, self.step_s)
         out = options.get("out")
-        self._out = None if out is None else Path(out)
+        self._out = None if out is None else Path(out).absolute()
         mode = options.get("render_mode")
         if mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode is {mode!r}; sessions are drawn as 'rgb_array', or not at all (None)")
@@ -61,6 +63,7 @@ class Episodes:
         self._flown, self._flies = 0, False
         self._stack = contextlib.ExitStack()
         self._spawner: SessionSpawner | None = None
+        self._pid = os.getpid()
         self._session: Session | None = None
         self._snapshot: Snapshot | None = None
 
@@ -91,11 +94,12 @@ class Episodes:
     def begin(self, seed: int) -> Snapshot:
         """End the present session, and fly the next one until every agent's vehicle is steered. Raises SessionError."""
         self.end()
-        scenario = self._given
+        source = self._source
         if (vary := self._options.get("vary")) is not None:
             scenario = vary(self.scenario, np.random.default_rng(seed))
             if [one.sysid for one in scenario.vehicles.all] != [one.sysid for one in self.scenario.vehicles.all]:
                 raise ValueError("vary has changed which vehicles there are: agents and spaces need the same ones")
+            source = replace(source, scenario=source_of(scenario, trust=self._options.get("trust", False)).scenario)
         if self._spawner is None or not self._spawner.alive:
             self.close()
             self._spawner = SessionSpawner()
@@ -104,7 +108,7 @@ class Episodes:
             folder = (self._out or self._spawner.folder) / f"{self._flown}"
             if self._out is None:
                 stack.callback(shutil.rmtree, folder, ignore_errors=True)
-            session = self._new(scenario, seed, folder, self._spawner)
+            session = self._new(source, seed, folder, self._spawner)
             self._observations = {
                 sysid: Observation(session.scenario, sysid, self._observations[sysid].space) for sysid in self.agents
             }
@@ -128,13 +132,18 @@ class Episodes:
 
     def _new(
         self,
-        scenario: str | os.PathLike[str] | Scenario,
+        source: ScenarioSource,
         seed: int | None = None,
         out: Path | None = None,
         spawner: SessionSpawner | None = None,
     ) -> Session:
-        every_s, trust = self._options.get("every_s"), self._options.get("trust", False)
-        return Session(scenario, lockstep=True, seed=seed, out=out, every_s=every_s, trust=trust, spawner=spawner)
+        every_s, duration_s = self._options.get("every_s"), source.scenario.goal.duration_s
+        session = Session(source, lockstep=True, seed=seed, out=out, every_s=every_s, spawner=spawner)
+        if every_s is not None and round(1e3 * duration_s) % round(1e3 * every_s):
+            raise ValueError(
+                f"every_s is {every_s!r}, of which the scenario's goal.duration_s, {duration_s:g}, is no multiple"
+            )
+        return session
 
     def _is_last(self, snapshot: Snapshot) -> bool:
         return snapshot.time_s + self.step_s > self.session.scenario.goal.duration_s + _ROUNDING_S
@@ -188,7 +197,11 @@ class Episodes:
         return None if self._drawing is None else self._drawing.array(self.snapshot)
 
     def end(self) -> None:
-        """End the present session; its folder is removed where none was asked for."""
+        """End the present session; its folder is removed where none was asked for. In a fork of the process that began
+        it, it is left to that one."""
+        if self._pid != os.getpid():
+            self._pid, self._spawner, self._session, self._snapshot = os.getpid(), None, None, None
+            self._stack.pop_all()
         stack, self._stack, self._flies = self._stack, contextlib.ExitStack(), False
         stack.close()
 

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from gcs.processes.forked import end
+from gcs.processes.forks import close_in_forks
 from gcs.processes.python import beside_python
 
 ENDED_WITHIN_S = 10.0
@@ -141,6 +142,15 @@ class ForkServer:
     def pid(self) -> int | None:
         """The server's own process, where it is a child of this one."""
         return None if self._process is None else self._process.pid
+
+    @property
+    def running(self) -> bool:
+        """Whether it lives, also where its end has not been read yet."""
+        return self.alive and (self._process is None or self._process.poll() is None)
+
+    def close_in_forks(self) -> None:
+        """Keep its socket from processes that are forked from this one: it ends with this process alone."""
+        close_in_forks(self._socket)
 
     def start(self, orders: Sequence[Mapping[str, Any]], descriptors: Sequence[int] = ()) -> None:
         """Fork a process for each order, which `pids` holds from a call of `events` on.

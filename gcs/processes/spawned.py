@@ -12,40 +12,57 @@ from collections.abc import Mapping, Sequence
 from typing import IO, Any, Self
 
 from gcs.processes.fork_server import Ended, ForkServer, LaunchError
+from gcs.processes.forks import close_in_forks
 
 FORKED_WITHIN_S = 60.0
 
 
 class SpawnedProcess:
-    """The one child of a fork server that runs; its standard input and output are pipes to us."""
+    """A child of a fork server, known to it by a number of its own; its standard input and output are pipes to us."""
 
-    def __init__(self, server: ForkServer, order: Mapping[str, Any], descriptors: Sequence[int]) -> None:
-        """Wait until it is forked. `descriptors` come to the server after those of the two pipes.
+    def __init__(self, server: ForkServer, number: int, order: Mapping[str, Any], descriptors: Sequence[int]) -> None:
+        """Wait until it is forked. `descriptors` come to the server after those of the two pipes, and its reports name
+        the `sysid` that the order has: the number.
 
         Raises LaunchError where that does not happen.
         """
-        self._server = server
+        self._server, self._number = server, number
         self.ended: Ended | None = None
         reading, writing = os.pipe()
-        self.stdin: IO[bytes] = os.fdopen(writing, "wb")
         out, theirs = os.pipe()
+        self.stdin: IO[bytes] = os.fdopen(writing, "wb")
         self.stdout: IO[bytes] = os.fdopen(out, "rb")
-        server.start([order], [reading, theirs, *descriptors])
-        os.close(reading)
-        os.close(theirs)
+        close_in_forks(self.stdin)
+        try:
+            try:
+                server.start([{**order, "sysid": number}], [reading, theirs, *descriptors])
+            finally:
+                os.close(reading)
+                os.close(theirs)
+            self.pid = self._forked()
+        except BaseException:
+            self.close()  # it ends with its standard input
+            raise
+
+    def _forked(self) -> int:
         deadline_s = time.monotonic() + FORKED_WITHIN_S
-        while not (server.pids or self.ended) and server.alive and time.monotonic() < deadline_s:
+        while self._server.alive and time.monotonic() < deadline_s:
             self._read(FORKED_WITHIN_S)
-        if not (server.pids or self.ended):
-            self.stdin.close()
-            self.stdout.close()
-            raise LaunchError("its fork server has died, or has forked nothing")
-        self.pid = self.ended.pid if self.ended else next(iter(server.pids))
+            for pid, number in self._server.pids.items():
+                if number == self._number:
+                    return pid
+            if self.ended is not None:
+                return self.ended.pid
+        raise LaunchError("its fork server has died, or has forked nothing")
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Close the pipes."""
         with contextlib.suppress(BrokenPipeError):
             self.stdin.close()
         self.stdout.close()
@@ -79,4 +96,5 @@ class SpawnedProcess:
                 os.kill(self.pid, signal.SIGKILL)
 
     def _read(self, within_s: float) -> None:
-        self.ended = next(iter(self._server.events(within_s)), self.ended)
+        ours = (end for end in self._server.events(within_s) if end.sysid == self._number)
+        self.ended = next(ours, self.ended)

@@ -24,7 +24,8 @@ import itertools
 import os
 import socket
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, Self
@@ -59,6 +60,31 @@ from gcs.session.spawning.spawner import SessionSpawner
 from gcs.session.supervised import PATIENCE_S, RunError, Supervised, make_folder, write_scenario
 
 
+@dataclass(frozen=True)
+class ScenarioSource:
+    """A scenario that a program may fly, and where its modules are looked for."""
+
+    scenario: Scenario
+    folders: Sequence[Path]
+
+
+def source_of(
+    scenario: str | os.PathLike[str] | Scenario, own: Mapping[str, object] | None = None, *, trust: bool = False
+) -> ScenarioSource:
+    """A session's scenario, read and agreed to, without the parts that are the program's `own`. Raises as `Session`."""
+    folders, file, key = current_folders(), None, None
+    if isinstance(scenario, Scenario):
+        loaded = scenario
+    else:
+        file = find(path_of(scenario, "scenario", "a file, the name of a shipped one, or a gcs.Scenario"))
+        loaded, key = load(file), digest_of(file)
+        folders.insert(0, file.parent)
+    loaded = without(loaded, own or {})
+    require(loaded.name if file is None else str(scenario), reached(loaded), key, trust=trust)
+    plugin_process.check(loaded, file, folders)
+    return ScenarioSource(loaded, [folder.resolve() for folder in folders])
+
+
 class Session:
     """One session; a context manager, and inside it an iterator of snapshots.
 
@@ -87,7 +113,7 @@ class Session:
 
     def __init__(
         self,
-        scenario: str | os.PathLike[str] | Scenario,
+        scenario: str | os.PathLike[str] | Scenario | ScenarioSource,
         *,
         lockstep: bool = False,
         speed: float | None = None,
@@ -101,19 +127,12 @@ class Session:
     ) -> None:
         if lockstep and speed is not None:
             raise ValueError("lockstep and speed exclude each other: lockstep is as fast as the machine can")
-        folders = current_folders()
-        if isinstance(scenario, Scenario):
-            loaded, file, key = scenario, None, None
-        else:
-            file = find(path_of(scenario, "scenario", "a file, the name of a shipped one, or a gcs.Scenario"))
-            loaded, key = load(file), digest_of(file)
-            folders.insert(0, file.parent)
         given = {PLANNER: planner, POLICY: policy}
         self._given = {part: one for part, one in given.items() if one is not None}
-        loaded = without(loaded, self._given)
-        require(loaded.name if file is None else str(scenario), reached(loaded), key, trust=trust)
-        plugin_process.check(loaded, file, folders)
-        self.scenario = loaded.flown(lockstep=lockstep, speed=speed, seed=seed)
+        source = scenario
+        if not isinstance(source, ScenarioSource):
+            source = source_of(source, self._given, trust=trust)
+        self.scenario = source.scenario.flown(lockstep=lockstep, speed=speed, seed=seed)
         if self._given and self.scenario.clock.mode != "lockstep":
             raise ValueError("planner and policy as objects need lockstep=True: else the fleet does not wait for them")
         self._objects: Objects | None = None
@@ -126,10 +145,12 @@ class Session:
             raise ValueError(
                 f"every_s is {every_s!r}; it must be a multiple of the scenario's period, {period_ms / 1e3} s"
             )
-        self._modules = [str(folder.resolve()) for folder in folders]
+        self._modules = [str(folder) for folder in source.folders]
         self._spawner = spawner
         self._out = None if out is None else Path(path_of(out, "out"))
         self._folder: Path | None = None
+        self._pid = 0
+        """of the process that began it"""
         self._process: Supervised | None = None
         self._channel: SessionChannel | None = None
         self._turn = Turn()
@@ -172,14 +193,20 @@ class Session:
             self._spawner.check()
         self._objects = Objects(self._given, self.scenario) if self._given else None
         try:
-            self._folder = make_folder(self._out, self.scenario.name)
+            self._folder = make_folder(self._out, self.scenario.name).absolute()
             write_scenario(self._folder, self.scenario)
         except RunError as error:
             raise SessionError(error.message) from None
         ours, theirs = socket.socketpair()
         with theirs, contextlib.nullcontext() if self._objects is None else self._objects.theirs as asks:
             self._channel = SessionChannel(ours, self._objects)
-            self._process = self._supervised(theirs.fileno(), None if asks is None else asks.fileno())
+            self._pid = os.getpid()
+            try:
+                self._process = self._supervised(theirs.fileno(), None if asks is None else asks.fileno())
+            except BaseException:
+                self._channel.close()
+                raise
+            self._process.close_in_forks()
         return self
 
     def _supervised(self, program: int, objects: int | None) -> Supervised:
@@ -319,12 +346,17 @@ class Session:
         return html_table(rows if self._folder is None else [*rows, ("folder", self._folder)])
 
     def _check_flies(self) -> None:
+        self._check_process()
         if self._summary is not None:
             raise SessionError(f"the session ended at {self._time_s or 0.0:g} s: make another one")
         if self._channel is None:
             raise SessionError("the session does not fly; use it as `with Session(...) as session:`")
         if not self._open:
             raise SessionError(self._broken or "the session flies on to its end by itself: call `finish`")
+
+    def _check_process(self) -> None:
+        if self._pid not in (0, os.getpid()):
+            raise SessionError("the session is that of the process that began it, of which this is a fork")
 
     def _check_acts(self) -> None:
         if self.scenario.clock.mode != "lockstep":
@@ -384,12 +416,14 @@ class Session:
 
     def finish(self) -> Summary:
         """Fly on to the end without looking, and return the summary."""
+        self._check_process()
         with self._turn:
             self._end()
         return self.summary
 
     def stop(self) -> Summary:
         """End the session now, save what was flown, and return the summary; its outcome is `interrupted`."""
+        self._check_process()
         if self._open and self._channel is not None and self._summary is None:
             with self._turn:
                 self._channel.say({"command": STOP})
@@ -398,6 +432,8 @@ class Session:
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         assert self._process is not None
+        if self._pid != os.getpid():
+            return
         try:
             if self._open:
                 with contextlib.suppress(SessionError) if kind is not None else contextlib.nullcontext():
@@ -417,7 +453,7 @@ class Session:
         if process is None or channel is None or self._summary is not None:
             return
         if deadline_s == float("inf"):
-            channel.close()
+            channel.finish()
         while not process.ended and time.monotonic() < deadline_s:
             channel.await_word(process.death)
             process.read()

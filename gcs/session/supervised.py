@@ -22,6 +22,7 @@ import click
 
 from gcs.processes.fork_server import ForkServer
 from gcs.processes.forked import ForkedProcess, end
+from gcs.processes.forks import close_in_forks
 from gcs.processes.python import current_folders, start_python
 from gcs.processes.spawned import SpawnedProcess
 from gcs.scenario.file import dump, load
@@ -233,6 +234,10 @@ class Supervised:
             self.client.close()
         self._out.close()
         os.close(self.death)
+
+    def close_in_forks(self) -> None:
+        """Keep its standard input from processes that are forked from this one: it ends with this process alone."""
+        close_in_forks(self._in)
 
     def fileno(self) -> int:
         """Its standard output."""

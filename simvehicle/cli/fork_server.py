@@ -50,7 +50,8 @@ def child_of(order: Mapping[str, Any], descriptors: Sequence[int]) -> Child:
     if argv == [COMMAND]:
         (socket,) = descriptors
         run = partial(serve, child_of)
-        return Child({"sysid": 0}, f"simvehicle {COMMAND}", None, run, socket, socket, patience_s=ENDS_WITHIN_S)
+        about = {"sysid": order.get("sysid", 0)}
+        return Child(about, f"simvehicle {COMMAND}", None, run, socket, socket, patience_s=ENDS_WITHIN_S)
     log = Path(order["log"])
     flight, secret = _flight(argv), order.get("secret")
 

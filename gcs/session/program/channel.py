@@ -19,7 +19,7 @@ import msgspec
 from gcs.scenario.faults import in_flight
 from gcs.session.message_types import Reply
 from gcs.session.program.fleet_message import fleet_message
-from gcs.session.program.messages import CHANGE, INJECT, NEXT, SEND, STOP, FleetMessage
+from gcs.session.program.messages import CHANGE, FINISH, INJECT, NEXT, SEND, STOP, FleetMessage
 from gcs.supervisor.operator import COMMANDS, OperatorReply
 from gcs.supervisor.script import as_points
 from gcs.supervisor.supervisor import Supervisor
@@ -45,7 +45,7 @@ class Program:
         self._asked: int | None = None
         """`id` of the request for a snapshot that is to come"""
         self.stops = False
-        """whether it wants the session to end"""
+        """whether it wants the session to end, or has ended itself"""
 
     @property
     def awaited(self) -> bool:
@@ -76,24 +76,30 @@ class Program:
         return said
 
     def _read(self, supervisor: Supervisor, timeout_s: float) -> bool:
-        """Take in what it says within a time; whether that is anything. Its end, and STOP, wait for nothing."""
+        """Take in what it says within a time; whether that is anything. Its end, FINISH and STOP wait for nothing."""
         if not self._open or not select.select([self._socket], [], [], timeout_s)[0]:
             return False
         try:
             said = self._socket.recv(READ_BYTES)
         except OSError:
             said = b""
-        self._open = bool(said)
         if not said:
-            self._requests.clear()
-            supervisor.script.steer({})
+            self.stops = True
+            self._leave(supervisor)
         *lines, self._unread = (self._unread + said).split(b"\n")
         for request in map(msgspec.json.decode, lines):
             if request.get("command") == STOP:
                 self.stops = True
+            elif request.get("command") == FINISH:
+                self._leave(supervisor)
             else:
                 self._requests.append(request)
         return True
+
+    def _leave(self, supervisor: Supervisor) -> None:
+        self._open = False
+        self._requests.clear()
+        supervisor.script.steer({})
 
     def remember(self, events: Iterable[Event]) -> None:
         """Keep these for the next snapshot."""

@@ -1,9 +1,9 @@
 """Lines between a session and the program in Python that steps it (docs/protocol/socket.md#programs-that-act).
 
 The program's are objects with a text `command`, one of the requests below or an operator's, and an `id`. The session
-answers NEXT with the fleet, a column for each thing, and everything else but STOP with a reply, each with the request's
-`id` and in the order of the requests: the program may have given up waiting for one. Positions in m
-and velocities in m/s, common NED frame; numbers that are not known, or infinite, are null, as msgspec writes them.
+answers NEXT with the fleet, a column for each thing, and everything else but FINISH and STOP with a reply, each with
+the request's `id` and in the order of the requests: the program may have given up waiting for one. Positions in m and
+velocities in m/s, common NED frame; numbers that are not known, or infinite, are null, as msgspec writes them.
 """
 
 from __future__ import annotations
@@ -14,8 +14,10 @@ from msgspec import Struct
 
 from gcs.session.message_types import EventRow, ServiceRow
 
-NEXT, STOP, SEND, INJECT, CHANGE = "next", "stop", "send", "inject", "change"
-"""The next snapshot, with set points until then; the session's end; a MAV_CMD; a fault; a change of the world."""
+NEXT, FINISH, STOP = "next", "finish", "stop"
+"""The next snapshot, with set points until then; that the session is to fly on to its end by itself; its end now."""
+SEND, INJECT, CHANGE = "send", "inject", "change"
+"""A MAV_CMD; a fault; a change of the world."""
 
 Number = float | None
 Numbers = list[Number]

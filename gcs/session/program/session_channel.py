@@ -11,9 +11,10 @@ from typing import Any
 
 import msgspec
 
+from gcs.processes.forks import close_in_forks
 from gcs.session.client import READ_BYTES
 from gcs.session.message_types import Reply
-from gcs.session.program.messages import FleetMessage
+from gcs.session.program.messages import FINISH, FleetMessage
 from gcs.session.program.objects import Objects
 
 _LINES: msgspec.json.Decoder[FleetMessage | Reply] = msgspec.json.Decoder(FleetMessage | Reply)
@@ -25,6 +26,7 @@ class SessionChannel:
 
     def __init__(self, end: socket.socket, objects: Objects | None) -> None:
         self._end, self._objects = end, objects
+        close_in_forks(end)
         self._pending = b""
         self.closed = False
 
@@ -61,7 +63,12 @@ class SessionChannel:
             self._objects = None
         return descriptor in ready
 
+    def finish(self) -> None:
+        """Let the session fly on to its end by itself; questions are still answered in `await_word`."""
+        self.say({"command": FINISH})
+        self.close()
+
     def close(self) -> None:
-        """Say and hear nothing more; questions are still answered in `await_word`."""
+        """Say and receive nothing more."""
         self.closed = True
         self._end.close()

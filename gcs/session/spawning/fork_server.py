@@ -1,11 +1,11 @@
 """The fork server of supervisors: `python -m gcs.session.spawning.fork_server FOLDER`, started by the spawner.
 
-An order is {"folder": PATH, "scenario": TEXT, "modules": [...], "every_ms", "log", "given": [...]} for a session in a
-folder with `vehicles/`, TEXT being the pickled scenario in base64: the process that writes it has validated it and has
-started this one. With it come descriptors: the supervisor's standard input, whose end ends its session, its standard
-output, the socket of the vehicles' fork server, and one for each name in `given`, which are arguments of
-gcs.session.process.fly. FOLDER is removed with this process. `ps` shows `gcs sessions`, and `gcs session` for a
-supervisor.
+An order is {"sysid": NUMBER, "folder": PATH, "scenario": TEXT, "modules": [...], "every_ms", "log", "given": [...]} for
+a session in a folder with `vehicles/`, TEXT being the pickled scenario in base64: the process that writes it has
+validated it and has started this one. NUMBER stands in the reports on the session. With an order come descriptors: the
+supervisor's standard input, whose end ends its session, its standard output, the socket of the vehicles' fork server,
+and one for each name in `given`, which are arguments of gcs.session.process.fly. FOLDER is removed with this process.
+`ps` shows `gcs sessions`, and `gcs session` for a supervisor.
 """
 
 from __future__ import annotations
@@ -45,7 +45,16 @@ def child_of(order: Mapping[str, Any], descriptors: Sequence[int]) -> Child:
         return process.fly(folder, scenario=scenario, modules=modules, every_ms=every_ms, server=server, **given)
 
     log = None if log is None else Path(log)
-    return Child({}, "gcs session", log, run, stdin, stdout, [vehicles, *others], patience_s=ENDS_WITHIN_S)
+    return Child(
+        {"sysid": int(order["sysid"])},
+        "gcs session",
+        log,
+        run,
+        stdin,
+        stdout,
+        [vehicles, *others],
+        patience_s=ENDS_WITHIN_S,
+    )
 
 
 def main() -> None:

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import itertools
+import os
 import pickle
 import shutil
 import socket
+import subprocess
 import tempfile
 import time
 from collections.abc import Sequence
@@ -26,6 +29,7 @@ from gcs.session.program.turn import SessionError
 
 SUPERVISORS = "gcs.session.spawning.fork_server"
 READY_WITHIN_S = 60.0
+SAVES_WITHIN_S = 10.0
 NOT_UP = "a process that forks sessions did not come up; gcs doctor looks for the reason"
 
 
@@ -56,7 +60,11 @@ class SessionSpawner:
                 self._supervisors = opened.enter_context(ForkServer.started(start))
             except (LaunchError, OSError) as error:
                 raise SpawnError(f"sessions cannot be started: {error}") from None
+            for server in (self._vehicles, self._supervisors):
+                server.close_in_forks()
+            self._numbers = itertools.count(1)
             self._flight: SpawnedProcess | None = None
+            self._pid = os.getpid()
             self._opened = opened.pop_all()
 
     def __enter__(self) -> Self:
@@ -67,11 +75,8 @@ class SessionSpawner:
 
     @property
     def alive(self) -> bool:
-        """Whether it can fly; asked between sessions."""
-        for server in (self._vehicles, self._supervisors):
-            if server.alive:
-                server.events()
-        return self._vehicles.alive and self._supervisors.alive
+        """Whether it can fly: its processes live, and this is no fork of the program that made it."""
+        return os.getpid() == self._pid and self._vehicles.running and self._supervisors.running
 
     @property
     def pids(self) -> tuple[int, ...]:
@@ -89,10 +94,12 @@ class SessionSpawner:
 
     def check(self) -> None:
         """See that a session can begin. Raises SpawnError."""
-        if self._flight is not None and self._flight.poll() is None:
-            raise SpawnError("a spawner flies one session at a time; make another one for sessions side by side")
         if not self.alive:
-            raise SpawnError("the spawner has ended, or its processes have died; make another one")
+            raise SpawnError(
+                "the spawner has ended, its processes have died, or this is a fork of its program; make another one"
+            )
+        if self._flight is not None and not self._flight.stdin.closed and self._flight.poll() is None:
+            raise SpawnError("a spawner flies one session at a time; make another one for sessions side by side")
 
     def start(
         self,
@@ -114,30 +121,36 @@ class SessionSpawner:
         pickled = base64.b64encode(pickle.dumps(scenario)).decode()
         given = {name: one for name, one in (("program", program), ("objects", objects)) if one is not None}
         order = {
-            "folder": str(folder),
+            "folder": os.path.abspath(folder),
             "modules": list(modules),
             "scenario": pickled,
-            "log": None if log is None else str(log),
+            "log": None if log is None else os.path.abspath(log),
             "every_ms": every_ms,
             "given": list(given),
         }
+        number = self._number = next(self._numbers)
         with ours, theirs:
-            self._vehicles.start([{"argv": ["fork-server"]}], [theirs.fileno()])
+            self._vehicles.start([{"argv": ["fork-server"], "sysid": number}], [theirs.fileno()])
             try:
-                self._flight = SpawnedProcess(self._supervisors, order, [ours.fileno(), *given.values()])
+                self._flight = SpawnedProcess(self._supervisors, number, order, [ours.fileno(), *given.values()])
             except LaunchError:
                 raise SpawnError(NOT_UP) from None
         return self._flight
 
     def vehicles_ended(self) -> Ended:
-        """The end of the vehicles' fork server of a session whose supervisor has ended. Raises SpawnError."""
-        ended: list[Ended] = []
-        while not ended and self._vehicles.alive:
-            ended = self._vehicles.events(READY_WITHIN_S)
-        if not ended:
-            raise SpawnError("a process that forks sessions has died while one flew")
-        return ended[0]
+        """The end of the vehicles' fork server of the last session, whose supervisor has ended. Raises SpawnError."""
+        while self._vehicles.alive:
+            for end in self._vehicles.events(READY_WITHIN_S):
+                if end.sysid == self._number:
+                    return end
+        raise SpawnError("a process that forks sessions has died while one flew")
 
     def close(self) -> None:
-        """End all processes, and remove the folders."""
+        """End all processes, once a session that still flies has saved what it flew, and remove the folder."""
+        if os.getpid() != self._pid:
+            return
+        if self._flight is not None and not self._flight.stdin.closed:
+            self._flight.stdin.close()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._flight.wait(SAVES_WITHIN_S)
         self._opened.close()

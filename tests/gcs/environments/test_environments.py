@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import re
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +25,7 @@ from gcs.environments.parallel import ParallelSessionEnv
 from gcs.environments.single import SessionEnv
 from gcs.environments.transition import Transition
 from gcs.scenario.document import Document
-from gcs.scenario.file import resolve
+from gcs.scenario.file import dump, resolve
 from gcs.scenario.model import Obstacle
 
 ID = "gcs.environments:skytender/Session-v0"
@@ -116,6 +118,44 @@ def test_an_episode_begins_also_where_the_processes_of_the_last_one_were_killed(
         process.kill()
     assert not all_gone(list(loaded))
     assert repr(fly(env, seed=7)) == repr(first)
+
+
+def test_episodes_are_of_the_scenario_that_the_environment_was_made_with(
+    make: Callable[..., ParallelSessionEnv], tmp_path: Path
+) -> None:
+    file = tmp_path / "scenario.yaml"
+    file.write_text(dump(scenario(goal={"duration_s": 0.5})), encoding="utf-8")
+    env = make(str(file))
+    first = fly(env, seed=7)
+    file.unlink()
+    assert repr(fly(env, seed=7)) == repr(first)
+
+
+@pytest.mark.parametrize("every_s", [0.3, 5.0])
+def test_steps_that_do_not_fill_the_session_are_refused(every_s: float) -> None:
+    with pytest.raises(
+        ValueError, match=rf"^every_s is {every_s}, of which the scenario's goal.duration_s, 2, is no multiple$"
+    ):
+        gcs.parallel_env(scenario(), every_s=every_s)
+
+
+def test_a_fork_of_the_program_flies_episodes_of_its_own(make: Callable[..., ParallelSessionEnv]) -> None:
+    env = make(scenario(goal={"duration_s": 0.5}))
+    first = fly(env, seed=7)
+    env.reset(seed=7)
+
+    def fly_there(answers: Connection) -> None:
+        with pytest.raises(gcs.SessionError, match="of which this is a fork"):
+            env.step(dict.fromkeys(env.agents, STILL))
+        answers.send(repr(fly(env, seed=7)))
+        env.close()
+
+    ours, theirs = multiprocessing.Pipe()
+    fork = multiprocessing.get_context("fork").Process(target=fly_there, args=(theirs,))
+    fork.start()
+    assert ours.recv() == repr(first)
+    fork.join()
+    env.step(dict.fromkeys(env.agents, STILL))
 
 
 def test_an_episode_is_its_session_to_the_end(make: Callable[..., ParallelSessionEnv], tmp_path: Path) -> None:

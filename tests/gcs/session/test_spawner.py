@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import multiprocessing
+import os
+import signal
 import subprocess
 import sys
 import threading
 import time
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import psutil
@@ -16,6 +21,7 @@ from sessions import all_gone, small
 
 import gcs
 from gcs.campaign.flight import Flight, fly
+from gcs.processes.spawned import SpawnedProcess
 from gcs.scenario.file import find, load
 from gcs.scenario.model import Scenario
 from gcs.session.spawning.spawner import SessionSpawner
@@ -121,21 +127,90 @@ import os, sys, signal, gcs
 with gcs.SessionSpawner() as spawner:
     with gcs.Session(sys.argv[1], lockstep=True, out=sys.argv[2], spawner=spawner) as session:
         session.step()
-        print(*spawner.pids, spawner.folder, flush=True)
+        fork = os.fork() if "fork" in sys.argv else 1
+        if fork:
+            print(*spawner.pids, spawner.folder, fork, flush=True)
         signal.pause()
 """
 
 
-def test_a_program_that_is_killed_leaves_a_saved_session_and_no_process(tmp_path: Path) -> None:
+@pytest.mark.parametrize("forked", [[], ["fork"]])
+def test_a_program_that_is_killed_leaves_a_saved_session_and_no_process(forked: list[str], tmp_path: Path) -> None:
+    """Also where a fork of it lives on."""
     with subprocess.Popen(
-        [sys.executable, "-c", PROGRAM, "demo", str(tmp_path / "session")], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", PROGRAM, "demo", str(tmp_path / "session"), *forked], stdout=subprocess.PIPE, text=True
     ) as program:
         assert program.stdout is not None
-        *pids, folder = program.stdout.readline().split()
+        *pids, folder, fork = program.stdout.readline().split()
         servers = [psutil.Process(int(pid)) for pid in pids]
         family = [*servers, *(child for server in servers for child in server.children(recursive=True))]
         program.kill()
         assert not all_gone(family)
+        if forked:
+            os.kill(int(fork), signal.SIGKILL)
     summary = json.loads((tmp_path / "session" / "summary.json").read_text(encoding="utf-8"))
+    with gcs.Session("demo", lockstep=True, out=tmp_path / "stopped") as stopped:
+        stopped.step()
+        assert summary["sim_time_s"] == stopped.stop().sim_time_s, "it was not flown on without its program"
     assert summary["outcome"] == "interrupted"
     assert not Path(folder).exists()
+
+
+def test_a_start_that_is_interrupted_leaves_nothing_to_the_next_session(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_: SpawnedProcess) -> int:
+        raise KeyboardInterrupt
+
+    with SessionSpawner() as spawner:
+        session = gcs.Session(example(4.0), out=tmp_path / "interrupted", spawner=spawner)
+        with monkeypatch.context() as patch:
+            patch.setattr(SpawnedProcess, "_forked", interrupted)
+            with pytest.raises(KeyboardInterrupt):
+                session.__enter__()
+        for name in ("first", "second"):
+            with gcs.Session(example(4.0), out=tmp_path / name, spawner=spawner) as session:
+                assert session.finish().outcome == "met"
+
+
+def test_a_spawner_that_is_closed_in_flight_lets_the_session_save_what_it_flew(tmp_path: Path) -> None:
+    spawner = SessionSpawner()
+    with gcs.Session(example(4.0), out=tmp_path / "session", spawner=spawner) as session:
+        session.step()
+        spawner.close()
+        summary = json.loads((tmp_path / "session" / "summary.json").read_text(encoding="utf-8"))
+        assert summary["outcome"] == "interrupted"
+
+
+def test_a_relative_folder_is_that_of_the_programs_current_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with SessionSpawner() as spawner:
+        monkeypatch.chdir(tmp_path)
+        with gcs.Session(example(0.5), out="session", spawner=spawner) as session:
+            monkeypatch.chdir("/")
+            assert session.finish().digest == digest(tmp_path / "session")
+
+
+@pytest.mark.parametrize("spawned", [True, False])
+def test_a_session_ends_also_beside_a_fork_of_its_program_which_may_not_act(spawned: bool, tmp_path: Path) -> None:
+    with (
+        SessionSpawner() if spawned else contextlib.nullcontext() as spawner,
+        gcs.Session(example(0.5), out=tmp_path / "session", spawner=spawner) as session,
+    ):
+        session.step()
+
+        def act(answers: Connection) -> None:
+            for call in (session.step, session.finish, session.stop):
+                try:
+                    call()
+                except gcs.SessionError as error:
+                    answers.send(str(error))
+            signal.pause()
+
+        ours, theirs = multiprocessing.Pipe()
+        fork = multiprocessing.get_context("fork").Process(target=act, args=(theirs,))
+        fork.start()
+        refused = "the session is that of the process that began it, of which this is a fork"
+        assert [ours.recv() for _ in range(3)] == [refused] * 3
+        assert session.finish().outcome == "met"
+        fork.kill()
+        fork.join()

@@ -112,7 +112,7 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
     """Each vehicle's track: by its own frame where it reported where that frame's zero lies, else by its places on the
     globe, of a recording that holds them."""
     origins = by_vehicle(recorded, "GPS_GLOBAL_ORIGIN")
-    zero = _zero(recorded, origins)
+    zero = _zero(recorded)
     armed = by_vehicle(recorded, "HEARTBEAT")
     landed = by_vehicle(recorded, "EXTENDED_SYS_STATE")
     if zero is None:
@@ -171,7 +171,7 @@ def _turned(rows: NDArray[Any], turn_rad: float) -> Floats:
 def traffic(recorded: Recorded) -> dict[str, Track]:
     """The tracks of other aircraft, by callsign; each report holds until the next."""
     table = recorded.tables.get("ADSB_VEHICLE")
-    zero = _zero(recorded, {})
+    zero = _zero(recorded)
     if table is None or not len(table) or zero is None:
         return {}
     found = {}
@@ -448,13 +448,13 @@ def _place(row: Any) -> tuple[float, float, float]:
     return 1e-7 * float(row["latitude"]), 1e-7 * float(row["longitude"]), 1e-3 * float(row["altitude"])
 
 
-def _zero(recorded: Recorded, origins: dict[int, NDArray[Any]]) -> tuple[float, float, float] | None:
+def _zero(recorded: Recorded) -> tuple[float, float, float] | None:
     """The common frame's zero (° ° m): the scenario's, else the first vehicle's, else under where one was first, at
     its home's height as it said last."""
     if recorded.scenario is not None:
         origin = recorded.scenario.origin
         return origin.lat_deg, origin.lon_deg, origin.alt_m
-    if origins:
+    if origins := by_vehicle(recorded, "GPS_GLOBAL_ORIGIN"):
         return _place(origins[min(origins)][0])
     for rows in by_vehicle(recorded, "GLOBAL_POSITION_INT").values():
         if len(known := rows[(rows["lat"] != 0) | (rows["lon"] != 0)]):

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from gcs.mavlink import codec
 from gcs.recording import pursuit_held, series, tlog_reader
 from gcs.recording.recorder import Recorder
-from gcs.recording.session_folder import NoSession, Recorded, read
+from gcs.recording.session_folder import NoSession, Recorded, read, read_recording
 from gcs.report import distances
 from gcs.report.findings import Findings
 from gcs.scenario.file import dump
@@ -226,6 +226,37 @@ def test_who_never_told_an_origin_is_named_as_missing(recorded: Recorded) -> Non
     found = Findings(Recorded(recorded.folder, None, recorded.scenario, tables, end_s=END_S))
     assert found.tracks.keys() == {1}
     assert "The paths of 101 are not known" in found.recorded.problems[0]
+
+
+def test_traffic_of_a_recording_alone_is_in_the_frame_of_its_vehicles(tmp_path: Path) -> None:
+    """A vehicle that hangs 20 m north of its origin, first received there, and an aircraft 3 m east of it."""
+
+    def place(*p_ned: float) -> dict[str, int]:
+        lat, lon, alt = pymap3d.ned2geodetic(*p_ned, LAT, LON, ALT)
+        return {"lat": round(1e7 * lat), "lon": round(1e7 * lon), "alt": round(1e3 * alt)}
+
+    origin = {"latitude": round(1e7 * LAT), "longitude": round(1e7 * LON), "altitude": round(1e3 * ALT)}
+    own, other = place(20.0, 0.0, -5.0), place(20.0, 3.0, -5.0)
+    other["altitude"] = other.pop("alt")
+    rest = {"vx": 0, "vy": 0, "vz": 0}
+    aircraft = {
+        "ICAO_address": 7, "callsign": "OTHER", "altitude_type": 1, "heading": 0, "hor_velocity": 0,
+        "ver_velocity": 0, "emitter_type": 0, "tslc": 0, "flags": 0, "squawk": 0,
+    }  # fmt: skip
+    with Recorder(tmp_path) as recorder:
+        for k in range(20):
+            sent = (
+                codec.encode("GLOBAL_POSITION_INT", k, 1, 1, time_boot_ms=100 * k, **own, **rest, relative_alt=5000,
+                             hdg=0),
+                codec.encode("GPS_GLOBAL_ORIGIN", k, 1, 1, **origin),
+                codec.encode("LOCAL_POSITION_NED", k, 1, 1, time_boot_ms=100 * k, x=20.0, y=0.0, z=-5.0, **rest),
+                codec.encode("ADSB_VEHICLE", k, 255, 156, **aircraft, **other),
+            )  # fmt: skip
+            recorder.frames(EPOCH_US + 100_000 * k, sent)
+    recorded = read_recording(tmp_path / "session.tlog", tmp_path / "session.tlog")
+    (own_track,), (others,) = series.tracks(recorded).values(), series.traffic(recorded).values()
+    apart_m = np.linalg.norm(others.p_ned[-1] - own_track.p_ned[-1])
+    assert apart_m == pytest.approx(3.0, abs=0.02)
 
 
 # folders that lack something

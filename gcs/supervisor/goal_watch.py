@@ -28,7 +28,6 @@ from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import Worlds
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
 from gcs.supervisor.fleet_arming import FleetArming
-from gcs.telemetry import approach
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
@@ -371,16 +370,13 @@ class GoalWatch:
             there = k < len(table)
             there[there] = np.abs(table[k[there], 0] - ticks[there]) < 1e-4
             p_ned[there, row], v_ned[there, row] = table[k[there], 1:4], table[k[there], 4:7]
-        curved = not self._external_p_ned
         if self._external_p_ned:
-            p_ned[:, ~self._ours] = self._external_p_ned
+            p_ned[:, ~self._ours], v_ned[:, ~self._ours] = self._external_p_ned, np.nan
         for tick, (t_s, airspace) in enumerate(self._log):
             in_flight = np.where(airspace.flying[:, None], p_ned[tick], np.nan)
             waypoints.update(in_flight, airspace.by_failsafe)
             height_m = 0.0 - p_ned[tick, :, 2]
-            places = Places(
-                p_ned[tick], height_m, self._true_traffic(t_s), v_ned[tick] if curved else approach.STRAIGHT
-            )
+            places = Places(p_ned[tick], height_m, self._true_traffic(t_s), v_ned[tick])
             breaches += judged.update(t_s, airspace, places)
             while later and later[0][0] <= t_s:
                 judged.surround(*later.pop(0)[1:])

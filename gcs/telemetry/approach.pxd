@@ -6,8 +6,11 @@ cpdef enum:
     ENDS = 26  # of the parts between two looks
     CLEAR_M = 3  # of a way, behind the place where it began
     CLEAR_AT = 4
+    CLEAR_PLACE = 5
+    V_BEGAN = 8
+    V_ENDED = 11
 
-cdef double _CLOSING_M_S, _CURVED_M
+cdef double _CLOSING_M_S, _CURVED_M, _BULGE
 
 cdef struct Pair:
     double distance_m
@@ -24,20 +27,24 @@ cdef struct Seen:
 cdef (double, double) segment_gap2(double rn, double re, double rd, double dn, double de, double dd) noexcept nogil
 cdef (double, double) curve_gap2(
     const double* r0, const double* r1, const double* v0, const double* v1, double period_s) noexcept nogil
+cdef (double, double, double) _on_way(
+    const double* r0, const double* r1, const double* v0, const double* v1, bint curved, double period_s,
+    double share) noexcept nogil
+cdef double _bulge(
+    const double* r0, const double* r1, const double* v0, const double* v1, double period_s) noexcept nogil
 @cython.locals(moved=cython.double, left_out=cython.bint, one=int64_t, other=int64_t)
 cdef Pair find_pair(
     const double[:, ::1] before, const double[:, ::1] now, const double[:, ::1] v_before, const double[:, ::1] v_now,
     Py_ssize_t n, bint curved, double period_s, const unsigned char[::1] ours, const int64_t[:, ::1] exempt,
     Py_ssize_t exempted, double limit_m, double worth_m, double[:, ::1] found) noexcept nogil
+@cython.locals(curved=cython.bint)
 cdef void _find_nearest(
-    const double[:, ::1] before, const double[:, ::1] now, const double[:, ::1] others_before,
-    const double[:, ::1] others_now, double[::1] least, int64_t[::1] which, double[::1] shares) noexcept nogil
-cdef void _clear(
-    const double[:, ::1] shapes, const double[:, ::1] before, const double[:, ::1] now, double worth_m,
-    double[::1] reach, double[::1] least, double[::1] shares) noexcept nogil
+    const double[:, ::1] before, const double[:, ::1] now, const double[:, ::1] v_before, const double[:, ::1] v_now,
+    const double[:, ::1] others_before, const double[:, ::1] others_now, double period_s, double[::1] least,
+    int64_t[::1] which, double[::1] shares) noexcept nogil
 cdef (double, double) _clearance_between(
-    const double[:, ::1] shapes, double from_n, double from_e, double from_d, double n, double e, double d,
-    const double[::1] reach) noexcept nogil
+    const double[:, ::1] shapes, const double* r0, const double* r1, const double* v0, const double* v1, bint curved,
+    double period_s, const double[::1] reach, double* there) noexcept nogil
 @cython.locals(pair=Pair, known=cython.bint, curved=cython.bint)
 cdef Seen _look(
     const double[:, ::1] p, const double[:, ::1] v, double[:, :, ::1] last, double period_s,

@@ -1,7 +1,8 @@
 """Closest approach between two ticks, from relative motion: of vehicles to each other, to traffic, to obstacles.
 
 Between two ticks everything flies straight from place to place; where velocities are given too it flies the cubic curve
-(Hermite) that has these places and velocities at both ends, looked at every FINE-th of the interval.
+(Hermite) that has these places and velocities at both ends, looked at every FINE-th of the interval. One whose velocity
+is not known at both ends flies straight then too.
 All places are (n, 3), m, in the common NED frame; a share is the part of the interval that has passed, 0 to 1.
 """
 
@@ -12,7 +13,17 @@ from typing import Any
 import cython
 import cython.cimports.skytender.geometry as geometry
 import numpy as np
-from cython.cimports.gcs.telemetry.approach import CLEAR_AT, CLEAR_M, ENDS, FINE, Pair, Seen
+from cython.cimports.gcs.telemetry.approach import (
+    CLEAR_AT,
+    CLEAR_M,
+    CLEAR_PLACE,
+    ENDS,
+    FINE,
+    V_BEGAN,
+    V_ENDED,
+    Pair,
+    Seen,
+)
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
@@ -26,9 +37,11 @@ MOST_FOUND = 64
 """Number of pairs that are too near reported of one interval."""
 _CLOSING_M_S = 0.1  # a vehicle that is not ours comes too near only where ours closes in by more than this
 _CURVED_M = 0.1  # a curve is nearer than its chord by at most this: at 5 m/s² each and 0.1 s it is 0.0125 m
+_BULGE = 0.149  # s (1 - s)² is at most 4/27
 STRAIGHT = np.empty((0, 3))
-WAY = 5
-"""Of a vehicle's way in an interval: the place where it began, the least clearance, and its share."""
+WAY = 14
+"""Of a vehicle's way in an interval: the place where it began, the least clearance, its share and its place, and the
+velocities at both ends, where ways are curved."""
 
 
 def segment_gap2(rn: float, re: float, rd: float, dn: float, de: float, dd: float) -> tuple[float, float]:
@@ -58,6 +71,15 @@ def curve_gap2(r0: Any, r1: Any, v0: Any, v1: Any, period_s: float) -> tuple[flo
                 best2, best_share = gap2, (step - 1 + share) / FINE
         was_n, was_e, was_d = n, e, d
     return best2, best_share
+
+
+def _bulge(r0: Any, r1: Any, v0: Any, v1: Any, period_s: float) -> float:
+    """How far that curve is from its chord at most, at equal shares."""
+    at_0 = at_1 = 0.0
+    for axis in range(3):
+        begin, end = v0[axis] * period_s - (r1[axis] - r0[axis]), v1[axis] * period_s - (r1[axis] - r0[axis])
+        at_0, at_1 = at_0 + begin * begin, at_1 + end * end
+    return _BULGE * (math.sqrt(at_0) + math.sqrt(at_1))
 
 
 def find_pair(
@@ -129,59 +151,46 @@ def find_pair(
     return pair
 
 
-def nearest_to(before: Floats, now: Floats, others_before: Floats, others_now: Floats) -> tuple[Floats, Ints, Floats]:
-    """For each of n vehicles the least distance (n,) to any of m others in an interval, which that is, and the share;
-    straight ways."""
+def nearest_to(
+    before: Floats, now: Floats, v_before: Floats, v_now: Floats, others_before: Floats, others_now: Floats,
+    period_s: float,
+) -> tuple[Floats, Ints, Floats]:  # fmt: skip
+    """For each of n vehicles the least distance (n,) to any of m others in an interval, which that is, and the share.
+
+    v_before, v_now: (n, 3), or (0, 3) where ways are straight; the others' always are.
+    """
     least, which, shares = np.full(len(now), np.inf), np.full(len(now), -1, np.int64), np.zeros(len(now))
-    _find_nearest(before, now, others_before, others_now, least, which, shares)
+    _find_nearest(before, now, v_before, v_now, others_before, others_now, period_s, least, which, shares)
     return least, which, shares
 
 
 def _find_nearest(
-    before: Floats, now: Floats, others_before: Floats, others_now: Floats, least: Floats, which: Ints, shares: Floats
-) -> None:
+    before: Floats, now: Floats, v_before: Floats, v_now: Floats, others_before: Floats, others_now: Floats,
+    period_s: float, least: Floats, which: Ints, shares: Floats,
+) -> None:  # fmt: skip
+    a = cython.declare(cython.double[3])
+    b = cython.declare(cython.double[3])
+    va = cython.declare(cython.double[3])
+    vb = cython.declare(cython.double[3])
+    curved = v_now.shape[0] > 0 and period_s > 0.0
     for i in range(now.shape[0]):
         for j in range(others_now.shape[0]):
-            bn, be, bd = (
-                before[i, 0] - others_before[j, 0],
-                before[i, 1] - others_before[j, 1],
-                before[i, 2] - others_before[j, 2],
-            )
-            rn, re, rd = (
-                now[i, 0] - others_now[j, 0],
-                now[i, 1] - others_now[j, 1],
-                now[i, 2] - others_now[j, 2],
-            )
-            gap2, share = segment_gap2(bn, be, bd, rn - bn, re - be, rd - bd)
+            for axis in range(3):
+                a[axis], b[axis] = before[i, axis] - others_before[j, axis], now[i, axis] - others_now[j, axis]
+                if curved:
+                    v = (others_now[j, axis] - others_before[j, axis]) / period_s
+                    va[axis], vb[axis] = v_before[i, axis] - v, v_now[i, axis] - v
+            gap2, share = segment_gap2(a[0], a[1], a[2], b[0] - a[0], b[1] - a[1], b[2] - a[2])
+            if curved and math.sqrt(gap2) - _bulge(a, b, va, vb, period_s) < least[i]:
+                gap2, share = curve_gap2(a, b, va, vb, period_s)
             if gap2 < least[i] * least[i]:
                 least[i], which[i], shares[i] = math.sqrt(gap2), j, share
 
 
-def clearances(shapes: Floats, before: Floats, now: Floats, worth_m: float) -> tuple[Floats, Floats]:
-    """For each of n vehicles the least clearance (n,) to any shape in an interval, and the share; straight ways.
-
-    A distance changes by no more than the way flown: only those that may have come nearer than `worth_m` between the
-    ticks are looked at there.
-    """
-    least, shares = np.empty(len(now)), np.ones(len(now))
-    _clear(shapes, before, now, worth_m, np.empty(len(shapes)), least, shares)
-    return least, shares
-
-
-def _clear(
-    shapes: Floats, before: Floats, now: Floats, worth_m: float, reach: Floats, least: Floats, shares: Floats
-) -> None:
-    geometry.fill_clearances(shapes, now, least, reach)
-    for i in range(now.shape[0]):
-        n, e, d = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
-        if least[i] - math.sqrt(n * n + e * e + d * d) < worth_m:
-            least[i], shares[i] = _clearance_between(shapes, before[i, 0], before[i, 1], before[i, 2], n, e, d, reach)
-
-
 def _clearance_between(
-    shapes: Floats, from_n: float, from_e: float, from_d: float, n: float, e: float, d: float, reach: Floats
+    shapes: Floats, r0: Any, r1: Any, v0: Any, v1: Any, curved: bool, period_s: float, reach: Floats, there: Any
 ) -> tuple[float, float]:
-    """The least clearance on the straight way from a place on, and the share."""
+    """The least clearance on the way from r0 to r1, and the share; writes there (3,) where that is."""
     between = cython.declare(cython.double[ENDS])
     clear_m = cython.declare(cython.double[ENDS])
     least, at = math.INFINITY, 1.0
@@ -191,21 +200,37 @@ def _clearance_between(
         for step in range(FINE + 1):
             share = high if step == FINE else low + step * ((high - low) / FINE)
             between[step] = share
-            north, east, down = from_n + share * n, from_e + share * e, from_d + share * d
+            north, east, down = _on_way(r0, r1, v0, v1, curved, period_s, share)
             clear_m[step] = geometry.clearance_at(shapes, reach, north, east, down)
             if clear_m[step] < clear_m[nearest]:
                 nearest = step
         least, at = clear_m[nearest], between[nearest]
         low, high = between[max(nearest - 1, 0)], between[min(nearest + 1, FINE)]
+    there[0], there[1], there[2] = _on_way(r0, r1, v0, v1, curved, period_s, at)
     return least, at
+
+
+def _on_way(
+    r0: Any, r1: Any, v0: Any, v1: Any, curved: bool, period_s: float, share: float
+) -> tuple[float, float, float]:
+    """The place at a share of the way from r0 to r1: on the chord, and so far beside it as the curve is."""
+    rest = 1.0 - share
+    h10, h11 = share * rest * rest, -share * share * rest
+    place = cython.declare(cython.double[3])
+    for axis in range(3):
+        along = r1[axis] - r0[axis]
+        place[axis] = r0[axis] + share * along
+        if curved:
+            place[axis] += h10 * (v0[axis] * period_s - along) + h11 * (v1[axis] * period_s - along)
+    return place[0], place[1], place[2]
 
 
 class FleetWatch:
     """Looks at a fleet of n, interval by interval.
 
     Tables are kept, and filled in place. last (2, n, 3): places and velocities at the last look, NaN where unknown.
-    ways (n, WAY): where each way began, and the least clearance of those that are `ours`, inf for others, and its
-    share. found (MOST_FOUND, 4), as `find_pair` has it. shapes: table of skytender/geometry.py.
+    ways (n, WAY): of each; the least clearance is inf of those that are not `ours`. found (MOST_FOUND, 4), as
+    `find_pair` has it. shapes: table of skytender/geometry.py.
     """
 
     def __init__(self, last: Floats, shapes: Floats, ways: Floats, found: Floats) -> None:
@@ -232,8 +257,8 @@ class FleetWatch:
         clearance), as `find_pair` has them with `limit_m` and `worth_m`. Vehicles count while they are `flying` and
         their place is known. The last is -1 where no clearance is less than `clear_limit_m` or `clear_worth_m`.
 
-        p, v: (n, 3) now, NaN where unknown, v also (0, 3). exempt (k, 2): rows of pairs that are left out. Only what
-        may be less than the two limits is worth a closer look.
+        p, v: (n, 3) now, NaN where unknown; v (0, 3) where ways are to be straight. exempt (k, 2): rows of pairs that
+        are left out. Only what may be less than the two limits is worth a closer look.
         """
         if len(exempt) > self._pairs.shape[0]:
             self._pairs = np.empty((len(exempt), 2), np.int64)
@@ -259,24 +284,27 @@ def _look(
     n = p.shape[0]
     now, was, v_now, v_was = block[0], block[1], block[2], block[3]
     count = 0
-    known = True
     for i in range(n):
         place[i] = -1
         if flying[i] and not math.isnan(p[i, 0]):
             rows[count], place[i] = i, count
             count += 1
-            if math.isnan(last[0, i, 0]) or math.isnan(last[0, i, 1]) or math.isnan(last[0, i, 2]):
-                known = False
-    curved = known and count > 0 and v.shape[0] > 0
+    curved = count > 0 and v.shape[0] > 0
     for k in range(count):
         i = rows[k]
         own[k] = ours[i]
+        known = curved and not (math.isnan(last[0, i, 0]) or math.isnan(last[1, i, 0]) or math.isnan(v[i, 0]))
         for axis in range(3):
             now[k, axis] = p[i, axis]
             was[k, axis] = p[i, axis] if math.isnan(last[0, i, axis]) else last[0, i, axis]
             ways[i, axis] = was[k, axis]
-            if curved:
+            if known:
                 v_now[k, axis], v_was[k, axis] = v[i, axis], last[1, i, axis]
+            elif curved:  # the chord's own velocity
+                v_now[k, axis] = (now[k, axis] - was[k, axis]) / period_s if period_s > 0.0 else 0.0
+                v_was[k, axis] = v_now[k, axis]
+            if curved:
+                ways[i, V_BEGAN + axis], ways[i, V_ENDED + axis] = v_was[k, axis], v_now[k, axis]
     kept = 0
     for k in range(exempt.shape[0]):
         if place[exempt[k, 0]] >= 0 and place[exempt[k, 1]] >= 0:
@@ -301,8 +329,14 @@ def _look(
             i = rows[k]
             clear_m, share = geometry.clearance_at(shapes, reach, now[k, 0], now[k, 1], now[k, 2]), 1.0
             dn, de, dd = now[k, 0] - was[k, 0], now[k, 1] - was[k, 1], now[k, 2] - was[k, 2]
-            if clear_m - math.sqrt(dn * dn + de * de + dd * dd) < clear_of_m:
-                clear_m, share = _clearance_between(shapes, was[k, 0], was[k, 1], was[k, 2], dn, de, dd, reach)
+            r0, r1 = cython.address(was[k, 0]), cython.address(now[k, 0])
+            v0, v1 = cython.address(v_was[k, 0]), cython.address(v_now[k, 0])
+            there = cython.address(ways[i, CLEAR_PLACE])
+            there[0], there[1], there[2] = now[k, 0], now[k, 1], now[k, 2]
+            # A distance changes by no more than the way flown.
+            flown_m = math.sqrt(dn * dn + de * de + dd * dd) + (_bulge(r0, r1, v0, v1, period_s) if curved else 0.0)
+            if clear_m - flown_m < clear_of_m:
+                clear_m, share = _clearance_between(shapes, r0, r1, v0, v1, curved, period_s, reach, there)
             ways[i, CLEAR_M], ways[i, CLEAR_AT] = clear_m, share
             if clear_m < least_m:
                 clearest, least_m = i, clear_m

@@ -56,7 +56,7 @@ class Places(NamedTuple):
     """(n,) above each vehicle's own ground"""
     traffic: Mapping[str, Vec3]
     v_ned: Floats = approach.STRAIGHT
-    """m/s; (0, 3) where ways between ticks are to be straight"""
+    """m/s, NaN where unknown; (0, 3) where all ways between ticks are to be straight"""
 
 
 class Proximity:
@@ -77,6 +77,9 @@ class Proximity:
         self._of_last[0] = np.nan
         ways = self._ways = np.empty((count, approach.WAY))
         self._before, self._clear_m, self._clear_at = ways[:, :3], ways[:, approach.CLEAR_M], ways[:, approach.CLEAR_AT]
+        self._clear_place, self._v_began, self._v_ended = (
+            ways[:, at : at + 3] for at in (approach.CLEAR_PLACE, approach.V_BEGAN, approach.V_ENDED)
+        )
         self.surround(scenario, shapes)
         self._last: tuple[float, Mapping[str, Vec3]] | None = None
         """time, and places of the traffic"""
@@ -113,7 +116,7 @@ class Proximity:
         if near:
             breaches += self._between(t_s, period_s, near)
         if clearest >= 0:
-            breaches += self._to_shapes(t_s, period_s, clearest, places.p_ned)
+            breaches += self._to_shapes(t_s, period_s, clearest)
         if count and places.traffic:
             breaches += self._to_traffic(t_s, period_s, airspace, places, traffic_before)
         if self._ground:
@@ -126,11 +129,10 @@ class Proximity:
             near.append(self._nearest(gap_m, (int(i), int(j)), t_s - (1.0 - at) * period_s))
         return self._new("separation", near)
 
-    def _to_shapes(self, t_s: float, period_s: float, nearest: int, now: Floats) -> list[Breach]:
+    def _to_shapes(self, t_s: float, period_s: float, nearest: int) -> list[Breach]:
         near = []
         for row in {nearest, *np.flatnonzero(self._clear_m < self._clearance_m).tolist()}:
-            there = self._before[row] + self._clear_at[row] * (now[row] - self._before[row])
-            what = self._names[approach.nearest_shape(self._shapes, there)]
+            what = self._names[approach.nearest_shape(self._shapes, self._clear_place[row])]
             at_s = t_s - (1.0 - self._clear_at[row]) * period_s
             near.append(self._nearest(self._clear_m[row], (row,), at_s, what))
         self.clearance = _least(self.clearance, near)
@@ -146,7 +148,8 @@ class Proximity:
             return []
         there = np.array([traffic[name] for name in names])
         was = np.array([traffic_before.get(name, traffic[name]) for name in names])
-        least, which, shares = approach.nearest_to(self._before[rows], places.p_ned[rows], was, there)
+        curve = (self._v_began[rows], self._v_ended[rows]) if len(places.v_ned) else (approach.STRAIGHT,) * 2
+        least, which, shares = approach.nearest_to(self._before[rows], places.p_ned[rows], *curve, was, there, period_s)
         near = []
         k = int(least.argmin())
         for i in {k, *np.flatnonzero(least < self._traffic_m).tolist()}:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +67,13 @@ FEWEST_SECONDS, SECONDS_A_FRAME = 3600, 2
 Progress = Callable[[float], object]
 
 
+class ServiceLines(NamedTuple):
+    """The decisions that begin and end one refuelling; None for one that the files do not hold."""
+
+    decided: dict[str, Any] | None
+    served: dict[str, Any] | None
+
+
 class NoSession(Exception):
     """The folder is no session's; the message is a sentence that names it."""
 
@@ -102,6 +109,27 @@ class Recorded:
     def worlds(self) -> Worlds | None:
         """Obstacles, attractors and targets' paths, as they changed in flight; None without a scenario."""
         return None if self.scenario is None else Worlds.recorded(self.scenario, self.decisions)
+
+    @cached_property
+    def services(self) -> list[ServiceLines]:
+        """Each refuelling by its lines: those that ended in the order of their ends, then those under way. A line that
+        ends one is of the last that was decided between the same two; vehicles that compete on board decide before the
+        session knows it, so that times do not tell."""
+        ended: list[ServiceLines] = []
+        under_way: list[dict[str, Any]] = []
+        for d in self.decisions:
+            if d["kind"] == "decided":
+                under_way.append(d)
+            elif d["kind"] == "served":
+                decided = next((one for one in reversed(under_way) if _sides(one) == _sides(d)), None)
+                if decided is not None:
+                    under_way.remove(decided)
+                ended.append(ServiceLines(decided, d))
+        return [*ended, *(ServiceLines(one, None) for one in under_way)]
+
+
+def _sides(line: dict[str, Any]) -> tuple[int, int | None, str | None]:
+    return line["receiver"], line["tanker"], line.get("base")
 
 
 def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:

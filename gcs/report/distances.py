@@ -131,15 +131,11 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
 
 def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
     """(k, 4) rows of tanker and receiver, and from when to when they were partners."""
-    open_since: dict[tuple[int, int], float] = {}
     spans: list[tuple[float, float, float, float]] = []
-    for decision in recorded.decisions:
-        if decision["kind"] not in ("decided", "served"):
-            continue
-        key = decision["tanker"], decision["receiver"]
-        if decision["kind"] == "decided":
-            open_since[key] = decision["t_s"]
-        elif key in open_since and set(key) <= rows.keys():
-            spans.append((rows[key[0]], rows[key[1]], open_since.pop(key), decision["t_s"]))
-    spans += [(rows[t], rows[r], since, math.inf) for (t, r), since in open_since.items() if {t, r} <= rows.keys()]
+    for decided, served in recorded.services:
+        line = decided or served or {}
+        if {line["tanker"], line["receiver"]} <= rows.keys():
+            since_s = line["t_s"] if decided else line["decided_at_s"]
+            until_s = math.inf if served is None else served["t_s"]
+            spans.append((rows[line["tanker"]], rows[line["receiver"]], since_s, until_s))
     return np.array(spans, dtype=np.float64).reshape(-1, 4)

@@ -117,20 +117,20 @@ class Findings:
     def services(self) -> list[ServiceFinding]:
         """Each refuelling in the order of decision: by the decisions, else by the summary."""
         found: list[ServiceFinding] = []
-        for decision in self.recorded.decisions:
-            if decision["kind"] == "served":
-                reported: dict[str, Any] = {"base": None, **decision}
+        for _, served in self.recorded.services:
+            if served is not None:
+                reported: dict[str, Any] = {"base": None, **served}
                 found.append(ServiceFinding(**{key: reported[key] for key in ServiceFinding.__struct_fields__}))
-        ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
         if self.summary is not None:
+            ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
             found += [
                 ServiceFinding(**s.model_dump(), reason=NOT_ENDED if s.end_s is None else NOT_RECORDED)
                 for s in self.summary.refuelling
                 if (s.receiver, s.tanker, s.decided_at_s) not in ended
             ]
-        elif self.recorded.decisions:
-            for d in self.recorded.decisions:
-                if d["kind"] == "decided" and (d["receiver"], d["tanker"], d["t_s"]) not in ended:
+        else:
+            for d, served in self.recorded.services:
+                if d is not None and served is None:
                     pair = d["receiver"], d["tanker"], d.get("base"), d["by"], d["t_s"]
                     found.append(ServiceFinding(*pair, None, None, None, 0.0, NOT_ENDED, d["bids"]))
         return sorted(found, key=lambda service: service.decided_at_s)

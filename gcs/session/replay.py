@@ -238,8 +238,7 @@ class Replay:
             self.problems.append(unread(folder / DECISIONS, error, "decisions are not shown."))
         else:
             with contextlib.suppress(OSError, ValueError):  # as after a session that was killed
-                summary = Summary.model_validate_json((folder / SUMMARY).read_bytes())
-                self._timeline.unmet = summary.unmet if summary.goal else None
+                self._timeline.end(Summary.model_validate_json((folder / SUMMARY).read_bytes()))
             if self._timeline.broken:
                 self.problems.append(passed_over(DECISIONS, self._timeline.broken))
         return round(1e6 * self._scenario.clock.epoch.timestamp())

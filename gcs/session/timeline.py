@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
-from gcs.recording.summary import GoalPartSummary
+from gcs.recording.summary import GoalPartSummary, Summary
 from gcs.recording.tick_record import event_of, is_event
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
@@ -42,6 +42,8 @@ class _Life:
     """One service from its decision to its end, and when its phase changed."""
 
     service: Service
+    known_s: float
+    """when the session knew of it, which may be later than vehicles that compete on board decided it"""
     phases: list[tuple[float, Phase]] = field(default_factory=list)
     end_s: float | None = None
     reason: str = ""
@@ -190,6 +192,15 @@ class Timeline(Moments):
         self._competition_s = [line.t_s for line in self._competition_lines]
         self._shown_s = [t_s for t_s, _ in self._shown]
 
+    def end(self, summary: Summary) -> None:
+        """Know what the session's summary says of its end: parts of the goal that were not met, and when vehicles
+        decided services that were under way, which no line says."""
+        self.unmet = summary.unmet if summary.goal else None
+        for row in summary.refuelling:
+            life = self._under_way((row.receiver, row.tanker, row.base)) if row.end_s is None else None
+            if life is not None:
+                life.service.decided_at_s = row.decided_at_s
+
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
         """Decisions, orders and deaths in after_s < t ≤ until_s."""
         first, last = bisect.bisect_right(self._shown_s, after_s), bisect.bisect_right(self._shown_s, until_s)
@@ -202,7 +213,8 @@ class Timeline(Moments):
         out.
         """
         t_s, scenario = snapshot.time_s, self._scenario
-        services = [life.at(t_s) for life in self._lives if life.service.decided_at_s <= t_s]
+        services = [life.at(t_s) for life in self._lives if life.known_s <= t_s]
+        services.sort(key=lambda service: (service.decided_at_s, service.number))
         self._book(services, snapshot)
         competition_state = self._competition_at(t_s)
         is_open = [service for service in services if service.phase is not Phase.DONE]
@@ -326,16 +338,15 @@ class Timeline(Moments):
                 base=record.get("base"),
                 why_base=record.get("reason", ""),
             )
-            self._lives.append(_Life(service))
+            self._lives.append(_Life(service, t_s))
         elif kind in ("transfer", "broken off", "served"):
             sides = (int(record["receiver"]), record["tanker"], record.get("base"))
-            life = next(
-                one
-                for one in reversed(self._lives)
-                if (one.service.receiver, one.service.tanker, one.service.base) == sides and one.end_s is None
-            )
-            if kind == "served":
+            life = self._under_way(sides)
+            if life is None:
+                self.broken += 1
+            elif kind == "served":
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
+                life.service.decided_at_s = float(record["decided_at_s"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
                 self.take(t_s, record)
             else:
@@ -354,6 +365,13 @@ class Timeline(Moments):
             if record.get("taken") and "sysid" in record and record["command"] == "retarget":
                 self._pursuing.append((t_s, int(record["sysid"]), int(record["target"])))
                 self.chases.append(dict(record))
+
+    def _under_way(self, sides: tuple[int, int | None, str | None]) -> _Life | None:
+        """The last service that was decided between receiver, tanker and base, and has not ended."""
+        open_lives = (one for one in reversed(self._lives) if one.end_s is None)
+        return next(
+            (one for one in open_lives if (one.service.receiver, one.service.tanker, one.service.base) == sides), None
+        )
 
 
 def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:

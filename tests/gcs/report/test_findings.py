@@ -135,6 +135,22 @@ def test_a_service_that_the_end_cut_is_no_refuelling_of_the_page(tmp_path: Path)
     assert "<dt>refuellings</dt><dd>1<small>3.0 kJ moved, 1 not ended</small></dd>" in shown
 
 
+def test_a_service_that_vehicles_decided_before_the_session_knew_is_one() -> None:
+    """They compete on board: the lines of 2 differ in when it was decided, and that of 1 has not ended."""
+    pair, by = {"receiver": 2, "tanker": 201}, {"by": "unopposed", "bids": {}}
+    steps = {"decided_at_s": 3.4, "joined_at_s": 8.5, "start_s": 8.5, "end_s": 16.0, "energy_j": 700}
+    decisions = [
+        {"t_s": 3.5, "kind": "decided", **pair, **by},
+        {"t_s": 16.0, "kind": "served", "reason": "served", **pair, **by, **steps},
+        {"t_s": 16.2, "kind": "decided", **pair, **by, "receiver": 1},
+    ]
+    services = found(decisions=decisions, summary=None).services
+    assert [(s.receiver, s.decided_at_s, s.end_s, s.energy_j) for s in services] == [
+        (2, 3.4, 16.0, 700),
+        (1, 16.2, None, 0.0),
+    ]
+
+
 def test_code_that_a_scenario_names_stands_where_the_flight_is_to_be_reproduced(tmp_path: Path) -> None:
     (tmp_path / "scenario.yaml").touch()
     flown = scenario()

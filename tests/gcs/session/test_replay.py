@@ -8,6 +8,7 @@ import os
 import pty
 import re
 import select
+import shutil
 import struct
 import subprocess
 import time
@@ -101,6 +102,31 @@ def test_a_service_under_way_is_shown_with_its_reason(session: Outcome, replay: 
     found = rows(snapshot)
     assert (found[begun["receiver"]]["state"], found[201]["state"]) == ("served", "serves")
     assert any(event["kind"] == "decision" for event in snapshot["events"])
+
+
+def test_services_that_vehicles_decided_before_the_session_knew_have_the_summarys_times(
+    session: Outcome, tmp_path: Path
+) -> None:
+    """As where they compete on board: the session notes decisions 0.1 s later, and one has not ended when it does."""
+    folder = Path(shutil.copytree(session.folder, tmp_path / "flown"))
+    lines = [json.loads(line) for line in (folder / "decisions.jsonl").read_text(encoding="utf-8").splitlines()]
+    last = max(line["end_s"] for line in lines if line["kind"] == "served")
+    lines = [line for line in lines if line["kind"] != "served" or line["end_s"] != last]
+    for line in lines:
+        line["t_s"] += 0.1 * (line["kind"] == "decided")
+    (folder / "decisions.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    cut = next(row for row in summary["refuelling"] if row["end_s"] == last)
+    cut["end_s"] = None
+    (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+    replay = Replay(folder)
+    replay.advance(cut["decided_at_s"] + 0.05, math.inf)
+    assert replay.snapshot(speed=1.0)["services"] == []
+    replay.advance(replay.to_s, math.inf)
+    snapshot = replay.snapshot(speed=1.0)
+    told = {(row["receiver"], row["decided_at_s"]) for row in (*snapshot["history"], *snapshot["services"])}
+    assert told == {(row["receiver"], row["decided_at_s"]) for row in summary["refuelling"]}
+    assert len(snapshot["services"]) == 1
 
 
 @pytest.mark.parametrize("t_s", [0.0, 7.3, 24.0, 45.0])

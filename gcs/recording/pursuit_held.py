@@ -25,22 +25,24 @@ MOST_PLACES = 1 << 26
 
 
 class HeldTimesReader:
-    """Reads the times held out of a recording that another reader walks: `add` each stretch of it, ask at its end.
+    """Reads the times held out of a recording that another reader walks: `add` each stretch of it, `finish` at its end,
+    then ask.
 
-    `decisions`: those of kinds "pursuit" and "operator".
+    `decisions`: those of kinds "pursuit" and "operator". `recorded` has the tables PLACES then.
     """
 
     def __init__(self, scenario: Scenario, decisions: Iterable[Mapping[str, Any]]) -> None:
-        self._recorded = Recorded(Path(), scenario=scenario, decisions=[dict(decision) for decision in decisions])
-        self._period_s = scenario.clock.period_s
-        self._gathering: Gathering | None = None
-        if scenario.goal.pursue is not None:
-            self._gathering = Gathering(self._recorded, PLACES, counted=False)
+        self.recorded = Recorded(Path(), scenario=scenario, decisions=[dict(decision) for decision in decisions])
+        self._scenario = scenario
+        self._gathering = Gathering(self.recorded, PLACES, counted=False)
 
     def add(self, chunk: Chunk) -> None:
         """Take in the next stretch."""
-        if self._gathering is not None:
-            self._gathering.add(chunk)
+        self._gathering.add(chunk)
+
+    def finish(self) -> None:
+        """The last stretch has been added."""
+        self._gathering.finish()
 
     def held_times(self) -> Callable[[float], float] | None:
         """For how long, s, even the worst had held the goal's pursuit by a time; None where the goal asks for none, or
@@ -49,13 +51,12 @@ class HeldTimesReader:
         As the session reported it at a time: measured at the tick before, since a tick ends by granting the next
         period, which moves the session's time on.
         """
-        if self._gathering is None:
+        if self._scenario.goal.pursue is None:
             return None
-        self._gathering.finish()
-        flown = tracks(self._recorded)
+        flown = tracks(self.recorded)
         if not flown:
             return None
-        held_s, late_s = held_by(self._recorded, flown)[0], self._period_s - ROUNDING_S
+        held_s, late_s = held_by(self.recorded, flown)[0], self._scenario.clock.period_s - ROUNDING_S
         return lambda t_s: float(held(held_s, np.array([t_s - late_s]))[0])
 
 

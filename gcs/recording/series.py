@@ -19,7 +19,7 @@ import pymap3d
 from numpy.typing import NDArray
 
 from gcs.mavlink import statustext
-from gcs.mavlink.autopilots import GENERIC, PROFILES, Profile, profile_of
+from gcs.mavlink.autopilots import GENERIC, PROFILES, STEERABLE, FlightMode, Profile, profile_of
 from gcs.mavlink.battery import BatteryReports, battery_statuses, sys_statuses
 from gcs.mavlink.common_frame import FramePlace, frame_place, turned
 from gcs.mavlink.ids import AUTOPILOT
@@ -39,6 +39,10 @@ GAP_S = 2.0
 LATE_S = 5.0
 """A vehicle's own time is believed where it is at most this much before the arrival: else its clock is another one."""
 ARMED, ON_GROUND, UNDEFINED_STATE = 0x80, 1, 0
+CUT_OFF_S, BLAMED_S = 2.0, 3.0
+"""Places missing for longer than the former excuse what a vehicle does until the latter after it (its arming sequence
+in gcs/supervisor/arming.py)."""
+_LED = STEERABLE | {FlightMode.MISSION}
 _TimedContent = tuple[float, float, str, Any]
 """(session time in s, place in the file, message, its content), which so stand in the order in which they came"""
 
@@ -410,6 +414,42 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
             float(silence_s),
         )
     return found
+
+
+def landings(recorded: Recorded) -> list[tuple[float, int, bool]]:
+    """(time in s, system id, whether it came down) of the scenario's vehicles with an autopilot of ours: when each
+    began to fly by what the session ordered, and when its motors stopped after that.
+
+    Left out is one whose places were missing until just before: its failsafe may have landed it, and it rejoins.
+    """
+    if recorded.scenario is None:
+        return []
+    beats, states = by_vehicle(recorded, "HEARTBEAT"), by_vehicle(recorded, "EXTENDED_SYS_STATE")
+    places = by_vehicle(recorded, "LOCAL_POSITION_NED")
+    ours = {vehicle.sysid for vehicle in recorded.scenario.vehicles.all if not vehicle.is_foreign}
+    found = []
+    for sysid in sorted(ours & beats.keys() & states.keys()):
+        rows, state = beats[sysid], states[sysid]
+        in_air = held(_state(state, ~np.isin(state["landed_state"], (ON_GROUND, UNDEFINED_STATE))), rows["t_s"]) > 0.0
+        placed_s = _times_s(places[sysid]) if sysid in places else np.empty(0)
+        flew = False
+        for row, flies in zip(rows, in_air.tolist(), strict=True):
+            armed = row["base_mode"] & ARMED > 0
+            mode = profile_of(int(row["autopilot"]), int(row["type"])).mode(int(row["custom_mode"]))
+            if armed and flies and mode in _LED and not flew:
+                flew = True
+                found.append((float(row["t_s"]), sysid, False))
+            elif flew and not armed:
+                flew = False
+                if not _was_cut_off(placed_s, float(row["t_s"])):
+                    found.append((float(row["t_s"]), sysid, True))
+    return sorted(found)
+
+
+def _was_cut_off(placed_s: Floats, t_s: float) -> bool:
+    """Whether places of these times (k,) were missing for long enough up to a time, or to just before it."""
+    known = placed_s[(placed_s >= t_s - BLAMED_S - CUT_OFF_S) & (placed_s <= t_s)]
+    return bool((np.diff(known, prepend=t_s - BLAMED_S - CUT_OFF_S, append=t_s) > CUT_OFF_S).any())
 
 
 def texts(recorded: Recorded, worst: int = 4) -> list[tuple[float, int, int, str]]:

@@ -114,6 +114,7 @@ def _moments(recorded: Recorded) -> Moments:
     for record in recorded.decisions:
         with contextlib.suppress(KeyError, TypeError, ValueError):  # of another version
             moments.take(float(record["t_s"]), record)
+    moments.see_landings(recorded)
     return moments
 
 

@@ -102,7 +102,11 @@ class Replay:
         self.problems += self._recording.problems
         if not self._recording.frames:
             raise ReplayError(" ".join(self._recording.problems) or f"{path} holds no MAVLink frame.")
-        self._pursuit = reader.held_times() if reader is not None else None
+        self._pursuit: Callable[[float], float] | None = None
+        if reader is not None and self._timeline is not None:
+            reader.finish()
+            self._pursuit = reader.held_times()
+            self._timeline.see_landings(reader.recorded)
         progress(1.0)
         self.from_s, self.to_s = self._recording.from_s, self._recording.to_s
         self._wanted: frozenset[int] = frozenset()

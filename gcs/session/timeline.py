@@ -14,12 +14,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
+from gcs.recording import series
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
+from gcs.recording.session_folder import Recorded
 from gcs.recording.summary import GoalPartSummary, Summary
 from gcs.recording.tick_record import event_of, is_event
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
-from gcs.refuelling.participation import Participation
+from gcs.refuelling.participation import RELEASED, Participation
 from gcs.refuelling.service import Phase, Service
 from gcs.scenario.goal import is_refuelling
 from gcs.scenario.model import Scenario
@@ -87,6 +89,10 @@ class Moments:
         """(time, system id, what it is to fly; None: by the plan, or by others) of what operators took in hand"""
         self.losses: list[tuple[float, int]] = []
         """(time, system id) of vehicles that were lost, some of which flew again"""
+        self._found: list[tuple[float, int]] = []
+        """(time, system id) of vehicles that flew, or flew again, by what the session ordered"""
+        self._charging: list[tuple[float, str, int]] = []
+        """(time, kind, system id) of decisions on vehicles that land at a base and take off again"""
         self._refuelling: list[tuple[float, str, int]] = []
         """(time, what, system id) of orders, faults, decisions and deaths that change who takes part in refuelling"""
 
@@ -101,6 +107,8 @@ class Moments:
             self._refuelling.append((t_s, kind, int(record["receiver" if kind == "decided" else "sysid"])))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             self._refuelling.append((t_s, str(record["command"]), int(record["sysid"])))
+        if kind in ("decided", "served") and record.get("base"):
+            self._charging.append((t_s, kind, int(record["receiver"])))
         if kind == "death":
             self.happened.append(ServiceMoment(t_s, int(record["sysid"]), None))
         elif kind == "served" and record.get("base"):
@@ -133,9 +141,27 @@ class Moments:
             found.change(what, sysid)
         return found
 
+    def see_landings(self, recorded: Recorded) -> None:
+        """Know which vehicles came down without an order, and fly again, by what they said of themselves: a loss that
+        the goal allows is in no decision. Decisions are to be taken before."""
+        for t_s, sysid, came_down in series.landings(recorded):
+            if not came_down:
+                self._found.append((t_s, sysid))
+            elif not self._was_to_land(t_s, sysid):
+                self.losses.append((t_s, sysid))
+
+    def _was_to_land(self, t_s: float, sysid: int) -> bool:
+        of_bases = [kind for at_s, kind, receiver in self._charging if receiver == sysid and at_s <= t_s]
+        released = self.participation(t_s).out.get(sysid) == RELEASED
+        return released or self.ordered(t_s).get(sysid) in ("return", "land") or of_bases[-1:] == ["decided"]
+
     def lost(self, t_s: float) -> set[int]:
-        """Vehicles lost by a time, without those that rejoined and were then ordered to land."""
+        """Vehicles lost by a time, without those that flew again by what was ordered, and those that rejoined and were
+        then ordered to land."""
         lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
+        for at_s, sysid in self._found:
+            if lost_s.get(sysid, math.inf) < at_s <= t_s:
+                del lost_s[sysid]
         ordered = self.ordered(t_s)
         rejoined = {
             sysid

@@ -172,6 +172,7 @@ def course_of(folder: Path, flown: Scenario) -> Callable[[float], float] | None:
     reader = pursuit_held.HeldTimesReader(flown, [])
     for chunk in tlog_reader.read(folder / "session.tlog").chunks():
         reader.add(chunk)
+    reader.finish()
     return reader.held_times()
 
 

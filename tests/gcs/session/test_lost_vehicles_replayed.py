@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import re
 from pathlib import Path
@@ -35,6 +36,21 @@ def test_a_vehicle_whose_motor_failed_is_no_vehicle_that_is_well(tmp_path: Path)
     assert [re.sub(r"\d+\.\d s", "T", text) for text in broken if text.startswith("lost: ")] == [
         "lost: pursuer 1 is lost: crashed, or disarmed in flight (T)"
     ]
+
+
+def test_a_loss_that_the_goal_allows_is_trouble_as_it_was_in_flight(tmp_path: Path) -> None:
+    """It is in no decision; what the session said in flight is in its lines of JSON."""
+    faults = [{"fault": "motor", "sysid": 1, "at_s": 9.0}]
+    goal = {"duration_s": 16.0, "lost_at_most": 1}
+    flown = fly(small(faults=faults, goal=goal), tmp_path, "--no-report", "--json")
+    lines = [json.loads(line) for line in flown.stdout.splitlines()]
+    last = [line for line in lines if line["type"] == "snapshot"][-1]
+    live = {row["sysid"]: (row["trouble"], row["severity"], row["condition"]) for row in last["vehicles"]}
+    assert live[1] == (["not flying"], 2, "failing")
+    assert not [record for record in flown.decisions if record.get("part") == "lost"]
+    found = seen_at(Replay(flown.folder), last["t_s"])
+    assert {sysid: (row["trouble"], row["severity"], row["condition"]) for sysid, row in found.items()} == live
+    assert Watched(read(flown.folder)).health[1][-1][1].texts == ("not flying",)
 
 
 def test_orders_do_not_hide_a_loss_but_a_landing_by_order_after_it_rejoined_is_none() -> None:

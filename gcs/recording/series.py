@@ -399,9 +399,9 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
     found = {}
     longest = max(map(len, recorded.traffic_count.values()), default=0)
     bin_s = recorded.traffic_bin_s
-    # The last bin is seldom whole; its rate would be a drop that never was.
+    # The last bin is seldom whole; its rate would be a drop that never was. Its gaps count.
     whole = max(min(longest, int((recorded.end_s + 1e-6) / bin_s)), 1)
-    t_s: Floats = bin_s * (np.arange(whole).astype(np.float64) + 0.5)
+    t_s: Floats = np.minimum(bin_s * (np.arange(longest).astype(np.float64) + 0.5), recorded.end_s)
     for sysid in sorted(sysid for sysid, counts in recorded.traffic_count.items() if counts.any()):
         counts, lost = (
             np.pad(table[sysid], (0, longest - len(table[sysid])))
@@ -409,8 +409,8 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
         )
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = LinkSeries(
-            Series(t_s, counts[:whole] / bin_s),
-            Series(t_s, np.cumsum(lost)[:whole].astype(np.float64)),
+            Series(t_s[:whole], counts[:whole] / bin_s),
+            Series(t_s, np.cumsum(lost).astype(np.float64)),
             float(silence_s),
         )
     return found

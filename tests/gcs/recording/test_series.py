@@ -260,6 +260,21 @@ def test_traffic_of_a_recording_alone_is_in_the_frame_of_its_vehicles(tmp_path: 
     assert apart_m == pytest.approx(3.0, abs=0.02)
 
 
+def test_frames_lost_in_the_last_second_which_is_not_whole_are_counted(tmp_path: Path) -> None:
+    """10 frames a second for 10.9 s; of these one is missing in the 3rd second, and two are in the last."""
+    beat = {"type": 2, "autopilot": 12, "base_mode": 0, "custom_mode": 0, "system_status": 4}
+    with Recorder(tmp_path) as recorder:
+        for k in range(110):
+            if k not in (25, 103, 107):
+                frame = codec.encode("HEARTBEAT", k, 1, 1, **beat)
+                recorder.frames(EPOCH_US + 100_000 * k, [frame])
+    recorded = read_recording(tmp_path / "session.tlog", tmp_path / "session.tlog")
+    link = series.links(recorded, {})[1]
+    assert link.lost.values.tolist() == [0, 0, *[1] * 8, 3]
+    assert link.lost.t_s[-1] <= recorded.end_s
+    assert link.rate_hz.values.tolist() == [10, 10, 9, *[10] * 7]  # the last second's rate is not known
+
+
 # folders that lack something
 
 

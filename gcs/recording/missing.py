@@ -12,6 +12,8 @@ CHANGES_ONLY = (
     "changes): the tracking error cannot be shown."
 )
 """Errors are smaller than what such set points may be off."""
+NO_REASON = "the reason is not recorded"
+"""Why a refuelling ended whose end is in no line that is left."""
 
 
 def unread(path: Path, error: Exception, lost: str) -> str:

@@ -395,10 +395,12 @@ class LinkSeries:
 
 
 def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
-    """The link of each vehicle that was received."""
+    """The link of each vehicle that was received, since the recording begins."""
     found = {}
     longest = max(map(len, recorded.traffic_count.values()), default=0)
     bin_s = recorded.traffic_bin_s
+    begun = int(recorded.begin_s / bin_s + 1e-6)
+    first = math.ceil(recorded.begin_s / bin_s - 1e-6)
     # The last bin is seldom whole; its rate would be a drop that never was. Its gaps count.
     whole = max(min(longest, int((recorded.end_s + 1e-6) / bin_s)), 1)
     t_s: Floats = np.minimum(bin_s * (np.arange(longest).astype(np.float64) + 0.5), recorded.end_s)
@@ -409,8 +411,8 @@ def links(recorded: Recorded, flown: dict[int, Track]) -> dict[int, LinkSeries]:
         )
         silence_s = np.diff(flown[sysid].t_s).max(initial=0.0) if sysid in flown else math.nan
         found[sysid] = LinkSeries(
-            Series(t_s[:whole], counts[:whole] / bin_s),
-            Series(t_s, np.cumsum(lost).astype(np.float64)),
+            Series(t_s[first:whole], counts[first:whole] / bin_s),
+            Series(t_s[begun:], np.cumsum(lost)[begun:].astype(np.float64)),
             float(silence_s),
         )
     return found

@@ -102,6 +102,8 @@ class Recorded:
     """length of those bins: doubled as often as it takes for MOST_BINS to hold all"""
     health_frames: list[tlog_walk.Chunk] = field(default_factory=list)
     """vehicles' frames by which their health and their changes are seen, in µs of the session"""
+    begin_s: float = 0.0
+    """when the recording begins whose first parts were not kept; 0 of one that is whole"""
     end_s: float = 0.0
     problems: list[str] = field(default_factory=list)
 
@@ -148,9 +150,21 @@ def read(folder: Path, progress: Progress = lambda _: None) -> Recorded:
         progress(0.5 * (share + told))
     for told in log:
         progress(0.5 * (1.0 + told))
+    _note_beginning(recorded)
     if not recorded.end_s and recorded.summary is not None:
         recorded.end_s = recorded.summary.sim_time_s
     return recorded
+
+
+def _note_beginning(recorded: Recorded) -> None:
+    gone = [name for name in (TLOG, DECISIONS) if not rotation.begins(recorded.folder / name)]
+    if gone:
+        begin = f"{' and '.join(gone)} begin{'s' if len(gone) == 1 else ''} at {recorded.begin_s:.1f} s"
+        told = "; energies, refuellings, least distances and greatest errors are the whole session's, by summary.json"
+        recorded.problems.append(
+            f"{begin}, for the parts before were not kept: figures over time, and each vehicle's lowest battery, top "
+            f"speed, longest silence and lost frames, are of the time since{told if recorded.summary else ''}."
+        )
 
 
 def read_recording(source: Path, name: Path, progress: Progress = lambda _: None) -> Recorded:
@@ -227,8 +241,9 @@ def _read_decisions(recorded: Recorded) -> Iterator[float]:
 def _read_tlog(recorded: Recorded) -> Iterator[float]:
     """The same of the folder's recording."""
     gathering = Gathering(recorded)
+    path = recorded.folder / TLOG
     try:
-        log = tlog_reader.read(recorded.folder / TLOG, session=True)
+        log = tlog_reader.read(path, session=True)
         for chunk in log.chunks():
             gathering.add(chunk)
             yield chunk.read_share
@@ -237,6 +252,8 @@ def _read_tlog(recorded: Recorded) -> Iterator[float]:
         why = "is missing" if isinstance(error, FileNotFoundError) else f"cannot be read ({error.strerror})"
         recorded.problems.append(f"{TLOG} {why}: paths, speeds, batteries, distances and link cannot be shown.")
     gathering.finish()
+    if not rotation.begins(path):
+        recorded.begin_s = gathering.begin_s
 
 
 class Gathering:
@@ -252,6 +269,9 @@ class Gathering:
         self._counted = counted
         self._gaps = RecordedGaps()
         self._frames = 0
+        self._begun = False
+        self.begin_s = 0.0
+        """time of the first frame"""
 
     def add(self, chunk: tlog_walk.Chunk) -> None:
         """Take in the next stretch."""
@@ -259,6 +279,8 @@ class Gathering:
         if not len(heads):
             return
         epoch_us = self._epoch_us = int(heads[0, tlog_walk.T_US]) if self._epoch_us is None else self._epoch_us
+        if not self._begun:
+            self._begun, self.begin_s = True, 1e-6 * (int(heads[0, tlog_walk.T_US]) - epoch_us)
         for name, pieces in self._pieces.items():
             pieces.append(_columns(chunk, name, epoch_us))
         self._recorded.end_s = max(self._recorded.end_s, 1e-6 * (int(heads[-1, tlog_walk.T_US]) - epoch_us))

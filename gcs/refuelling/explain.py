@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -85,7 +86,9 @@ def why(service: Service, snapshot: FleetSnapshot, rules: RefuellingRules, compe
     """One sentence for a person: by what this receiver was chosen, and when its tanker meets it."""
     receiver = snapshot.vehicle(service.receiver).label
     need = f"its need {service.need:.2f}"
-    if service.by == "competition" and competition.bids == "losses":
+    if math.isnan(service.need):
+        reason = "its decision is in no part of the recording that was kept"
+    elif service.by == "competition" and competition.bids == "losses":
         reason = f"{_gained(service.gain)} ({need})"
     elif service.by == "competition" and competition.bids == "time":
         reason = f"it has the least flight time left, and has led for {competition.dwell_s:g} s ({need})"

@@ -18,6 +18,7 @@ from gcs.recording.pursuit_held import held_by, pursued, ticks_of
 from gcs.recording.series import Floats, Series, Track
 from gcs.recording.session_folder import Recorded, rows_of
 from gcs.report.nearness import fill_errors, fill_separations
+from gcs.scenario import goal
 from gcs.telemetry.metrics import PLAN_MEMORY
 from skytender import geometry
 
@@ -130,12 +131,17 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
 
 
 def _partners(recorded: Recorded, rows: Mapping[int, int]) -> Floats:
-    """(k, 4) rows of tanker and receiver, and from when to when they were partners."""
-    spans: list[tuple[float, float, float, float]] = []
+    """(k, 4) rows of tanker and receiver, and from when to when they were partners, or had time to part."""
+    parting_s = goal.parting_s(recorded.scenario) if recorded.scenario else 0.0
+    spans: list[tuple[int | None, int, float, float]] = []
     for decided, served in recorded.services:
         line = decided or served or {}
-        if {line["tanker"], line["receiver"]} <= rows.keys():
-            since_s = line["t_s"] if decided else line["decided_at_s"]
-            until_s = math.inf if served is None else served["t_s"]
-            spans.append((rows[line["tanker"]], rows[line["receiver"]], since_s, until_s))
-    return np.array(spans, dtype=np.float64).reshape(-1, 4)
+        since_s = line["t_s"] if decided else line["decided_at_s"]
+        spans.append((line["tanker"], line["receiver"], since_s, served["t_s"] + parting_s if served else math.inf))
+    # Of one whose decision was not kept, and that had not ended, the summary alone knows.
+    under_way = {span[:2] for span in spans if span[3] == math.inf}
+    for row in recorded.summary.refuelling if recorded.summary else ():
+        if row.end_s is None and (row.tanker, row.receiver) not in under_way:
+            spans.append((row.tanker, row.receiver, row.decided_at_s, math.inf))
+    known = [(rows[t], rows[r], *times) for t, r, *times in spans if t is not None and {t, r} <= rows.keys()]
+    return np.array(known, dtype=np.float64).reshape(-1, 4)

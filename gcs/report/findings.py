@@ -12,6 +12,7 @@ from typing import Any, Literal
 import numpy as np
 
 from gcs.recording import series
+from gcs.recording.missing import NO_REASON
 from gcs.recording.series import Series, Track, VehicleInfo
 from gcs.recording.session_folder import Recorded
 from gcs.recording.summary import Nearness
@@ -42,8 +43,6 @@ class SessionProblem:
 
 NOT_ENDED = "not ended"
 """Why a service ended that was under way when the session did."""
-NOT_RECORDED = "the reason is not recorded"
-"""The same of one whose end is in no decision that is left."""
 
 
 class ServiceFinding(ServedRow):
@@ -103,6 +102,15 @@ class Findings:
             s: Series(b.remaining.t_s, 100.0 * b.remaining.values / b.capacity_j) for s, b in self.batteries.items()
         }
 
+    @cached_property
+    def greatest_errors(self) -> dict[int, float]:
+        """m, of each vehicle whose tracking error is known: by the summary, which has the whole flight, else by what
+        was recorded."""
+        shown = {s: line.values for s, line in self.errors.items() if np.isfinite(line.values).any()}
+        reported = {v.sysid: v.max_tracking_error_m for v in self.summary.vehicles} if self.summary is not None else {}
+        found = {s: reported.get(s) for s in shown}
+        return {s: float(np.nanmax(shown[s])) if error is None else error for s, error in found.items()}
+
     @property
     def rates(self) -> dict[int, Series]:
         """1/s"""
@@ -124,7 +132,7 @@ class Findings:
         if self.summary is not None:
             ended = {(s.receiver, s.tanker, s.decided_at_s) for s in found}
             found += [
-                ServiceFinding(**s.model_dump(), reason=NOT_ENDED if s.end_s is None else NOT_RECORDED)
+                ServiceFinding(**s.model_dump(), reason=NOT_ENDED if s.end_s is None else NO_REASON)
                 for s in self.summary.refuelling
                 if (s.receiver, s.tanker, s.decided_at_s) not in ended
             ]
@@ -358,14 +366,6 @@ class Findings:
                 yield SessionProblem(
                     "warn", f"Vehicle {vehicle.sysid} did not send {what} as often as it was asked to."
                 )
-
-    def greatest(self, lines: Mapping[int, Series]) -> tuple[float, int] | None:
-        """The greatest value of any line, and whose."""
-        known = {s: float(np.nanmax(line.values)) for s, line in lines.items() if np.isfinite(line.values).any()}
-        if not known:
-            return None
-        whose = max(known, key=lambda s: known[s])
-        return known[whose], whose
 
     def least(self, line: Series) -> tuple[float, float] | None:
         """The least value of a line, and when."""

@@ -245,9 +245,10 @@ def _cards(found: Findings) -> str:
         elif least:
             cards.append((words, f"{least[0]:.2f} m", f"at {least[1]:.1f} s, as reported"))
     pursuers = {v.sysid for v in found.vehicles if v.role != "tanker"}
-    error = found.greatest({s: line for s, line in found.errors.items() if s in pursuers})
-    if error:
-        cards.append(("greatest tracking error", f"{error[0]:.2f} m", f"vehicle {error[1]} (tankers excluded)"))
+    errors = {s: error for s, error in found.greatest_errors.items() if s in pursuers}
+    if errors:
+        worst = max(errors, key=lambda sysid: errors[sysid])
+        cards.append(("greatest tracking error", f"{errors[worst]:.2f} m", f"vehicle {worst} (tankers excluded)"))
     lowest = {s: float(b.values.min()) for s, b in found.battery_percent.items() if len(b.values)}
     if lowest:
         whose = min(lowest, key=lambda sysid: lowest[sysid])

@@ -105,7 +105,7 @@ def numbers(found: Findings) -> str:
         sysid = vehicle.sysid
         reported = of.get(sysid)
         energy = reported.energy if reported else None
-        error = found.greatest({sysid: found.errors[sysid]}) if sysid in found.errors else None
+        error = found.greatest_errors.get(sysid)
         battery = found.battery_percent.get(sysid)
         link = found.links.get(sysid)
         whole = ("initial_j", "drawn_j", "received_j", "given_j", "lost_j", "remaining_j")
@@ -115,7 +115,7 @@ def numbers(found: Findings) -> str:
                 vehicle.role,
                 (reported.final_mode_name or reported.final_mode) if reported else None,
                 f"{reported.path_length_m:.1f}" if reported else None,
-                f"{error[0]:.3f}" if error else None,
+                f"{error:.3f}" if error is not None else None,
                 _top_speed(found, sysid),
                 f"{reported.control_effort:.0f}" if reported else None,
                 *(f"{getattr(energy, name):.0f}" if energy else None for name in whole),

@@ -21,7 +21,7 @@ from gcs.recording.session_folder import Recorded
 from gcs.session.observer import Observer
 from gcs.session.timeline import Moments
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import NO_ISSUES, Health
+from gcs.telemetry.health import NO_ISSUES, SILENT_S, Health
 
 EVERY_S = 0.5
 MOST_LOOKS = 100_000
@@ -50,7 +50,9 @@ class Watched:
         self._counted = next(self._link, None)
         vehicles = max(len(recorded.traffic_count), 1)
         every_s = max(EVERY_S, recorded.end_s * vehicles / MOST_LOOKS)
-        self._looks, self._judged = Looks(every_s / LOOKS_BETWEEN, settled_s=SETTLED_S), Looks(every_s)
+        self._looks = Looks(every_s / LOOKS_BETWEEN, after_s=recorded.begin_s, settled_s=SETTLED_S)
+        # Where the first parts were not kept, vehicles have said all only some time after the rest begins.
+        self._judged = Looks(every_s, after_s=recorded.begin_s + SILENT_S if recorded.begin_s else 0.0)
         latest_s = 0.0
         for chunk in recorded.health_frames:
             data, heads = chunk.octets.tobytes(), chunk.heads

@@ -19,6 +19,7 @@ MET, INTERRUPTED = "met", "interrupted"
 NAMED = 4
 """Of many vehicles so many are named."""
 ROUNDING_S = 1e-6
+PARTING_S = 3.0
 
 
 @dataclass(frozen=True)
@@ -264,6 +265,12 @@ def asked(scenario: Scenario) -> dict[str, float]:
     """The parts that a scenario asks for, and the limit of each."""
     limits = ((part.name, part.limit(scenario)) for part in PARTS)
     return {name: limit for name, limit in limits if limit is not None}
+
+
+def parting_s(scenario: Scenario) -> float:
+    """Time that a tanker and its receiver have to part after a refuelling, where they are nearer in it than the goal
+    wants two vehicles to be."""
+    return PARTING_S if scenario.refuelling.height_m < asked(scenario).get("separation", 0.0) else 0.0
 
 
 def judge(scenario: Scenario, measured: Measured) -> list[Judgement]:

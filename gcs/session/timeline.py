@@ -14,8 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
-from gcs.recording import series
+from gcs.recording import rotation, series
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
+from gcs.recording.missing import NO_REASON
 from gcs.recording.session_folder import Recorded
 from gcs.recording.summary import GoalPartSummary, Summary
 from gcs.recording.tick_record import event_of, is_event
@@ -45,7 +46,8 @@ class _Life:
 
     service: Service
     known_s: float
-    """when the session knew of it, which may be later than vehicles that compete on board decided it"""
+    """when the session knew of it, which may be later than vehicles that compete on board decided it; -inf: before the
+    recording begins"""
     phases: list[tuple[float, Phase]] = field(default_factory=list)
     end_s: float | None = None
     reason: str = ""
@@ -151,9 +153,11 @@ class Moments:
                 self.losses.append((t_s, sysid))
 
     def _was_to_land(self, t_s: float, sysid: int) -> bool:
-        of_bases = [kind for at_s, kind, receiver in self._charging if receiver == sysid and at_s <= t_s]
+        own = [(at_s, kind) for at_s, kind, receiver in self._charging if receiver == sysid]
+        before, after = ([kind for at_s, kind in own if (at_s <= t_s) is early] for early in (True, False))
+        charged = before[-1:] == ["decided"] or after[:1] == ["served"]  # its decision may be in no part that was kept
         released = self.participation(t_s).out.get(sysid) == RELEASED
-        return released or self.ordered(t_s).get(sysid) in ("return", "land") or of_bases[-1:] == ["decided"]
+        return charged or released or self.ordered(t_s).get(sysid) in ("return", "land")
 
     def lost(self, t_s: float) -> set[int]:
         """Vehicles lost by a time, without those that flew again by what was ordered, and those that rejoined and were
@@ -208,6 +212,8 @@ class Timeline(Moments):
         self.worlds = Worlds(scenario)
         """obstacles, attractors and targets' paths, as they changed"""
         self.broken = 0
+        self._begins = rotation.begins(path)
+        """whether the first decisions are there"""
         lines = DecisionLines(path, progress)
         for _, others in lines.blocks(set_points=False):
             for line in others:
@@ -219,13 +225,20 @@ class Timeline(Moments):
         self._shown_s = [t_s for t_s, _ in self._shown]
 
     def end(self, summary: Summary) -> None:
-        """Know what the session's summary says of its end: parts of the goal that were not met, and when vehicles
-        decided services that were under way, which no line says."""
+        """Know what the session's summary says at its end: parts of the goal that were not met, when vehicles decided
+        services that were under way, which no line says, and services whose lines were not kept."""
         self.unmet = summary.unmet if summary.goal else None
+        known = {(*_sides(life.service), life.service.decided_at_s) for life in self._lives if life.end_s is not None}
         for row in summary.refuelling:
-            life = self._under_way((row.receiver, row.tanker, row.base)) if row.end_s is None else None
+            sides = row.receiver, row.tanker, row.base
+            life = self._under_way(sides) if row.end_s is None else None
+            if life is None and not self._begins and (*sides, row.decided_at_s) not in known:
+                life = self._begun_before(sides)
+                life.end_s, life.reason, life.energy_j = row.end_s, NO_REASON, row.energy_j
+                life.service.joined_at_s, life.service.start_s = row.joined_at_s, row.start_s
             if life is not None:
-                life.service.decided_at_s = row.decided_at_s
+                life.service.decided_at_s, life.service.by = row.decided_at_s, row.by
+                life.service.bids = _by_sysid(row.bids)
 
     def events(self, after_s: float, until_s: float) -> Iterator[Event]:
         """Decisions, orders and deaths in after_s < t ≤ until_s."""
@@ -342,7 +355,7 @@ class Timeline(Moments):
                 self.worlds.change(t_s, record)
             if is_event(record):
                 self._shown.append((t_s, record))
-        except (ValueError, KeyError, TypeError, AttributeError, StopIteration):
+        except (ValueError, KeyError, TypeError, AttributeError):
             self.broken += 1
 
     def _read(self, t_s: float, record: Mapping[str, Any]) -> None:
@@ -367,12 +380,11 @@ class Timeline(Moments):
             self._lives.append(_Life(service, t_s))
         elif kind in ("transfer", "broken off", "served"):
             sides = (int(record["receiver"]), record["tanker"], record.get("base"))
-            life = self._under_way(sides)
-            if life is None:
-                self.broken += 1
-            elif kind == "served":
+            life = self._under_way(sides) or self._begun_before(sides)
+            if kind == "served":
                 life.end_s, life.reason, life.energy_j = t_s, record["reason"], float(record["energy_j"])
                 life.service.decided_at_s = float(record["decided_at_s"])
+                life.service.by, life.service.bids = record["by"], _by_sysid(record["bids"])
                 life.service.joined_at_s, life.service.start_s = record["joined_at_s"], record["start_s"]
                 self.take(t_s, record)
             else:
@@ -394,10 +406,21 @@ class Timeline(Moments):
 
     def _under_way(self, sides: tuple[int, int | None, str | None]) -> _Life | None:
         """The last service that was decided between receiver, tanker and base, and has not ended."""
-        open_lives = (one for one in reversed(self._lives) if one.end_s is None)
-        return next(
-            (one for one in open_lives if (one.service.receiver, one.service.tanker, one.service.base) == sides), None
-        )
+        return next((one for one in reversed(self._lives) if one.end_s is None and _sides(one.service) == sides), None)
+
+    def _begun_before(self, sides: tuple[int, int | None, str | None]) -> _Life:
+        """A service that was decided in a part of the recording that was not kept. Raises ValueError where all are
+        there."""
+        if self._begins:
+            raise ValueError("a service that was never decided")
+        receiver, tanker, base = sides
+        service = Service(len(self._lives) + 1, receiver, tanker, "", {}, 0.0, need=math.nan, base=base)
+        self._lives.append(_Life(service, -math.inf))
+        return self._lives[-1]
+
+
+def _sides(service: Service) -> tuple[int, int | None, str | None]:
+    return service.receiver, service.tanker, service.base
 
 
 def _by_sysid(numbers: Mapping[str, float]) -> dict[int, float]:

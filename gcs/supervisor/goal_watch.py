@@ -42,8 +42,6 @@ UP_M = 0.3
 NEVER_FLEW_S = 10.0
 """A vehicle that is not in the air so long after it joined has never taken part."""
 BOOTED = "it booted in flight"
-PARTING_S = 3.0
-"""Time that a tanker and its receiver, nearer than the separation, have to part."""
 _OTHERS = frozenset({Stage.YIELDED, Stage.TAKEN, Stage.DOWN})
 _STEERED = frozenset({Stage.OFFBOARD, Stage.FLY})
 
@@ -82,8 +80,7 @@ class GoalWatch:
         self._some_up = False
         self._unknown_m = np.full(count, np.nan)
         self._exempted: list[tuple[int, int]] = []
-        near_m = self._asked.get("separation", 0.0)
-        self._parting_s = PARTING_S if scenario.refuelling.height_m < near_m else 0.0
+        self._parting_s = goal.parting_s(scenario)
         self._partners: dict[tuple[int, int], float] = {}
         self._airspace: Airspace | None = None
         """None where it has changed"""

@@ -135,6 +135,21 @@ def test_distances_are_those_of_the_circle(recorded: Recorded, tracks: dict[int,
     assert near.held_s[1] == pytest.approx(END_S, abs=0.5)
 
 
+@pytest.mark.parametrize(("height_m", "parts_until_s"), [(1.2, 30.0), (0.5, 33.0)])
+def test_partners_whose_decision_was_not_kept_are_apart_for_the_session(
+    recorded: Recorded, tracks: dict[int, series.Track], height_m: float, parts_until_s: float
+) -> None:
+    """A line says that 101 served 1 until 30 s; nearer than the separation in it, they have 3 s to part."""
+    served = {"t_s": 30.0, "kind": "served", "receiver": 1, "tanker": 101, "decided_at_s": 2.0}
+    told = scenario(refuelling={"height_m": height_m, "enabled": False})
+    near = distances.measure(replace(recorded, scenario=told, decisions=[served]), tracks, {})
+    counts = np.isfinite(near.separation.values)
+    t_s = near.separation.t_s
+    assert not counts[(t_s > 1.95) & (t_s < parts_until_s + 0.05)].any()
+    assert counts[t_s > parts_until_s + 0.15].all()
+    assert counts[(t_s > 0.15) & (t_s < 1.95)].all()
+
+
 def test_the_tracking_error_is_the_distance_from_the_plan(recorded: Recorded, tracks: dict[int, series.Track]) -> None:
     error = distances.tracking_errors(recorded, tracks)[1]
     known = error.values[~np.isnan(error.values)]

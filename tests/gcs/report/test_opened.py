@@ -105,6 +105,17 @@ def test_of_a_folder_whose_first_parts_are_gone_the_rest_is_right(flown: Outcome
         assert one.remaining_j == pytest.approx(vehicle["energy"]["remaining_j"], abs=1.0)
     (row,) = opened["services"].to_dict("records")
     assert (row["end_s"], row["reason"]) == (served["end_s"], "the reason is not recorded")
+    findings = opened.findings
+    (said,) = findings.recorded.problems
+    begin = findings.recorded.begin_s
+    assert said.startswith(f"session.tlog and decisions.jsonl begin at {begin:.1f} s, for the parts before")
+    assert begin == pytest.approx(begin_s, abs=0.2)
+    assert all(link.rate_hz.t_s[0] > begin_s and link.rate_hz.values[0] > 0.0 for link in findings.links.values())
+    assert all(link.lost.t_s[0] > begin_s - 1.0 for link in findings.links.values())
+    texts = [text for health in findings.watched.health.values() for _, one in health for text in one.texts]
+    assert not [text for text in texts if text.startswith("no ")]  # of what is not recorded nothing is said
+    of_summary = {vehicle["sysid"]: vehicle["max_tracking_error_m"] for vehicle in flown.summary["vehicles"]}
+    assert findings.greatest_errors == {sysid: of_summary[sysid] for sysid in findings.errors}
 
 
 def test_its_names_are_those_that_it_has(flight: gcs.Recording) -> None:

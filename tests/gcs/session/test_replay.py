@@ -20,6 +20,8 @@ from commands import gcs
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import GCS, Outcome, fly, two_refuellings
 
+from gcs.recording import rotation
+from gcs.recording.recorder import DECISIONS
 from gcs.session.replay import Replay, ReplayError, ReplaySource
 
 
@@ -127,6 +129,35 @@ def test_services_that_vehicles_decided_before_the_session_knew_have_the_summary
     told = {(row["receiver"], row["decided_at_s"]) for row in (*snapshot["history"], *snapshot["services"])}
     assert told == {(row["receiver"], row["decided_at_s"]) for row in summary["refuelling"]}
     assert len(snapshot["services"]) == 1
+
+
+@pytest.mark.parametrize("killed", [False, True])
+def test_services_whose_decisions_were_not_kept_are_shown(session: Outcome, tmp_path: Path, killed: bool) -> None:
+    """The first part that was kept begins in the second service; a killed session left no summary of the first."""
+    folder = Path(shutil.copytree(session.folder, tmp_path / "flown"))
+    first, second, *_ = (record for record in session.decisions if record["kind"] == "served")
+    begin_s = 0.5 * (second["start_s"] + second["end_s"])
+    lines = (folder / DECISIONS).read_bytes().splitlines(keepends=True)
+    kept = b"".join(line for line in lines if json.loads(line)["t_s"] >= begin_s)
+    (folder / DECISIONS).write_bytes(b"")
+    rotation.part(folder / DECISIONS, 2).write_bytes(kept)
+    if killed:
+        (folder / "summary.json").unlink()
+    replay = Replay(folder)
+    assert replay.problems == []
+    replay.advance(begin_s, math.inf)
+    (service,) = replay.snapshot(speed=1.0)["services"]
+    told = {key: service[key] for key in ("receiver", "by", "decided_at_s", "bids")}
+    assert told == {key: second[key] for key in ("receiver", "by", "decided_at_s", "bids")}
+    assert service["why"].endswith("its decision is in no part of the recording that was kept.")
+    replay.advance(replay.to_s, math.inf)
+    history = replay.snapshot(speed=1.0)["history"]
+    before = [] if killed else [(first["receiver"], first["end_s"], first["energy_j"], "the reason is not recorded")]
+    left = [record for record in session.decisions if record["kind"] == "served" and record["t_s"] >= begin_s]
+    assert [(row["receiver"], row["end_s"], row["energy_j"], row["reason"]) for row in history] == [
+        *before,
+        *((row["receiver"], row["end_s"], row["energy_j"], row["reason"]) for row in left),
+    ]
 
 
 @pytest.mark.parametrize("t_s", [0.0, 7.3, 24.0, 45.0])

@@ -60,6 +60,11 @@ def place_of(p_ned: Vec3, origin: Vec3) -> Vec3:
     return math.degrees(lat), math.degrees(elementary.atan2(y, x)), height_m
 
 
+def half_turn_deg(longitude_deg: float) -> float:
+    """The same longitude, or difference of longitudes, within half a turn: from -180 to 180 degrees."""
+    return math.remainder(longitude_deg, 360.0)
+
+
 def radii_m(lat_deg: float) -> tuple[float, float]:
     """The ellipsoid's radii of curvature (m) at a latitude (deg): along the meridian, and across it.
 

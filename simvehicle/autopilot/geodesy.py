@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skytender import elementary
-from skytender.geodesy import radii_m
+from skytender.geodesy import half_turn_deg, radii_m
 
 MOST_LATITUDE_DEG = 89.0
 
@@ -49,7 +49,7 @@ class LocalFrame:
         """Latitude and longitude in degrees and height above mean sea level in m of a local point."""
         return (
             self.lat_deg + north_m * self.deg_per_north_m,
-            self.lon_deg + east_m * self.deg_per_east_m,
+            half_turn_deg(self.lon_deg + east_m * self.deg_per_east_m),
             self.alt_m - down_m,
         )
 
@@ -57,6 +57,6 @@ class LocalFrame:
         """North, east and down in m of a global point."""
         return (
             (lat_deg - self.lat_deg) / self.deg_per_north_m,
-            (lon_deg - self.lon_deg) / self.deg_per_east_m,
+            half_turn_deg(lon_deg - self.lon_deg) / self.deg_per_east_m,
             self.alt_m - alt_m,
         )

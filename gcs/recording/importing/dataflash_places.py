@@ -11,6 +11,8 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from skytender.geodesy import half_turn_deg
+
 DCM, EKF1, EKF2, EKF3, SIM, EXTERNAL = 0, 1, 2, 3, 10, 11
 SPEEDS = {
     "EKF1": (EKF1, 0),
@@ -122,7 +124,7 @@ def _from_origin(origin: Any, row: Any) -> _Ned:
     """Place of POS, NED from the origin, m (Location::get_distance_NED)."""
     scale = max(math.cos(math.radians(0.5 * (origin.Lat + row.Lat))), _LEAST_SCALE)
     north_m = _M_PER_DEG * (row.Lat - origin.Lat)
-    east_m = _M_PER_DEG * scale * math.remainder(row.Lng - origin.Lng, 360.0)
+    east_m = _M_PER_DEG * scale * half_turn_deg(row.Lng - origin.Lng)
     above_m = getattr(row, "RelOriginAlt", math.nan)
     return north_m, east_m, origin.Alt - row.Alt if math.isnan(above_m) else -above_m
 

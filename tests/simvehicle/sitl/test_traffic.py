@@ -5,6 +5,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import pymap3d
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -98,6 +99,17 @@ def test_movers_are_told_every_100_ms_in_wgs84_with_a_heartbeat_every_second() -
             assert m.hor_velocity / 100 * math.sin(course) == pytest.approx(v[1], abs=0.01)
             assert -m.ver_velocity / 100 == pytest.approx(v[2], abs=0.01)
     assert {(m.get_srcSystem(), m.get_srcComponent()) for tick in said for m in tick} == {(255, 156)}
+
+
+def test_longitudes_across_the_180th_meridian_stay_within_the_message() -> None:
+    origin = (47.4, 179.99998, 488.0)
+    connection = Connection(255, 156)
+    mover = Aircraft("BIRD1", ((0.0, 20.0, -3.0), (0.0, 2.5, -3.0)), 1.0, False, 0.0)
+    traffic = Traffic(LocalFrame(*origin), [mover], [connection])
+    told = [m for m in said_by(traffic, connection, 0) if m.get_type() == "ADSB_VEHICLE"]
+    assert -1_800_000_000 <= told[0].lon <= 1_800_000_000
+    back = pymap3d.geodetic2ned(1e-7 * told[0].lat, 1e-7 * told[0].lon, 1e-3 * told[0].altitude, *origin)
+    assert back == pytest.approx((0.0, 20.0, -3.0), abs=0.02)
 
 
 GOOD = """

@@ -45,6 +45,7 @@ cdef struct Account:
     double seen_booked_j
     double armed_s  # when it last reported while it was armed
     double unseen_j  # booked, and not yet seen as a rise of the share
+    double share  # of the capacity, that its last report left; NaN before the first
     double[2] told_j  # by its counters of what it received and gave: the last that can be,
     double[2] told_s  # and when it came
     double power_w  # mean of the last while,

@@ -77,7 +77,7 @@ ACCOUNT = np.asarray(_blank()).dtype
 def new_account(capacity_j: float, initial_j: float, *, from_now: bool = False) -> NDArray[Any]:
     """(1,) an account before its first report; `initial_j` holds until the first share says better."""
     account = np.zeros(1, ACCOUNT)
-    for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j"):
+    for name in ("meters_j", "anchors_j", "first_hand_s", "sample_s", "expected_j", "share"):
         account[name] = NAN
     account["spoke_s"] = account["armed_s"] = -INFINITY
     account["believed_j"] = account["told_j"] = INFINITY
@@ -111,6 +111,7 @@ def count(
         one.spoke_s[POWER] = t_s
     left_j = remaining * one.capacity_j
     if share:
+        one.share = remaining
         gained_j = _fall(one, t_s, left_j, armed)
         one.spoke_s[SHARE] = t_s
     if (total or power or share) and not second_hand:

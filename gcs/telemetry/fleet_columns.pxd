@@ -17,13 +17,13 @@ cdef struct Facts:
     double doubted  # s, when it last reported what cannot be; -inf without
 
 cdef enum:  # columns of gcs/telemetry/columns.py
-    _IS_ALIVE, _IS_STEERABLE, _IS_FLYING, _IS_FRESH, _IS_LANDED
+    _IS_ALIVE, _IS_STEERABLE, _IS_FLYING, _IS_FRESH, _IS_LANDED, _IS_EMPTY
 
 cdef enum:
     _P_NED, _V_NED, _P_NOW_NED
 
 cdef enum:
-    _AGE_S, _GROUND_DOWN_M, _REMAINING_J, _DRAWN_J, _INITIAL_J, _CAPACITY_J
+    _AGE_S, _GROUND_DOWN_M, _REMAINING_J, _DRAWN_J, _INITIAL_J, _CAPACITY_J, _WAY_M
 
 cdef double _LANDED_M, _STALE_S, _MODE_STALE_S, _DOUBTED_S, _LEAST_SHARE, _MOST_SHARE
 
@@ -43,7 +43,7 @@ cdef class ColumnFiller:
     @cython.locals(
         some=cython.bint, known=cython.bint, landed=cython.bint, doubted=cython.bint, overfull=cython.bint,
         reported=cython.bint, moded=cython.bint, alive=cython.bint, armed=cython.bint, flying=cython.bint,
-        fresh=cython.bint, now_seen=int64_t)
+        fresh=cython.bint, empty=cython.bint, now_seen=int64_t)
     cdef bint _fill(
         self, double now_s, int64_t number, unsigned char[:, ::1] flags, double[:, :, ::1] places,
         double[:, ::1] figures) noexcept nogil

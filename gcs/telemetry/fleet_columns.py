@@ -13,6 +13,7 @@ from cython.cimports.gcs.telemetry.fleet_columns import (
     _GROUND_DOWN_M,
     _INITIAL_J,
     _IS_ALIVE,
+    _IS_EMPTY,
     _IS_FLYING,
     _IS_FRESH,
     _IS_LANDED,
@@ -21,6 +22,7 @@ from cython.cimports.gcs.telemetry.fleet_columns import (
     _P_NOW_NED,
     _REMAINING_J,
     _V_NED,
+    _WAY_M,
     facts_at,
 )
 from cython.cimports.gcs.telemetry.readings import readings_at
@@ -102,6 +104,7 @@ class ColumnFiller:
             left_j = one.initial_j + one.received_j - one.drawn_j - one.given_j
             share = left_j / one.capacity_j
             doubted = now_s - fact.doubted < _DOUBTED_S
+            empty = left_j <= 0.0 or one.share == 0.0
             overfull = one.capacity_j > 0.0 and (share < _LEAST_SHARE or share > _MOST_SHARE)
             alive, armed = fact.alive == 1.0, fact.armed == 1.0
             flying = alive and armed and not landed and known
@@ -110,9 +113,11 @@ class ColumnFiller:
             fresh = alive and age_s <= _STALE_S and moded and not doubted and not overfull
             flags[_IS_ALIVE, k], flags[_IS_STEERABLE, k] = alive, fact.steerable == 1.0 and moded
             flags[_IS_LANDED, k], flags[_IS_FLYING, k], flags[_IS_FRESH, k] = landed, flying, fresh
+            flags[_IS_EMPTY, k] = empty
             figures[_AGE_S, k], figures[_GROUND_DOWN_M, k] = age_s, ground
             figures[_REMAINING_J, k], figures[_DRAWN_J, k] = left_j, one.drawn_j
             figures[_INITIAL_J, k], figures[_CAPACITY_J, k] = one.initial_j, one.capacity_j
+            figures[_WAY_M, k] = row.way
             now_seen = (
                 known
                 | landed << 1
@@ -124,6 +129,7 @@ class ColumnFiller:
                 | (not isnan(row.north)) << 7
                 | (left_j <= 0.0) << 8
                 | moded << 9
+                | empty << 10
             )
             if now_seen != self._seen[k]:
                 self._seen[k] = now_seen

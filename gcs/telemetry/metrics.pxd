@@ -4,12 +4,14 @@ from libc.stdint cimport int64_t
 cdef enum:  # rows of the blocks, as columns.py has them
     FLYING = 2
     FRESH = 3
+    EMPTY = 5
     P_NOW = 2
-    REMAINING = 2
+    WAY = 6
 
 cdef struct Flown:
     double[3] last  # place at the last tick, NaN where it does not count
-    double length_m  # of the way, NaN before the second place in a row
+    double way_m  # by its reports at the last tick, NaN where it was not in the air
+    double length_m  # of the way in the air, NaN before the second tick in a row
     double error_m  # greatest distance from the plan, NaN before the first
 
 cdef inline Flown* flown_at(double[:, ::1] rows, Py_ssize_t i) noexcept nogil:

@@ -8,7 +8,7 @@ from typing import Any
 import cython
 import numpy as np
 from cython.cimports.gcs.telemetry.approach import segment_gap2
-from cython.cimports.gcs.telemetry.metrics import FLYING, FRESH, P_NOW, REMAINING, flown_at
+from cython.cimports.gcs.telemetry.metrics import EMPTY, FLYING, FRESH, P_NOW, WAY, flown_at
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
@@ -19,8 +19,8 @@ from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, Flags, FleetColumns, F
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
-_FLOWN = 5
-_LENGTH, _ERROR = 3, 4
+_FLOWN = 6
+_LENGTH, _ERROR = 4, 5
 PLAN_MEMORY = 20
 """Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
 
@@ -152,7 +152,8 @@ def _measure(
     counts: Ints,
     distances_m: Floats,
 ) -> None:
-    """One tick of n vehicles, which count while they are flying and fresh, of `FleetColumns` flags, places and figures.
+    """One tick of n vehicles, of `FleetColumns` flags, places and figures. They count while they are flying and fresh;
+    their way from report to report does so too where the next report was long in coming.
 
     rows (k,), planned (k, 6): which have a set point, and what. pairs (m, 3): rows of pursuer and target, and the
     column of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to
@@ -161,15 +162,14 @@ def _measure(
     """
     for i in range(flown.shape[0]):
         own = flown_at(flown, i)
+        if flags[FLYING, i] and not (flags[EMPTY, i] or math.isnan(own.way_m)):
+            before_m = 0.0 if math.isnan(own.length_m) else own.length_m
+            own.length_m = before_m + (figures[WAY, i] - own.way_m)
+        own.way_m = figures[WAY, i] if flags[FLYING, i] else math.NAN
         if not (flags[FLYING, i] and flags[FRESH, i]):
             own.last[0] = math.NAN
             continue
-        n, e, d = places[P_NOW, i, 0], places[P_NOW, i, 1], places[P_NOW, i, 2]
-        if not (math.isnan(own.last[0]) or figures[REMAINING, i] <= 0.0):
-            north, east, down = n - own.last[0], e - own.last[1], d - own.last[2]
-            before_m = 0.0 if math.isnan(own.length_m) else own.length_m
-            own.length_m = before_m + math.sqrt(north * north + east * east + down * down)
-        own.last[0], own.last[1], own.last[2] = n, e, d
+        own.last[0], own.last[1], own.last[2] = places[P_NOW, i, 0], places[P_NOW, i, 1], places[P_NOW, i, 2]
     memory = plans.shape[1]
     for i in range(counts.shape[0]):
         counts[i] = -1 - counts[i]  # until it is known whether it has a set point

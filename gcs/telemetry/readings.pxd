@@ -75,6 +75,7 @@ cdef struct Readings:
     double fix_h
     double fix_v
     double fix_armed
+    double way  # m, from each place that it has reported to the next, on the ground too
     double first_s  # of battery 0, as long as it is the only one; -inf before its first report
     double first_consumed_j
     double first_power_w

@@ -63,7 +63,7 @@ from skytender import mavlink as mav
 
 Row = NDArray[np.float64]
 
-READINGS = 39
+READINGS = 40
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s
@@ -81,6 +81,7 @@ READINGS = 39
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
     MESSAGE_S,  # when anything but SYSTEM_TIME came from its autopilot
     FIX_TYPE, FIX_H, FIX_V, FIX_ARMED,  # of its last GPS_RAW_INT, with accuracies, mm; -1 before the first
+    WAY,  # m, from each place that it has reported to the next, on the ground too
     *FIRST_BATTERY,  # of number 0, as long as it is the only one: s (-inf before its first), J, W, share, V, function
 ) = range(READINGS)  # fmt: skip
 """Columns of a vehicle's row, in the order of the struct Readings in readings.pxd."""
@@ -132,6 +133,8 @@ def _read_place(data: Any, at: int, stop: int, row: Any, now_s: float, found: An
     if fault != POSSIBLE:
         found[0], found[1] = fault, moved_m
         return False
+    if not isnan(moved_m):
+        row.way += moved_m
     row.north, row.east, row.down = n, e, d
     row.v_north, row.v_east, row.v_down = v_n, v_e, v_d
     row.position_s = reported_s

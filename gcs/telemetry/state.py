@@ -89,6 +89,10 @@ class VehicleView(NamedTuple):
     """session time at which its GPS lost its fix; infinity while it has one, or never had"""
     worse_m: float = 0.0
     """standard deviation of its place that has come on top of the usual one"""
+    battery_empty: bool = False
+    """whether nothing is left by its account, or by its last report, which is in whole per cent"""
+    way_m: float = 0.0
+    """the way from each place that it has reported to the next, on the ground too"""
 
     @property
     def mode_name(self) -> str:
@@ -223,7 +227,9 @@ _UNKNOWN: Vec3 = (math.nan, math.nan, math.nan)
 def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
     """The same vehicles as columns, whose changes are not known."""
     sysids = [view.sysid for view in views]
-    flags = [(v.alive, v.mode_known and v.mode in STEERABLE, v.flying, v.fresh, v.landed) for v in views]
+    flags = [
+        (v.alive, v.mode_known and v.mode in STEERABLE, v.flying, v.fresh, v.landed, v.battery_empty) for v in views
+    ]
     places = [
         (_UNKNOWN, v.v_ned, _UNKNOWN) if v.p_ned is None else (v.p_ned, v.v_ned, v.p_now_ned()) for v in views
     ]  # fmt: skip
@@ -235,6 +241,7 @@ def _columns_of(views: Sequence[VehicleView]) -> FleetColumns:
             v.drawn_j,
             v.initial_j,
             v.capacity_j,
+            v.way_m,
         )
         for v in views
     ]

@@ -23,7 +23,7 @@ from gcs.telemetry import plausibility
 from gcs.telemetry.accuracy import ReportedAccuracy
 from gcs.telemetry.batteries import Batteries
 from gcs.telemetry.battery_account import BatteryAccount
-from gcs.telemetry.columns import IS_LANDED, P_NED, FleetColumns
+from gcs.telemetry.columns import IS_EMPTY, IS_LANDED, P_NED, FleetColumns
 from gcs.telemetry.readings import (
     AUTOPILOT,
     BASE_MODE,
@@ -202,6 +202,7 @@ class Instant(NamedTuple):
                 columns.figures[:, rows].T.tolist(),
                 map(tuple, columns.places[P_NED, rows].tolist()),
                 columns.flags[IS_LANDED, rows].tolist(),
+                columns.flags[IS_EMPTY, rows].tolist(),
                 strict=True,
             )
         ]
@@ -214,6 +215,7 @@ class Instant(NamedTuple):
         figures: list[float],
         p_ned: Vec3,
         landed: bool,
+        empty: bool,
     ) -> VehicleView:
         now_s = self.time_s
         (
@@ -222,7 +224,7 @@ class Instant(NamedTuple):
             power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s,
             *_,
         ) = readings  # fmt: skip
-        age_s, _, remaining_j, drawn_j, initial_j, capacity_j = figures
+        age_s, _, remaining_j, drawn_j, initial_j, capacity_j, way_m = figures
         p_local: Vec3 | None = (north, east, down) if north == north else None  # noqa: PLR0124 - NaN is not
         v_ned: Vec3 = (v_north, v_east, v_down)
         offset, turn_rad, member = status.origin_offset_ned, status.turn_rad, status.member
@@ -257,4 +259,5 @@ class Instant(NamedTuple):
             not now_s - received_s > MODE_STALE_S or received_s < 0.0,
             status.listed_modes,
             status.fix_lost_s, status.worse_m,
+            empty, way_m,
         )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Sequence
 from typing import Any
@@ -15,7 +16,7 @@ from gcs.telemetry.state import FleetSnapshot, VehicleView
 PERIOD_S = 0.1
 FIGURES: dict[str, Any] = {
     "last_received_s": 0.0, "p_ned": None, "v_ned": None, "age_s": 0.0, "heading_rad": 0.0, "drawn_j": 0.0,
-    "power_w": 0.0, "control_effort": 0.0,
+    "power_w": 0.0, "control_effort": 0.0, "way_m": 0.0,
 }  # fmt: skip
 """Attributes that count for no change."""
 
@@ -74,9 +75,11 @@ class ChangingFleet:
             p_ned = (n + v_ned[0] * PERIOD_S, e + v_ned[1] * PERIOD_S, min(d + v_ned[2] * PERIOD_S, 0.0))
             changed |= {"age_s": chance.choice([0.0, 0.06]), "last_received_s": self.time_s}
             changed |= {"p_ned": p_ned, "v_ned": v_ned, "battery_reported": True}
+            changed["way_m"] = one.way_m + (0.0 if one.p_ned is None else math.dist(p_ned, one.p_ned))
         if chance.random() < 0.06:
             changed |= self._happens(one)
-        return one._replace(**changed)
+        later = one._replace(**changed)
+        return later._replace(battery_empty=later.remaining_j <= 0.0)
 
     def _happens(self, one: VehicleView) -> dict[str, Any]:
         flies = {"mode": FlightMode.OFFBOARD, "armed": True, "landed": False, "alive": True, "doubt": ""}

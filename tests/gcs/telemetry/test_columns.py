@@ -15,7 +15,7 @@ ORIGIN = GlobalOrigin(47.397742, 8.545594, 488.0)
 FIGURES = {
     "last_received_s", "p_ned", "p_local_ned", "v_ned", "age_s", "heading_rad", "roll_rad", "pitch_rad", "capacity_j",
     "initial_j", "drawn_j", "power_w", "control_effort", "effort_age_s", "given_reported_s", "received_reported_s",
-    "last_message_s",
+    "last_message_s", "way_m",
 }  # fmt: skip
 
 

@@ -146,6 +146,22 @@ def test_an_older_position_that_comes_late_does_not_replace_a_newer_one(fleet: F
     assert view.p_ned == pytest.approx((2, 0, 0), abs=1e-3)
 
 
+def test_a_way_is_from_each_report_to_the_next_also_of_two_in_one_tick_and_across_a_silence(fleet: Fleet) -> None:
+    said = position(0, (1.0, 0.0, -3.0)), position(100, (4.0, 4.0, -3.0)), position(200, (4.0, 4.0, -5.0))
+    assert seen(fleet, origin(), *said, at_s=0.3).way_m == 7.0
+    assert seen(fleet, position(150, (40.0, 4.0, -5.0)), at_s=0.4).way_m == 7.0
+    assert seen(fleet, at_s=5.0).way_m == 7.0
+    assert seen(fleet, position(5_000, (10.0, 12.0, -5.0)), at_s=5.0).way_m == 17.0
+
+
+def test_a_battery_is_empty_by_its_percentage_though_its_total_is_rounded_down(fleet: Fleet) -> None:
+    all_but_one = round(INITIAL_J / 100.0) - 1
+    assert not seen(fleet, parameter("SIM_BAT_INIT_J", INITIAL_J), battery(all_but_one, 1)).battery_empty
+    view = seen(fleet, battery(all_but_one, 0))
+    assert (view.remaining_j, view.battery_empty) == (100.0, True)
+    assert not seen(fleet, battery(all_but_one, 40)).battery_empty
+
+
 def test_numbers_that_are_none_change_nothing(fleet: Fleet) -> None:
     nan = math.nan
     before = seen(fleet, origin(), position(), frame("ATTITUDE", yaw=0.5), parameter("SIM_BAT_CAP_J", 20_000.0),

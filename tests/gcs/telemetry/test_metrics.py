@@ -31,13 +31,15 @@ def metrics(within_m: float = 3.0, **more_of_it: Any) -> Metrics:
     return Metrics(scenario)
 
 
-def view(sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False) -> VehicleView:
+def view(
+    sysid: int, at: Vec3, v: Vec3 = (0.0, 0.0, 0.0), age_s: float = 0.0, landed: bool = False, way_m: float = 0.0
+) -> VehicleView:
     return VehicleView(
         sysid=sysid, role="pursuer", label="", alive=True, profile=PX4, mode=FlightMode.OFFBOARD, armed=True,
         landed=landed, last_received_s=0.0, p_ned=at, v_ned=v, age_s=age_s, heading_rad=0.0,
         origin_offset_ned=(0.0, 0.0, 0.0), ground_amsl_m=0.0, capacity_j=1e4, initial_j=1e4, battery_reported=True,
         drawn_j=0.0, received_j=0, given_j=0, given_reported_s=0.0, power_w=0.0, energy_source="none",
-        control_effort=0.0,
+        control_effort=0.0, way_m=way_m,
     )  # fmt: skip
 
 
@@ -53,28 +55,39 @@ def test_nothing_flown_is_nothing_measured() -> None:
 
 def test_path_length_is_the_way_flown_without_the_gaps() -> None:
     m = metrics()
-    for k, at in enumerate([(0, 0, 0), (3, 4, 0), (3, 4, 2)]):
-        update(m, 0.1 * k, view(1, at))
+    for k, (at, way_m) in enumerate([((0, 0, 0), 2.0), ((3, 4, 0), 7.0), ((3, 4, 2), 9.0)]):
+        update(m, 0.1 * k, view(1, at, way_m=way_m))
     assert m.path_length_m == {1: 7.0}
-    update(m, 0.3, view(1, (50, 0, 0), landed=True))
-    update(m, 0.4, view(1, (60, 0, 0)))
-    update(m, 0.5, view(1, (61, 0, 0)))
+    update(m, 0.3, view(1, (50, 0, 0), landed=True, way_m=60.0))
+    update(m, 0.4, view(1, (60, 0, 0), way_m=70.0))
+    update(m, 0.5, view(1, (61, 0, 0), way_m=71.0))
     assert m.path_length_m == {1: 8.0}
+
+
+def test_a_way_across_a_silence_counts_and_what_is_carried_forward_does_not() -> None:
+    m = metrics()
+    for k in range(60):
+        update(m, 0.1 * k, view(1, (1.0, 0, 0), v=(2.0, 0, 0), age_s=0.1 * k, way_m=5.0))
+    assert m.path_length_m == {1: 0.0}
+    update(m, 6.0, view(1, (10.0, 0, 0), v=(2.0, 0, 0), age_s=0.3, way_m=14.0))
+    assert m.path_length_m == {1: 9.0}
 
 
 def test_a_way_ends_with_an_empty_battery_and_goes_on_with_a_charged_one() -> None:
     m = metrics()
-    for k, (down_m, drawn_j) in enumerate([(-9.0, 9e3), (-8.0, 9.9e3), (-6.0, 1e4), (-2.0, 1e4), (-1.0, 9e3)]):
-        update(m, k / 10, view(1, (0, 0, down_m))._replace(drawn_j=drawn_j))
+    for k, (down_m, empty) in enumerate([(-9.0, False), (-8.0, False), (-6.0, True), (-2.0, True), (-1.0, False)]):
+        update(m, k / 10, view(1, (0, 0, down_m), way_m=9.0 + down_m)._replace(battery_empty=empty))
     assert m.path_length_m == {1: 2.0}
 
 
 def test_the_way_to_the_last_report_counts_and_pursuit_ends_with_the_last_tick() -> None:
     m = metrics()
     for k, north_m in enumerate([0.0, 1.0, 2.5]):
-        update(m, k / 10, view(1, (north_m, 0, 0)), view(2, (0, 0, 0)), view(101, (north_m, 1, 0)))
+        ways = {"way_m": north_m}
+        update(m, k / 10, view(1, (north_m, 0, 0), **ways), view(2, (0, 0, 0)), view(101, (north_m, 1, 0), **ways))
     held_s = dict(m._pursuit.held_s)
-    m.finish(FleetSnapshot(0.3, (view(1, (4.5, 0, 0)), view(2, (0, 0, 0)), view(101, (4.5, 1, 0))), ()))
+    last = view(1, (4.5, 0, 0), way_m=4.5), view(2, (0, 0, 0)), view(101, (4.5, 1, 0), way_m=4.5)
+    m.finish(FleetSnapshot(0.3, last, ()))
     assert m.path_length_m == {1: 4.5, 2: 0.0, 101: 4.5}
     assert m._pursuit.held_s == held_s
     assert held_s[1] == pytest.approx(0.2)
@@ -128,7 +141,7 @@ def test_where_one_pursuer_is_chosen_it_is_the_target_that_must_be_followed() ->
 
 def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> None:
     fleet, m, memory = ChangingFleet((1, 2, 101), seed=2), metrics(100.0), 20
-    last: dict[int, Vec3] = {}
+    last: dict[int, Any] = {}
     lengths_m: dict[int, float] = {}
     errors_m: dict[int, float] = {}
     plans: dict[int, list[Vec3]] = {1: [], 2: [], 101: []}
@@ -146,10 +159,11 @@ def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> N
         ]
         m.update(stamped, points)
         here = {view.sysid: view.p_now_ned() for view in stamped.vehicles if view.flying and view.fresh}
+        up = {view.sysid: view.p_ned for view in stamped.vehicles if view.flying}
         charged = {view.sysid for view in stamped.vehicles if view.remaining_j > 0.0}
-        for sysid in here.keys() & last.keys() & charged:
-            lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(here[sysid], last[sysid])
-        last = here
+        for sysid in up.keys() & last.keys() & charged:
+            lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(up[sysid], last[sysid])
+        last = up
         planned = {point.sysid: point.p_ned for point in points}
         for sysid, plan in plans.items():
             plans[sysid] = [*plan, planned[sysid]][-memory:] if sysid in planned else []

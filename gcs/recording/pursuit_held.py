@@ -46,18 +46,14 @@ class HeldTimesReader:
 
     def held_times(self) -> Callable[[float], float] | None:
         """For how long, s, even the worst had held the goal's pursuit by a time; None where the goal asks for none, or
-        no vehicle reported a position.
-
-        As the session reported it at a time: measured at the tick before, since a tick ends by granting the next
-        period, which moves the session's time on.
-        """
+        no vehicle reported a position."""
         if self._scenario.goal.pursue is None:
             return None
         flown = tracks(self.recorded)
         if not flown:
             return None
-        held_s, late_s = held_by(self.recorded, flown)[0], self._scenario.clock.period_s - ROUNDING_S
-        return lambda t_s: float(held(held_s, np.array([t_s - late_s]))[0])
+        held_s = held_by(self.recorded, flown)[0]
+        return lambda t_s: float(held(held_s, np.array([t_s + ROUNDING_S]))[0])
 
 
 def ticks_of(recorded: Recorded, vehicles: int) -> Floats:

@@ -157,7 +157,7 @@ def snapshot_message(
     scenario, snapshot, schedule = supervisor.scenario, supervisor.snapshot, supervisor.schedule
     return types.plain(
         types.SnapshotMessage(
-            t_s=supervisor.time_s,
+            t_s=snapshot.time_s,
             duration_s=scenario.goal.duration_s,
             speed=speed,
             phase=phase,
@@ -220,7 +220,7 @@ def ordered_and_down(supervisor: Supervisor, view: VehicleView) -> tuple[autopil
 def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
     """The part of the present `snapshot_message` that is kept for later clients."""
     return {
-        "t_s": supervisor.time_s,
+        "t_s": supervisor.snapshot.time_s,
         "competition": {"v": by_text(supervisor.schedule.competition_state.v)},
         "events": [msgspec.to_builtins(event_row(event)) for event in events],
     }

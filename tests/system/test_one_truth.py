@@ -102,6 +102,18 @@ def test_what_a_battery_holds(told: Told, sysid: int) -> None:
     assert battery.remaining.values[-1] == pytest.approx(ledger["remaining_j"], abs=1e-6)
 
 
+@pytest.mark.parametrize("sysid", [1, 101, 201])
+def test_where_a_vehicle_is(told: Told, sysid: int) -> None:
+    """As its own record has it at the time of the snapshot, less the age of the report."""
+    truth = told.outcome.truth(sysid)
+    flown = [(line["t_s"], row(line, sysid)) for line in told.live if line["t_s"] >= 1.0]
+    for t_s, shown in flown:
+        at = bisect.bisect_left(truth.time_s.tolist(), t_s - shown["age_s"] - 1e-6)
+        assert truth.time_s[at] == pytest.approx(t_s - shown["age_s"], abs=1e-6)
+        assert shown["p_ned"] == pytest.approx(truth.p_ned[at].tolist(), abs=0.02)
+    assert max(shown["speed_m_s"] for _, shown in flown) > 0.5
+
+
 def test_a_text_in_chunks(told: Told) -> None:
     for snapshots in (told.live, told.replay):
         events = [event for snapshot in snapshots for event in snapshot["events"] if event["kind"] == "text"]

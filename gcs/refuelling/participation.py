@@ -23,14 +23,15 @@ class Participation:
         """vehicles that are served before all others, in this order"""
         self.out: dict[int, str] = {}
         """vehicles that neither compete, are served nor serve, and why; their services are broken off"""
-        self._reasons: dict[int, set[str]] = {}
+        self.reasons: dict[int, set[str]] = {}
+        """all that keeps each vehicle out, of which `out` has the first"""
         for sysid in on_missions:
             self.change("mission", sysid)
 
     def change(self, what: str, sysid: int) -> None:
         """Take in what befell a vehicle: an operator's command, `tanker_out begins` and `ends`, `mission` and `mission
         flown`, `decided` (it is served), `death`. Nothing else changes who takes part."""
-        reasons = self._reasons.setdefault(sysid, set())
+        reasons = self.reasons.setdefault(sysid, set())
         if what in _LEAVE:
             if _LEAVE[what] in (TAKEN, RELEASED):
                 reasons -= {TAKEN, RELEASED}
@@ -51,7 +52,7 @@ class Participation:
 
     def skips(self, sysid: int) -> bool:
         """Whether the operator skips a vehicle, whatever else keeps it out."""
-        return SKIPPED in self._reasons.get(sysid, ())
+        return SKIPPED in self.reasons.get(sysid, ())
 
     def withdraw(self, sysids: Collection[int]) -> None:
         """Ask for these no more."""

@@ -112,7 +112,8 @@ class Watched:
 
 
 def _moments(recorded: Recorded) -> Moments:
-    moments = Moments()
+    scenario = recorded.scenario
+    moments = Moments(() if scenario is None else [one.sysid for one in scenario.vehicles.on_missions])
     for record in recorded.decisions:
         with contextlib.suppress(KeyError, TypeError, ValueError):  # of another version
             moments.take(float(record["t_s"]), record)

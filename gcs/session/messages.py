@@ -16,6 +16,7 @@ from gcs.missions.placed import Origin, outline_ne, place_ned
 from gcs.planner.failsafes import failsafes_of, foreign_returns_of
 from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
+from gcs.refuelling.participation import ON_MISSION, OUT_OF_ORDER, RELEASED
 from gcs.refuelling.service import Phase, Service, by_text
 from gcs.scenario.goal import asked
 from gcs.scenario.model import Obstacle, Scenario, VehicleBase
@@ -24,7 +25,7 @@ from gcs.scenario.weather import CALM
 from gcs.session import message_types as types
 from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
-from gcs.telemetry.health import State, health, health_issues, state
+from gcs.telemetry.health import AS_PLANNED, Known, State, health, health_issues, state
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender import elementary
 
@@ -41,19 +42,19 @@ def vehicle_row(
     view: VehicleView,
     now_s: float,
     quality: LinkQuality,
+    known: Known = AS_PLANNED,
     *,
-    down: bool = False,
-    ordered: autopilots.End | None = None,
     unanswered_s: float = 0.0,
 ) -> types.VehicleRow:
     """One vehicle at `now_s`: its state, link and health (gcs/telemetry/health.py). Its place in the plan is left open.
 
-    `down`, `ordered`, `unanswered_s`: as `health_issues` takes them.
+    `known`, `unanswered_s`: as `health_issues` takes them.
     """
     lost_share = quality.lost_share(view.sysid)
-    issues = health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered, unanswered_s=unanswered_s)
+    issues = health_issues(view, now_s, known, lost_share=lost_share, unanswered_s=unanswered_s)
     wrong = health(issues)
     received, silent_s = view.last_received_s >= 0.0, view.silent_s(now_s)
+    charged = view.energy_source != "none"
     return types.VehicleRow(
         sysid=view.sysid,
         role=view.role,
@@ -79,8 +80,8 @@ def vehicle_row(
         lost=quality.lost(view.sysid),
         lost_share=lost_share,
         target_m=None,
-        battery=view.remaining_j / view.capacity_j,
-        remaining_j=view.remaining_j,
+        battery=view.remaining_j / view.capacity_j if charged else None,
+        remaining_j=view.remaining_j if charged else None,
         power_w=view.power_w if view.metered else None,
         endurance_s=_known(view.endurance_s),
         energy_source=view.energy_source,
@@ -209,12 +210,19 @@ def states_of(
     }
 
 
-def ordered_and_down(supervisor: Supervisor, view: VehicleView) -> tuple[autopilots.End | None, bool]:
-    """Mode that is wanted of a vehicle instead of the plan, and whether it is down, as `health_issues` takes them."""
+def known_of(ordered: autopilots.End | None, down: bool, kept_out: Collection[str]) -> Known:
+    """Knowledge of a vehicle of a session; `kept_out`: what keeps it out of the refuelling."""
+    on_mission, out_of_order = ON_MISSION in kept_out, OUT_OF_ORDER in kept_out
+    return Known(RELEASED not in kept_out, ordered, on_mission, down, out_of_order)
+
+
+def known_to(supervisor: Supervisor, view: VehicleView) -> Known:
+    """A session's knowledge of a vehicle beside its messages."""
     arming = supervisor.arming[view.sysid]
     ordered = arming.ordered or ("land" if view.sysid in supervisor.grounded else None)
     lost = view.sysid in supervisor.goal_watch.lost and not view.flying
-    return ordered, lost or (arming.down and ordered is None)
+    kept_out = supervisor.schedule.participation.reasons.get(view.sysid, ())
+    return known_of(ordered, lost or (arming.down and ordered is None), kept_out)
 
 
 def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
@@ -238,9 +246,8 @@ def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list
     rows = []
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
-        ordered, down = ordered_and_down(supervisor, view)
-        waited_s = unanswered_s.get(sysid, 0.0)
-        row = vehicle_row(view, snapshot.time_s, supervisor.quality, down=down, ordered=ordered, unanswered_s=waited_s)
+        known, waited_s = known_to(supervisor, view), unanswered_s.get(sysid, 0.0)
+        row = vehicle_row(view, snapshot.time_s, supervisor.quality, known, unanswered_s=waited_s)
         notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]
         row.stage, row.note, row.state = arming.stage, "; ".join(filter(None, notes_of)), states[sysid]
         row.mission_item = supervisor.missions.item(sysid) or UNSET

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from typing import Any, Literal
 
 import msgspec
@@ -29,13 +29,22 @@ from gcs.mavlink.services.vehicle_events import EVENT, aged
 from gcs.mavlink.vehicle_kinds import KINDS
 from gcs.scenario.model import Scenario
 from gcs.session import message_types as types
-from gcs.session.messages import battery_rows, event_row, goal_of, goal_state, session_message, traffic_row, vehicle_row
+from gcs.session.messages import (
+    battery_rows,
+    event_row,
+    goal_of,
+    goal_state,
+    known_of,
+    session_message,
+    traffic_row,
+    vehicle_row,
+)
 from gcs.telemetry.adapter import TelemetryAdapter
 from gcs.telemetry.changes import ChangeDetector
 from gcs.telemetry.common_zero import CommonZero
 from gcs.telemetry.events import Event, level_of
 from gcs.telemetry.fleet import Fleet, GlobalOrigin
-from gcs.telemetry.health import Health, health, health_issues
+from gcs.telemetry.health import WATCHED, Health, Known, health, health_issues
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
@@ -80,6 +89,8 @@ class Observer:
         """what an operator wants vehicles of a scenario to fly: that is no failsafe"""
         self.lost: set[int] = set()
         """vehicles of a scenario that were lost; one that flies again is not"""
+        self.kept_out: Mapping[int, Collection[str]] = {}
+        """what keeps vehicles of a scenario out of the refuelling"""
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         given = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self._zero = CommonZero(given)
@@ -217,9 +228,8 @@ class Observer:
         """Health of each vehicle as a snapshot at `t_s` would report it."""
         found = {}
         for view in map(self._seen, self.view(t_s).vehicles):
-            share, ordered = self.quality.lost_share(view.sysid), self.ordered.get(view.sysid)
-            down = self._is_down(view)
-            found[view.sysid] = health(health_issues(view, t_s, lost_share=share, down=down, ordered=ordered))
+            share = self.quality.lost_share(view.sysid)
+            found[view.sysid] = health(health_issues(view, t_s, self._known_of(view), lost_share=share))
         return found
 
     def session(self) -> dict[str, Any]:
@@ -380,9 +390,7 @@ class Observer:
         rows = []
         for reported in snapshot.vehicles:
             adapter, view = self._adapter(reported.sysid), self._seen(reported)
-            row = vehicle_row(
-                view, snapshot.time_s, self.quality, down=self._is_down(view), ordered=self.ordered.get(view.sysid)
-            )
+            row = vehicle_row(view, snapshot.time_s, self.quality, self._known_of(view))
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
@@ -396,8 +404,11 @@ class Observer:
             rows.append(row)
         return rows
 
-    def _is_down(self, view: VehicleView) -> bool:
-        return view.sysid in self.lost and not view.flying
+    def _known_of(self, view: VehicleView) -> Known:
+        if self.scenario is None:
+            return WATCHED
+        sysid, down = view.sysid, view.sysid in self.lost and not view.flying
+        return known_of(self.ordered.get(sysid), down, self.kept_out.get(sysid, ()))
 
     def _adapter(self, sysid: int) -> TelemetryAdapter | None:
         """Reader of a vehicle that is not a session's own."""

@@ -7,6 +7,7 @@ frames show them too.
 from __future__ import annotations
 
 import bisect
+import itertools
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -85,7 +86,11 @@ class Moments:
     """Deaths, losses, bookings and operators' orders: a session's decisions on vehicles that their frames do not
     show."""
 
-    def __init__(self) -> None:
+    def __init__(self, on_missions: Iterable[int] = ()) -> None:
+        """`on_missions`: vehicles that began on one."""
+        self._on_missions = list(on_missions)
+        self._participation, self._changes = Participation(self._on_missions), 0
+        """as of the last time that was asked for, and how many changes were before it"""
         self.happened: list[ServiceMoment] = []
         self.orders: list[tuple[float, int, End | None]] = []
         """(time, system id, what it is to fly; None: by the plan, or by others) of what operators took in hand"""
@@ -133,15 +138,16 @@ class Moments:
                     held[sysid] = mode
         return held
 
-    def participation(self, t_s: float, on_missions: Iterable[int] = ()) -> Participation:
-        """Which vehicles took part in refuelling at a time, as the session's scheduler knew; `on_missions`: vehicles
-        that began on one."""
-        found = Participation(on_missions)
-        for since_s, what, sysid in self._refuelling:
+    def participation(self, t_s: float) -> Participation:
+        """Which vehicles took part in refuelling at a time, as the session's scheduler knew; until the next call."""
+        if self._changes and self._refuelling[self._changes - 1][0] > t_s:
+            self._participation, self._changes = Participation(self._on_missions), 0
+        for since_s, what, sysid in itertools.islice(self._refuelling, self._changes, None):
             if since_s > t_s:
                 break
-            found.change(what, sysid)
-        return found
+            self._participation.change(what, sysid)
+            self._changes += 1
+        return self._participation
 
     def see_landings(self, recorded: Recorded) -> None:
         """Know which vehicles came down without an order, and fly again, by what they said of themselves: a loss that
@@ -175,8 +181,9 @@ class Moments:
         return {sysid for sysid in lost_s if sysid not in rejoined or ordered.get(sysid) not in ("return", "land")}
 
     def show(self, observer: Observer, t_s: float) -> None:
-        """Let an observer know what was ordered and lost by a time."""
+        """Let an observer know what was ordered and lost by a time, and what kept vehicles out of the refuelling."""
         observer.ordered, observer.lost = self.ordered(t_s), self.lost(t_s)
+        observer.kept_out = self.participation(t_s).reasons
 
     def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
         """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then
@@ -196,9 +203,8 @@ class Timeline(Moments):
     """Decisions of a session. Raises OSError where the file cannot be read."""
 
     def __init__(self, path: Path, scenario: Scenario, progress: Callable[[float], object] = lambda _: None) -> None:
-        super().__init__()
+        super().__init__(pursuer.sysid for pursuer in scenario.vehicles.on_missions)
         self._scenario = scenario
-        self._on_missions = [pursuer.sysid for pursuer in scenario.vehicles.on_missions]
         self._lives: list[_Life] = []
         self._competition_lines: list[DecisionLine] = []
         self._shown: list[tuple[float, dict[str, Any]]] = []
@@ -267,7 +273,7 @@ class Timeline(Moments):
             line.goal.pursue_within_m = line.goal.pursue_for_s = None
         states, notes = (
             messages.states_of(snapshot, competition_state, is_open),
-            explain.notes_of(is_open, self.participation(t_s, self._on_missions)),
+            explain.notes_of(is_open, self.participation(t_s)),
         )
         targets, places = self._targets(t_s), {row.sysid: row.p_ned for row in line.vehicles}
         for row in line.vehicles:

@@ -1,17 +1,19 @@
 """Health issues of a vehicle, and its part in the refuelling: a few words each, from its messages alone.
 
-Pure functions of a `VehicleView`: a session, a passive monitor and a replay all say the same.
+Pure functions of a `VehicleView`, and of what a session or its recording knows beside it (`Known`): a session, a
+passive monitor and a replay all say the same.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from enum import StrEnum
 from typing import NamedTuple
 
 from gcs.mavlink.autopilots import End, FlightMode
 from gcs.telemetry.state import STALE_S, VehicleView
+from skytender import mavlink as mav
 
 WELL, LOOK, ACT = range(3)
 """Severities: nothing is wrong; look at it; do something."""
@@ -25,6 +27,19 @@ EMPTIES_LOOK_S, EMPTIES_ACT_S = 60.0, 30.0
 LOSS_LOOK, LOSS_ACT = 0.2, 0.6
 LONG_S = 1e6
 """A time left that is longer than any that is known."""
+CHECKED: Mapping[int, str] = {
+    mav.MAV_SYS_STATUS_SENSOR_3D_GYRO: "gyroscope",
+    mav.MAV_SYS_STATUS_SENSOR_3D_ACCEL: "accelerometer",
+    mav.MAV_SYS_STATUS_SENSOR_3D_MAG: "compass",
+    mav.MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE: "barometer",
+    mav.MAV_SYS_STATUS_SENSOR_GPS: "GPS",
+    mav.MAV_SYS_STATUS_SENSOR_RC_RECEIVER: "remote control",
+    mav.MAV_SYS_STATUS_SENSOR_MOTOR_OUTPUTS: "motors",
+    mav.MAV_SYS_STATUS_SENSOR_BATTERY: "battery",
+    mav.MAV_SYS_STATUS_GEOFENCE: "geofence",
+    mav.MAV_SYS_STATUS_AHRS: "estimator",
+}
+"""Parts whose failure may keep a vehicle from being armed, by their bits in SYS_STATUS."""
 
 
 class Condition(StrEnum):
@@ -83,6 +98,26 @@ class Health(NamedTuple):
 NO_ISSUES = Health()
 
 
+class Known(NamedTuple):
+    """A session's wishes for a vehicle, and its knowledge of it beside its messages; a recording holds them too."""
+
+    ours: bool = True
+    """whether it is to follow our set points; not what another station flies, and nothing that is only watched"""
+    ordered: End | None = None
+    """what an operator or the schedule wants it to fly, which is no surprise"""
+    on_mission: bool = False
+    """whether it is to fly a mission of its own, and may hold on it"""
+    down: bool = False
+    """whether it was lost and does not fly, or flies no more without an order for it"""
+    out_of_order: bool = False
+    """whether it is a tanker that can give no energy"""
+
+
+AS_PLANNED = Known()
+WATCHED = Known(ours=False)
+"""Of a vehicle of which no session is known: what flies it may be wanted."""
+
+
 class State(StrEnum):
     """A vehicle's part in the refuelling."""
 
@@ -99,25 +134,21 @@ class State(StrEnum):
 def health_issues(
     view: VehicleView,
     now_s: float,
+    known: Known = AS_PLANNED,
     *,
     lost_share: float | None = None,
-    down: bool = False,
-    ordered: End | None = None,
     unanswered_s: float = 0.0,
 ) -> list[HealthIssue]:
     """Everything that is wrong with a vehicle, worst first; [] when it is well.
 
-    `down`: it was lost and does not fly, or flies no more without an order for it. `ordered`: what an operator
-    or the schedule wants it to fly, which is no surprise. `unanswered_s`: wall time for which the session has stood
-    still for its answer.
+    `unanswered_s`: wall time for which the session has stood still for its answer.
     """
     silent_s = view.silent_s(now_s)
     if not view.alive:
         return [_dead(silent_s)]
-    if silent_s == math.inf:
-        if now_s < SILENT_S:
-            return []
-        return [HealthIssue("no telemetry yet", LOOK, Condition.SILENT, "none yet", round(now_s))]
+    if silent_s == math.inf or (view.last_received_s < 0.0 and now_s < SILENT_S):
+        kind = Condition.WELL if now_s < SILENT_S else Condition.SILENT
+        return [HealthIssue("no telemetry yet", LOOK, kind, "none yet", round(now_s))]
     found = []
     if view.doubt:
         found.append(HealthIssue("not believed", ACT))
@@ -139,15 +170,37 @@ def health_issues(
     elif view.worse_m:
         found.append(HealthIssue(f"place known to {view.worse_m:.1f} m less", LOOK))
     found += _energy(view)
-    if view.armed and view.mode in (FlightMode.RETURN, FlightMode.LAND):
-        found.append(HealthIssue(view.mode_name, LOOK if flies_as_ordered(view.mode, ordered) else ACT))
-    elif down:
-        found.append(HealthIssue("not flying", ACT))
-    elif ordered is not None and view.mode == FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
-        found.append(HealthIssue("held, not refuelled", LOOK))
+    if (flown := _flown(view, known)) is not None:
+        found.append(flown)
+    if view.armed and view.unhealthy & mav.MAV_SYS_STATUS_GEOFENCE:
+        found.append(HealthIssue("outside its geofence", ACT))
+    if not view.armed and view.unhealthy & mav.MAV_SYS_STATUS_PREARM_CHECK:
+        why = ", ".join(name for bit, name in CHECKED.items() if view.unhealthy & bit)
+        found.append(HealthIssue(f"not ready: {why or 'its own checks fail'}", LOOK))
+    if known.out_of_order:
+        found.append(HealthIssue("out of order", LOOK))
     if lost_share is not None and lost_share >= LOSS_LOOK:
         found.append(HealthIssue(f"{100.0 * lost_share:.0f} % packet loss", ACT if lost_share >= LOSS_ACT else LOOK))
     return sorted(found, key=lambda issue: -issue.severity)
+
+
+def _flown(view: VehicleView, known: Known) -> HealthIssue | None:
+    """The mode that it flies, where that is not the plan's; or that it does not fly any more."""
+    mode, name = view.mode, view.mode_name
+    as_ordered = flies_as_ordered(mode, known.ordered)
+    if view.armed and view.failsafe:
+        return HealthIssue(f"failsafe: {name}", LOOK if as_ordered else ACT)
+    if view.armed and mode in (FlightMode.RETURN, FlightMode.LAND):
+        return HealthIssue(name, ACT if known.ours and not as_ordered else LOOK)
+    if known.down:
+        return HealthIssue("not flying", ACT)
+    if view.flying and known.ours and not as_ordered:
+        waits = known.ordered is not None or known.on_mission or view.has_climbed
+        if mode is FlightMode.MANUAL or (mode is FlightMode.HOLD and not waits):
+            return HealthIssue(f"{name} without an order", LOOK)
+    if known.ordered is not None and mode is FlightMode.HOLD and view.remaining_j < HELD_LOOK * view.capacity_j:
+        return HealthIssue("held, not refuelled", LOOK)
+    return None
 
 
 def flies_as_ordered(mode: FlightMode, ordered: str | None) -> bool:

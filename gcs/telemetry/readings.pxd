@@ -71,6 +71,7 @@ cdef struct Readings:
     double origin_alt
     double several_batteries  # 1 once it has reported another than number 0, or none that it flies on
     double message_s  # when anything but SYSTEM_TIME came from its autopilot
+    double unhealthy  # MAV_SYS_STATUS_SENSOR of what it has, uses, and says is out of order; 0 before the first SYS_STATUS
     double fix_type  # of its last GPS_RAW_INT, with accuracies, mm, and whether it was armed then; -1 before the first
     double fix_h
     double fix_v

@@ -80,6 +80,7 @@ READINGS = 40
     ORIGIN_LAT, ORIGIN_LON, ORIGIN_ALT,  # the last GPS_GLOBAL_ORIGIN that was believed, as it stood there; NaN without
     SEVERAL_BATTERIES,  # 1 once it has reported another than number 0, or none that it flies on
     MESSAGE_S,  # when anything but SYSTEM_TIME came from its autopilot
+    UNHEALTHY,  # MAV_SYS_STATUS_SENSOR of what it has, uses, and says is out of order; 0 before the first SYS_STATUS
     FIX_TYPE, FIX_H, FIX_V, FIX_ARMED,  # of its last GPS_RAW_INT, with accuracies, mm; -1 before the first
     WAY,  # m, from each place that it has reported to the next, on the ground too
     *FIRST_BATTERY,  # of number 0, as long as it is the only one: s (-inf before its first), J, W, share, V, function
@@ -295,6 +296,7 @@ def _read_run(
             row.first_function = octet(data, begin + 33, stop)
             counted = not _count_report(one, found, row, now_s, consumed_j, power_w, remaining, False)
         elif msgid == _SYS_STATUS:
+            row.unhealthy = u32(data, begin, stop) & u32(data, begin + 4, stop) & ~u32(data, begin + 8, stop)
             total_mv = u16(data, begin + 14, stop)
             power_w = _power_w(0 if total_mv == _NO_CELL else total_mv, i16(data, begin + 16, stop))
             remaining = _share(i8(data, begin + 30, stop))

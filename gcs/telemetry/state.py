@@ -93,6 +93,10 @@ class VehicleView(NamedTuple):
     """whether nothing is left by its account, or by its last report, which is in whole per cent"""
     way_m: float = 0.0
     """the way from each place that it has reported to the next, on the ground too"""
+    has_climbed: bool = False
+    """whether it takes off, or holds since it has done so: as a rule on its way to what it is sent to"""
+    unhealthy: int = 0
+    """MAV_SYS_STATUS_SENSOR of what it has, uses, and says is out of order; 0 before it has said any"""
 
     @property
     def mode_name(self) -> str:

@@ -92,6 +92,7 @@ class VehicleStatus(NamedTuple):
     listed_modes: Listed
     fix_lost_s: float
     worse_m: float
+    has_climbed: bool
 
 
 class VehicleTrack:
@@ -114,6 +115,7 @@ class VehicleTrack:
         self.custom_mode = 0
         self.system_status = 0
         self.armed = False
+        self.has_climbed = False
         self.offset: Vec3 | None = None
         self.turn_rad = 0.0
         self.origin_alt_m = 0.0
@@ -152,6 +154,7 @@ class VehicleTrack:
         self.profile = self.member.profile or profile_of(autopilot, self.member.vehicle_type)
         self.mode = standard_modes.mode(self.profile, self.custom_mode, self.listed_modes)
         self.armed = self.accuracy.armed = bool(base_mode & mav.MAV_MODE_FLAG_SAFETY_ARMED)
+        self.has_climbed = self.mode is FlightMode.TAKEOFF or (self.has_climbed and self.mode is FlightMode.HOLD)
 
     def session_s(self, boot_ms: int, time_s: float) -> float:
         """When it said something, by its own clock if that is known; it was not later than now."""
@@ -177,7 +180,7 @@ class VehicleTrack:
             ground_down_m, self.custom_mode, self.turn_rad,
             self.armed and self.system_status in _FAILSAFE,
             self.doubt, self.uncertain, self.listed_modes,
-            self.accuracy.fix_lost_s, self.accuracy.worse_m,
+            self.accuracy.fix_lost_s, self.accuracy.worse_m, self.has_climbed,
         )  # fmt: skip
 
 
@@ -221,7 +224,7 @@ class Instant(NamedTuple):
         (
             north, east, down, v_north, v_east, v_down, _, heading_rad, roll_rad, pitch_rad,
             _, _, effort, effort_s, _, _, _, _, received_s, _,
-            power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s,
+            power_w, received_reported_s, given_reported_s, _, _, _, _, _, message_s, unhealthy,
             *_,
         ) = readings  # fmt: skip
         age_s, _, remaining_j, drawn_j, initial_j, capacity_j, way_m = figures
@@ -258,6 +261,5 @@ class Instant(NamedTuple):
             message_s, status.uncertain,
             not now_s - received_s > MODE_STALE_S or received_s < 0.0,
             status.listed_modes,
-            status.fix_lost_s, status.worse_m,
-            empty, way_m,
+            status.fix_lost_s, status.worse_m, empty, way_m, status.has_climbed, int(unhealthy),
         )  # fmt: skip

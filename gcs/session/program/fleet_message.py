@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 import numpy as np
 
 from gcs.mavlink.setpoints import SetPoints
-from gcs.session.messages import event_row, ordered_and_down, services_of
+from gcs.session.messages import event_row, known_to, services_of
 from gcs.session.program.messages import AcknowledgedRow, FleetMessage, Numbers
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event
@@ -24,7 +25,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
     set_points[[columns.row[sysid] for sysid in sent.sysids]] = sent.values
     competing = schedule.competition_state
     shares = [lost_share(sysid) for sysid in sysids]
-    left_j = columns.remaining_j.tolist()
+    left_j = [view.remaining_j if view.energy_source != "none" else math.nan for view in views]
     return FleetMessage(
         t_s=now_s,
         sysid=sysids,
@@ -40,7 +41,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
         set_point_v_ned=set_points[:, 3:].tolist(),
         target_m=_distances(supervisor),
         battery=[left / view.capacity_j for left, view in zip(left_j, views, strict=True)],
-        remaining_j=left_j,
+        remaining_j=[*left_j],
         endurance_s=[view.endurance_s for view in views],
         v=[competing.v.get(sysid) for sysid in sysids],
         tau=[competing.tau.get(sysid) for sysid in sysids],
@@ -67,6 +68,5 @@ def _distances(supervisor: Supervisor) -> Numbers:
 
 
 def _issues(supervisor: Supervisor, view: VehicleView, lost_share: float | None) -> list[str]:
-    ordered, down = ordered_and_down(supervisor, view)
     now_s = supervisor.snapshot.time_s
-    return [one.text for one in health_issues(view, now_s, lost_share=lost_share, down=down, ordered=ordered)]
+    return [one.text for one in health_issues(view, now_s, known_to(supervisor, view), lost_share=lost_share)]

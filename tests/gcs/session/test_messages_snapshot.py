@@ -15,8 +15,8 @@ from gcs.telemetry.events import Event
 
 HOLD, LAND = 4 << 16 | 3 << 24, 4 << 16 | 6 << 24
 """PX4's custom modes"""
-REPORTED = ("p_ned", "v_ned", "speed_m_s", "height_m", "heading_rad", "roll_rad", "pitch_rad", "power_w", "endurance_s",
-            "age_s", "heard_s", "autopilot")  # fmt: skip
+REPORTED = ("p_ned", "v_ned", "speed_m_s", "height_m", "heading_rad", "roll_rad", "pitch_rad", "battery", "remaining_j",
+            "power_w", "endurance_s", "age_s", "heard_s", "autopilot")  # fmt: skip
 """Keys that only messages of a vehicle can fill."""
 
 
@@ -33,7 +33,7 @@ def test_before_anything_is_known_it_says_so(scripted: Any) -> None:
     assert [vehicle["sysid"] for vehicle in content["vehicles"]] == [1, 101, 201]
     first = content["vehicles"][0]
     assert (first["p_ned"], first["height_m"], first["target_m"], first["endurance_s"]) == (None, None, None, None)
-    assert (first["battery"], first["stage"], first["note"]) == (1.0, "identify", "")
+    assert (first["stage"], first["note"], first["trouble"]) == ("identify", "", ["no telemetry yet"])
     assert {first[key] for key in REPORTED} == {None}
 
 
@@ -46,6 +46,7 @@ def test_arrays_have_nan_before_anything_is_known_and_for_the_endurance_of_the_d
 
     at_first = seen()
     assert np.isnan([*at_first.v_ned[0], *at_first.attitude_rad[0], at_first.endurance_s[0]]).all()
+    assert np.isnan([at_first.battery[0], at_first.remaining_j[0]]).all()
     flown_on(session)
     in_flight = seen()
     assert np.isfinite([*in_flight.v_ned[0], *in_flight.attitude_rad[0], in_flight.endurance_s[0]]).all()
@@ -119,6 +120,17 @@ def test_what_is_lost_is_trouble_whatever_was_ordered_before(scripted: Any) -> N
         session.fly(1)
         lies = shown(session)["vehicles"][0]
         assert (lies["condition"], lies["trouble"]) == ("failing", ["not flying"] if order else ["Land"])
+
+
+def test_a_hold_is_trouble_unless_it_was_ordered_or_another_station_flies_it(scripted: Any) -> None:
+    session = scripted()
+    session.fly(3)
+    session.link.vehicles[1, 1].custom_mode = HOLD
+    for order, wrong in (("", ["Hold without an order"]), ("hold", []), ("release", [])):
+        if order:
+            session.supervisor.obey({"command": order, "sysid": 1})
+        session.fly(1)
+        assert shown(session)["vehicles"][0]["trouble"] == wrong
 
 
 def test_a_service_is_noted_on_both_sides(scripted: Any) -> None:

@@ -253,6 +253,16 @@ def test_a_change_of_mode_is_an_event_and_no_failsafe_since_nobody_here_commands
     assert [(e["kind"], e["level"], e["text"]) for e in events] == [("mode", "info", "AUTO -> RTL")]
 
 
+def test_a_landing_is_a_failsafe_where_the_autopilot_says_so_since_nobody_here_commands(observer: Observer) -> None:
+    land = 4 << 16 | 6 << 24
+    for sysid, status in ((1, mav.MAV_STATE_ACTIVE), (2, mav.MAV_STATE_CRITICAL)):
+        observer.receive(beat(sysid, mode=land, armed=True, status=status), 0.1)
+        observer.receive(placed("GLOBAL_POSITION_INT", 0.0, 0.0, -5.0, sysid), 0.2)
+    found = rows(observer, 0.3)
+    assert (found[1]["condition"], "Land" in found[1]["trouble"]) == ("warned", True)
+    assert (found[2]["condition"], "failsafe: Land" in found[2]["trouble"]) == ("failing", True)
+
+
 def test_a_battery_of_unknown_capacity_is_a_share_and_no_joules(observer: Observer) -> None:
     """11.5 V and 10 A are 115 W; 8 % is trouble."""
     observer.receive(beat(1, autopilot=ARDUPILOT, mode=4), 0.0)

@@ -78,6 +78,21 @@ def test_a_heartbeat_tells_autopilot_mode_and_arming(fleet: Fleet) -> None:
     assert (view.profile.name, view.mode, view.armed) == ("ardupilot", FlightMode.LAND, False)
 
 
+def test_a_hold_after_the_take_off_is_known_until_something_else_was_flown(fleet: Fleet) -> None:
+    """Take-off, hold, offboard, hold, by PX4's numbers of AUTO.TAKEOFF, AUTO.LOITER and OFFBOARD."""
+    takeoff, loiter, offboard = 4 << 16 | 2 << 24, 4 << 16 | 3 << 24, 6 << 16
+    flown = [seen(fleet, heartbeat(mode)) for mode in (loiter, takeoff, loiter, offboard, loiter)]
+    assert [view.has_climbed for view in flown] == [False, True, True, False, False]
+
+
+def test_what_a_vehicle_has_and_uses_and_says_is_out_of_order_is_unhealthy(fleet: Fleet) -> None:
+    has, uses, healthy = 0b1110 << 28, 0b0111 << 28, 0b1101 << 28
+    assert seen(fleet, heartbeat()).unhealthy == 0
+    said = {"onboard_control_sensors_present": has, "onboard_control_sensors_enabled": uses}
+    assert seen(fleet, frame("SYS_STATUS", **said, onboard_control_sensors_health=healthy)).unhealthy == 1 << 29
+    assert seen(fleet, frame("SYS_STATUS", **said, onboard_control_sensors_health=has)).unhealthy == 0
+
+
 @pytest.mark.parametrize(
     ("status", "base_mode", "failsafe"),
     [(mav.MAV_STATE_ACTIVE, 0x81, False), (mav.MAV_STATE_CRITICAL, 0x81, True), (mav.MAV_STATE_CRITICAL, 0x01, False)],

@@ -7,9 +7,34 @@ import pytest
 from views import view
 
 from gcs.mavlink.autopilots import FlightMode
-from gcs.telemetry.health import ACT, CONDITIONS, LOOK, WELL, State, Worst, health_issues, severity, state, worst
+from gcs.telemetry.health import (
+    ACT,
+    CONDITIONS,
+    LOOK,
+    WELL,
+    HealthIssue,
+    Known,
+    State,
+    Worst,
+    health_issues,
+    severity,
+    state,
+    worst,
+)
+from skytender import mavlink as mav
 
 NOW_S = 100.0
+REMOVED, PILOTED = {"ours": False}, {"mode": FlightMode.MANUAL}
+HELD = {"mode": FlightMode.HOLD}
+GROUNDED = {"armed": False, "landed": True}
+BARRED = mav.MAV_SYS_STATUS_PREARM_CHECK
+
+
+def issues(changed: Any, how: Any) -> list[HealthIssue]:
+    """Of a vehicle in flight that is changed; `how`: what is known of it, and of its link."""
+    known = {name: value for name, value in how.items() if name in Known._fields}
+    link = {name: value for name, value in how.items() if name not in Known._fields}
+    return health_issues(view(**changed), NOW_S, Known(**known), **link)
 
 
 def test_a_vehicle_that_is_well_has_no_trouble() -> None:
@@ -43,13 +68,25 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         ({"mode": FlightMode.HOLD, "drawn_j": 6_000.0}, {"ordered": "hold"}, "held, not refuelled", LOOK),
         ({"armed": False, "landed": True}, {"down": True, "ordered": "hold"}, "not flying", ACT),
         ({"armed": False, "landed": True}, {"down": True}, "not flying", ACT),
+        ({**HELD, "failsafe": True}, {}, "failsafe: Hold", ACT),
+        ({"mode": FlightMode.LAND, "failsafe": True}, REMOVED, "failsafe: Land", ACT),
+        ({"mode": FlightMode.LAND, "failsafe": True}, {"ordered": "land"}, "failsafe: Land", LOOK),
+        ({"mode": FlightMode.LAND}, REMOVED, "Land", LOOK),
+        (HELD, {}, "Hold without an order", LOOK),
+        (PILOTED, {}, "Manual without an order", LOOK),
+        (PILOTED, {"ordered": "hold"}, "Manual without an order", LOOK),
+        (PILOTED, {"on_mission": True}, "Manual without an order", LOOK),
+        (GROUNDED | {"unhealthy": BARRED | mav.MAV_SYS_STATUS_SENSOR_GPS}, {}, "not ready: GPS", LOOK),
+        (GROUNDED | {"unhealthy": BARRED}, REMOVED, "not ready: its own checks fail", LOOK),
+        ({"unhealthy": int(mav.MAV_SYS_STATUS_GEOFENCE)}, {}, "outside its geofence", ACT),
+        ({}, {"out_of_order": True}, "out of order", LOOK),
         ({}, {"unanswered_s": 7.4}, "no answer for 7 s", ACT),
         ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),
         ({}, {"lost_share": 0.7}, "70 % packet loss", ACT),
     ],
 )
 def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text: str, how_bad: int) -> None:
-    found = health_issues(view(**changed), NOW_S, **how)
+    found = issues(changed, how)
     assert [trouble.text for trouble in found] == [text]
     assert severity(found) == how_bad
 
@@ -61,12 +98,20 @@ def test_each_trouble_has_its_words_and_its_weight(changed: Any, how: Any, text:
         ({"armed": False, "landed": True, "mode": FlightMode.LAND}, {}),  # it has landed and is done
         ({"armed": False, "landed": True}, {"ordered": "land"}),
         ({"armed": False, "landed": True, "power_w": 250.0}, {}),  # nothing falls from the ground
+        (HELD, {"ordered": "hold"}),
+        (HELD, {"on_mission": True}),
+        (HELD, REMOVED),
+        (HELD | {"has_climbed": True}, {}),
+        (PILOTED, REMOVED),
+        (PILOTED | GROUNDED, {}),
+        ({"unhealthy": BARRED | mav.MAV_SYS_STATUS_SENSOR_GPS}, {}),  # in flight nothing is armed
+        (GROUNDED | {"unhealthy": int(mav.MAV_SYS_STATUS_SENSOR_3D_MAG)}, {}),  # one of several
         ({}, {"unanswered_s": 2.9}),
         ({}, {"lost_share": 0.1}),
     ],
 )
 def test_what_is_in_order_is_no_trouble(changed: Any, how: Any) -> None:
-    assert health_issues(view(**changed), NOW_S, **how) == []
+    assert issues(changed, how) == []
 
 
 def test_the_worst_comes_first() -> None:
@@ -95,15 +140,18 @@ SILENT = {"last_received_s": 91.0, "last_message_s": 91.0}
 )
 def test_a_vehicles_condition_is_the_worst_that_it_is_in(changed: Any, how: Any, expected: Any) -> None:
     """Of 10 kJ, 100 W last 100 s; LOOK below 60 s."""
-    assert worst(health_issues(view(**changed), NOW_S, **how)) == expected
+    assert worst(issues(changed, how)) == expected
 
 
 def test_conditions_go_from_dead_to_warned() -> None:
     assert CONDITIONS == ("dead", "silent", "failing", "low", "warned")
 
 
-def test_before_three_seconds_nobody_need_have_spoken() -> None:
-    assert health_issues(view(last_received_s=-math.inf, last_message_s=-math.inf), 2.9) == []
+@pytest.mark.parametrize("message_s", [-math.inf, 0.4])
+def test_what_has_not_sent_a_heartbeat_yet_is_waited_for_and_is_silent_after_three_seconds(message_s: float) -> None:
+    unheard = view(last_received_s=-math.inf, last_message_s=message_s)
+    assert worst(health_issues(unheard, 0.5)) == ("warned", "none yet", 0.0)
+    assert worst(health_issues(unheard, 3.0)).condition == "silent"
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from gcs.mavlink.autopilots import End
 from gcs.recording.tick_record import event_of
-from gcs.refuelling.participation import ON_MISSION, RELEASED, SKIPPED, TAKEN
+from gcs.refuelling.participation import ON_MISSION, OUT_OF_ORDER, RELEASED, SKIPPED, TAKEN
 from gcs.refuelling.scheduler import Scheduler
 from gcs.scenario.model import Scenario
 from gcs.supervisor.arming import CUT_OFF_S, ArmingSequence, Stage
@@ -100,8 +100,12 @@ class Operator:
         view = snapshot.vehicle(sysid)
         if command == "retarget":
             return self._retarget(view, target, snapshot)
-        if command == "refuel" and self._tankers_alone and not any(v.alive for v in snapshot.of_role("tanker")):
-            return OperatorReply(False, "No tanker lives that could refuel it.")
+        if command == "refuel" and self._tankers_alone:
+            living = [tanker.sysid for tanker in snapshot.of_role("tanker") if tanker.alive]
+            if not living:
+                return OperatorReply(False, "No tanker lives that could refuel it.")
+            if all(OUT_OF_ORDER in self._participation.reasons.get(tanker, ()) for tanker in living):
+                return OperatorReply(False, "No tanker is in order that could refuel it.")
         return _COMMANDS[command](self, view, command)
 
     def unreachable(self, sysid: int, snapshot: FleetSnapshot) -> str | None:

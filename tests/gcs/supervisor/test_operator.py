@@ -99,6 +99,15 @@ def test_none_is_refuelled_where_no_tanker_lives(session: Any) -> None:
     assert not taken(session, "refuel", sysid=1)
 
 
+def test_none_is_refuelled_while_no_tanker_is_in_order(session: Any) -> None:
+    participation = session.supervisor.schedule.participation
+    participation.change("tanker_out begins", 201)
+    answer = session.supervisor.obey({"command": "refuel", "sysid": 1})
+    assert (answer.taken, answer.text) == (False, "No tanker is in order that could refuel it.")
+    participation.change("tanker_out ends", 201)
+    assert taken(session, "refuel", sysid=1)
+
+
 def test_a_full_one_is_not_refuelled(scripted: Any) -> None:
     session = scripted()
     session.fly(3)

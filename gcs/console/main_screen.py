@@ -158,8 +158,14 @@ class MainScreen(Screen[None]):
         if self._notice is not None and self.app.clock() < self._notice[2]:
             text, style, _ = self._notice
             return [[(t, f"notice {style} raised") for t, _ in fitted([(f" {text}", "")], width, glyphs)]]
-        keys = help_text.bottom(self.page, control=self.seen.control, replay=self.seen.replay is not None)
+        keys = help_text.bottom(self.page, **self._takes)
         return [heading.keys_line(keys, width)]
+
+    @property
+    def _takes(self) -> dict[str, bool]:
+        """Facts that the help page and the last line depend on."""
+        seen = self.seen
+        return {"control": seen.control, "replay": seen.replay is not None, "monitor": seen.monitors}
 
     def _too_small(self, width: int, height: int) -> StyledLines:
         return heading.too_small(width, height, (LEAST.width, LEAST.height), flies=self.seen.replay is None)
@@ -342,10 +348,7 @@ class MainScreen(Screen[None]):
     def action_help(self) -> None:
         """The help page."""
         app = self.app
-        replay = self.seen.replay is not None
-        lines = help_text.page(
-            control=self.seen.control, replay=replay, owner=app.owner, lost=app.lost(), glyphs=app.glyphs
-        )
+        lines = help_text.page(**self._takes, owner=app.owner, lost=app.lost(), glyphs=app.glyphs)
         app.push_screen(Help(lines, app.glyphs))
 
     def _point_fleet(self, column: int, row: int, turn: int) -> None:

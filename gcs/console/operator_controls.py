@@ -10,7 +10,7 @@ from gcs.console.pages import fleet
 from gcs.console.shell import Shell
 from gcs.console.text import number
 from gcs.session.client import Message
-from gcs.session.order_table import ORDERS, OperatorCommand
+from gcs.session.order_table import OperatorCommand, orders
 from gcs.session.plain_text import clean
 
 SEEK_S = 10.0
@@ -32,8 +32,10 @@ class OperatorControls:
             self.play()
         elif not seen.control:
             self._say(_why_none(seen))
+        elif (given := _order(name, seen)) is None:
+            self._say(f"a monitor takes no {name}: it knows hold, return and land")
         else:
-            order = _ready(next(order for order in ORDERS if order.command == name), seen)
+            order = _ready(given, seen)
             sysid = chosen if order.of_vehicle else None
             if order.of_vehicle and sysid is None:
                 self._say("no vehicle is chosen")
@@ -115,6 +117,11 @@ def _why_none(seen: SessionModel) -> str:
     if seen.monitors:
         return "this monitor only watches; start it with --control to give orders"
     return f"{'a recording' if seen.replay is not None else 'this source'} takes no commands"
+
+
+def _order(name: str, seen: SessionModel) -> OperatorCommand | None:
+    """An order that the other end takes."""
+    return next((order for order in orders(monitor=seen.monitors) if order.command == name), None)
 
 
 def _ready(order: OperatorCommand, seen: SessionModel) -> OperatorCommand:

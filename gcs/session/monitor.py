@@ -27,6 +27,7 @@ from gcs.mavlink.stream_requests import SilentVehicles, everything
 from gcs.scenario.endpoint import Endpoint
 from gcs.session.messages import reply_message
 from gcs.session.observer import Observer
+from gcs.session.order_table import MONITOR_ORDERS
 from gcs.telemetry.events import Event, Level
 
 SNAPSHOT_EVERY_S = 0.1
@@ -38,7 +39,7 @@ SILENT_AFTER_S = 0.5
 """A connection has so long to be made before it is said that it is not."""
 GONE_S = 5.0
 """A vehicle may come from another address once the one that it had has been silent for so long."""
-ORDERS: Mapping[str, End] = {"hold": "hold", "return": "return", "land": "land"}
+ORDERS: Mapping[str, End] = {order.command: cast(End, order.command) for order in MONITOR_ORDERS}
 _COMMAND_ACK = codec.msgid("COMMAND_ACK")
 
 
@@ -211,7 +212,7 @@ class MonitorSource:
         t_s = self._clock() - self._begun_s
         view = self._observer.view(t_s).vehicle(sysid)
         if not view.armed:
-            return False, f"{view.label} is not armed: there is nothing to {end}."
+            return True, f"{view.label} is not armed, and stays where it is."
         number, params = view.ending(end)
         queue = self._queues.setdefault(sysid, CommandQueue(*self._station))
         order = CommandLong(CommandTarget(*self._autopilot(sysid)), number, params)

@@ -1,8 +1,8 @@
-"""Orders that a person gives to a session: key, confirmation question, and the command that is then sent."""
+"""Orders of a person to a session or a monitor: key, confirmation question, and the command that is then sent."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,8 @@ class OperatorCommand:
     """what follows from it that one might not think of"""
     of_many: bool = False
     """whether it may be given to several vehicles at once"""
+    in_monitor: bool = False
+    """whether a monitor takes it, too, which has no planner and refuels nothing"""
 
 
 ORDERS = (
@@ -31,9 +33,10 @@ ORDERS = (
         "Let {} hold its position?",
         means="It will not be refuelled until you return it to the planner",
         of_many=True,
+        in_monitor=True,
     ),
-    OperatorCommand("r", "return", "return", "return to its home", "Send {} home?", of_many=True),
-    OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?", of_many=True),
+    OperatorCommand("r", "return", "return", "return to its home", "Send {} home?", of_many=True, in_monitor=True),
+    OperatorCommand("l", "land", "land", "land where it is", "Land {} where it is?", of_many=True, in_monitor=True),
     OperatorCommand("j", "rejoin", "rejoin", "back into the planner's hands", "Give {} back to the planner?"),
     OperatorCommand("f", "refuel", "refuel", "serve it next, whatever the competition says", "Refuel {} next?"),
     OperatorCommand(
@@ -44,3 +47,9 @@ ORDERS = (
         "x", "stop", "stop", "end the session and save it", "Stop the session? It ends for all, and is saved.", False
     ),
 )
+MONITOR_ORDERS = tuple(replace(order, means="") for order in ORDERS if order.in_monitor)
+
+
+def orders(*, monitor: bool) -> tuple[OperatorCommand, ...]:
+    """The orders that a monitor takes, or a session."""
+    return MONITOR_ORDERS if monitor else ORDERS

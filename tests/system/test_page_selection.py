@@ -186,7 +186,7 @@ def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
     rows[1] |= {"armed": False, "landed": True}
     rows[2] |= {"condition": "silent", "figure": "6 s", "severity": 2, "trouble": ["no telemetry for 6 s"]}
     rows[3] |= {"note": "taken by the operator", "mode_name": "BRAKE"}
-    rows[4] |= {"condition": "failing", "mode_name": "RTL", "severity": 2, "trouble": ["RTL"], "figure": "RTL"}
+    rows[4] |= {"condition": "failing", "mode_name": "RTL", "severity": 2, "trouble": ["failsafe: RTL"]}
     source, watched = showing
     page = watched.page
     source.feed(snapshot(2.0, rows))
@@ -214,5 +214,34 @@ def test_what_may_not_obey_is_listed_with_its_reason(showing: Showing) -> None:
     )
     watched.well()
     dialog.get_by_role("button", name="No").click()
+    rows[4] |= {"trouble": ["RTL"]}
+    source.feed(snapshot(3.0, rows))
+    until(page, "skytender.current.t_s === 3")
+    page.get_by_role("button", name="all: return").click()
+    words = "pursuer 5 is in RTL without an order from here, which this order would end."
+    expect(dialog.get_by_role("listitem").last).to_have_text(words)
+    dialog.get_by_role("button", name="No").click()
     page.locator("table.fleet tbody").get_by_role("button", name="5", exact=True).click()
     expect(page.locator(".vehicle-page")).to_contain_text("plan Bstraight home at 12.5 m above it")
+
+
+def test_a_monitor_offers_hold_return_and_land_alone(browser: Browser) -> None:
+    rows = [row(1, 0.0)]
+    source = Refusing(session(rows) | {"source": "monitor", "control": True}, snapshot(1.0, rows))
+    with served(source) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        shown = page.locator(".orders button:visible")
+        expect(shown).to_have_text(["hold⇧H", "return⇧R", "land⇧L"])
+        page.locator("table.fleet tbody").get_by_role("button", name="1", exact=True).click()
+        page.keyboard.press("Shift+F")
+        expect(page.locator(".notices")).to_contain_text("A monitor takes no refuel: it knows hold, return and land.")
+        page.keyboard.press("Shift+H")
+        expect(page.get_by_role("dialog")).not_to_contain_text("refuelled")
+        page.keyboard.press("Escape")
+        page.keyboard.press("?")
+        keys = page.get_by_role("dialog", name="keys")
+        expect(keys).to_contain_text("land where it is")
+        expect(keys.get_by_text("serve it next")).to_be_hidden()
+        assert source.sent == []
+        assert watched.wrong == []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from gcs.console.text import Glyphs, StyledLine, StyledLines
-from gcs.session.order_table import ORDERS
+from gcs.session.order_table import orders
 
 Keys = tuple[tuple[str, str], ...]
 
@@ -64,18 +64,18 @@ BOTTOM: dict[str, Keys] = {
 }
 
 
-def bottom(page: str, *, control: bool, replay: bool) -> Keys:
+def bottom(page: str, *, control: bool, replay: bool, monitor: bool) -> Keys:
     """The keys that the last line shows, the most wanted first."""
-    stop = [(order.key, order.name) for order in ORDERS if control and order.command == "stop"]
+    taken = orders(monitor=monitor) if control else ()
+    stop = [(order.key, order.name) for order in taken if order.command == "stop"]
     keys: list[tuple[str, str]] = [("?", "help"), ("q", "close"), *stop, *BOTTOM[page]]
     if replay:
         keys += [("space", "pause"), ("left right", "seek"), ("+ -", "speed")]
-    if control:
-        keys += [(order.key, order.name) for order in ORDERS if order.command != "stop"]
+    keys += [(order.key, order.name) for order in taken if order.command != "stop"]
     return tuple(keys)
 
 
-def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> StyledLines:
+def page(*, control: bool, replay: bool, monitor: bool, owner: bool, lost: list[str], glyphs: Glyphs) -> StyledLines:
     """Everything; `owner`: Ctrl-C here stops the session; `lost` says what this terminal cannot show."""
     lines: StyledLines = []
     if lost:
@@ -87,7 +87,7 @@ def page(*, control: bool, replay: bool, owner: bool, lost: list[str], glyphs: G
         lines += [[], [("Replay", "name")], *(_entry(*entry) for entry in REPLAY)]
     if control:
         lines += [[], [("Operator (each key asks first; what the vehicle answers is an event)", "name")]]
-        lines += [_entry(order.key, order.what) for order in ORDERS]
+        lines += [_entry(order.key, order.what) for order in orders(monitor=monitor)]
     elif not replay:
         off = "The operator's keys are off: start the monitor with --control to give orders."
         lines += [[], [(off, "info")]]

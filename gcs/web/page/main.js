@@ -27,7 +27,7 @@ const SOURCES = { session: "live", monitor: "monitor", replay: "replay" };
 /** @param {import("./app.js").App} app @param {Order[]} orders @param {(order: Order) => void} ask */
 function keyboard(app, orders, ask) {
   const help = h("dialog", { class: "ask", "aria-label": "keys" });
-  const rows = [...KEYS, ...orders.map((order) => [order.key.toUpperCase(), order.what])].map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", { class: "word" }, what)));
+  const rows = [...KEYS, ...orders.map((order) => [order.key.toUpperCase(), order.what, order.command])].map(([key, what, command]) => h("tr", command ? { "data-order": command } : {}, h("th", { scope: "row" }, key), h("td", { class: "word" }, what)));
   help.append(h("h2", {}, "Keys"), h("table", {}, h("tbody", {}, ...rows)), h("form", { method: "dialog" }, h("button", {}, "Close")));
   document.body.append(help);
   /** @type {Record<string, () => void>} */
@@ -124,6 +124,7 @@ function served(config) {
   const plans = () => new Map((app.flight.session?.vehicles ?? []).map((one) => [one.sysid, one.plan_b]));
   const ask = (/** @type {Order} */ order) => {
     if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "View-only link: commands are disabled.", "bad");
+    if (!operator.takes(order)) return void operator.notice(`A monitor takes no ${order.name}: it knows hold, return and land.`, "bad");
     if (order.of_many && app.selected.size > 1) operator.askMany(order, [...app.selected], false, label, () => app.flight.newest, plans());
     else operator.ask(order, app.chosen, label, () => app.flight.newest);
   };
@@ -136,9 +137,12 @@ function served(config) {
     app.strip.all.append(h("button", { type: "button", title: `${order.name} all vehicles`, onclick: () => operator.askMany(order, everyone(), true, label, () => app.flight.newest, plans()) }, `all: ${order.name}`));
   }
   help.addEventListener("click", keyboard(app, config.orders, ask).showModal.bind(document.querySelector("dialog[aria-label=keys]")));
+  /** @type {Map<Order, HTMLElement>} */
+  const buttons = new Map();
   for (const order of config.orders) {
     const button = h("button", { type: "button", title: `${order.what} (Shift+${order.key.toUpperCase()})`, onclick: () => ask(order) }, order.name, keyOf(`⇧${order.key.toUpperCase()}`));
     (order.of_vehicle ? app.orders : session).append(button);
+    buttons.set(order, button);
   }
 
   const live = new Live((line) => {
@@ -150,6 +154,12 @@ function served(config) {
       if (replaying && !linked && linked_s !== null) player.seek(linked_s);
       linked = true;
       control = Boolean(line.control) && !replaying;
+      operator.monitors = line.source === "monitor";
+      for (const [order, button] of buttons) {
+        const row = /** @type {HTMLElement | null} */ (document.querySelector(`dialog tr[data-order=${order.command}]`));
+        button.hidden = !operator.takes(order);
+        if (row) row.hidden = button.hidden;
+      }
       document.title = `${line.name} – Skytender`;
       say(title, line.name);
       for (const part of [session, app.orders, app.strip.all]) part.hidden = !control;

@@ -3,7 +3,7 @@
 import { h, say, vehicles } from "./elements.js";
 import { modeOf } from "./signs.js";
 
-/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, means: string}} Order */
+/** @typedef {{key: string, command: string, name: string, what: string, question: string, of_vehicle: boolean, of_many: boolean, in_monitor: boolean, means: string}} Order */
 /** @typedef {import("./messages").SnapshotMessage} Snapshot */
 /** @typedef {import("./messages").VehicleRow} VehicleRow */
 /** @typedef {import("./messages").PlanBRow} PlanB */
@@ -16,9 +16,21 @@ export class Operator {
   constructor(orders, send) {
     this.orders = orders;
     this.send = send;
+    /** whether the other end is a monitor, which has no planner and refuels nothing */
+    this.monitors = false;
     this.notices = h("div", { class: "notices", role: "status", "aria-live": "polite" });
     this.dialog = h("dialog", { class: "ask", "aria-labelledby": "ask-question" });
     document.body.append(this.notices, this.dialog);
+  }
+
+  /** Whether the other end takes an order. @param {Order} order */
+  takes(order) {
+    return order.in_monitor || !this.monitors;
+  }
+
+  /** @param {Order} order */
+  #means(order) {
+    return this.monitors ? "" : order.means;
   }
 
   /** @param {string} text @param {"" | "good" | "bad"} [level] */
@@ -42,7 +54,7 @@ export class Operator {
     const which = all ? "" : sysids.join(", ");
     const yes = h("button", { type: "submit", value: "yes", class: "primary" }, "Yes");
     yes.disabled = !able.length;
-    this.dialog.replaceChildren(h("form", { method: "dialog" }, h("h2", { id: "ask-question" }, title), which ? h("p", {}, which) : null, order.means ? h("p", { class: "soft" }, order.means) : null,
+    this.dialog.replaceChildren(h("form", { method: "dialog" }, h("h2", { id: "ask-question" }, title), which ? h("p", {}, which) : null, this.#means(order) ? h("p", { class: "soft" }, this.#means(order)) : null,
       ...listed(rows, refusal, (count) => `${count} of them cannot:`, "bad", name), ...listed(rows, doubt, (count) => `${count} ${count === 1 ? "takes" : "take"} the order, but:`, "warn", name),
       ...planned(rows, plans), h("p", { class: "buttons" }, yes, h("button", { type: "submit", value: "no" }, "No"))));
     this.dialog.returnValue = "no";
@@ -79,7 +91,7 @@ export class Operator {
     const detail = h("p", { class: "soft" });
     const now = () => {
       const found = order.of_vehicle ? row() : undefined;
-      say(detail, [found ? state(found) : "", order.means].filter(Boolean).join(". "));
+      say(detail, [found ? state(found) : "", this.#means(order)].filter(Boolean).join(". "));
     };
     const targets = order.command === "retarget" ? (present()?.vehicles ?? []).filter((one) => one.role === "target") : [];
     if (order.command === "retarget" && !targets.length) return void this.notice("There is no target.", "bad");
@@ -120,7 +132,8 @@ function doubt(row) {
   if (!row.armed) return "is on the ground and stays there.";
   if (row.landed) return "has landed and stays there.";
   if (row.note.startsWith("taken by")) return `is ${row.note} already (${row.mode_name}).`;
-  if (row.condition === "failing" && row.trouble.includes(row.mode_name)) return `is in ${row.mode_name} by its own failsafe, which the order would end.`;
+  if (row.trouble.includes(`failsafe: ${row.mode_name}`)) return `is in ${row.mode_name} by its own failsafe, which the order would end.`;
+  if (row.condition === "failing" && row.trouble.includes(row.mode_name)) return `is in ${row.mode_name} without an order from here, which this order would end.`;
   return "";
 }
 

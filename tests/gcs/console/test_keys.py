@@ -164,6 +164,23 @@ def test_a_replay_is_paused_sought_and_hurried_and_takes_no_orders() -> None:
     drive(steps, [session(control=False), snapshot(20.0, replay=replay)])
 
 
+def test_a_monitor_offers_hold_return_and_land_alone() -> None:
+    async def steps(shown: Shown) -> None:
+        assert "h hold" in shown.lines()[-1]
+        assert "j rejoin" not in shown.lines()[-1]
+        await shown.press("j")
+        assert "a monitor takes no rejoin" in shown.lines()[-1]
+        await shown.press("h")
+        assert "refuelled" not in shown.text()
+        await shown.press("n", "question_mark")
+        assert "land where it is" in shown.text()
+        assert "serve it next" not in shown.text()
+        assert shown.source.sent == []
+
+    ordering = [session(source="monitor", control=True), snapshot(20.0, phase="monitoring")]
+    drive(steps, ordering, size=(200, 70))
+
+
 def test_a_monitor_that_only_watches_names_the_option_that_lets_it_order() -> None:
     async def steps(shown: Shown) -> None:
         await shown.press("h")

@@ -135,7 +135,7 @@ def test_the_help_page_scrolls_where_it_does_not_fit_and_says_all_of_its_words(f
             read += before
             await shown.press("down")
         assert "Signs" in before
-        said = help_text.page(control=True, replay=False, owner=False, lost=[], glyphs=shown.app.glyphs)
+        said = help_text.page(control=True, replay=False, monitor=False, owner=False, lost=[], glyphs=shown.app.glyphs)
         assert set(words(" ".join(text for line in said for text, _ in line))) <= set(words(read))
 
     drive(steps, flown)

@@ -105,3 +105,19 @@ def test_an_event_of_a_flight_is_said_after_it_with_its_age() -> None:
         source.close()
         vehicle.socket.close()
     assert [text for text in said if WORDS in text] == [f"{WORDS} ({now['s'] - 1.0:.0f} s ago)"]
+
+
+def test_an_order_to_a_vehicle_that_is_not_armed_is_taken_and_sent_to_none() -> None:
+    """As a session takes it."""
+    source = MonitorSource(Endpoint("udpin", "127.0.0.1", 0), control=True, clock=lambda: 0.0)
+    vehicle = Vehicle(source.port)
+    try:
+        vehicle.say()
+        assert select.select([source], [], [], 10.0)[0]
+        source.receive()
+        source.send({"command": "hold", "sysid": SYSID, "id": "1"})
+        (reply,) = [message for message in source.receive() if message["type"] == "reply"]
+        assert (reply["ok"], reply["text"]) == (True, f"copter {SYSID} is not armed, and stays where it is.")
+    finally:
+        source.close()
+        vehicle.socket.close()

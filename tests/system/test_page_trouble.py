@@ -88,9 +88,14 @@ def test_a_calm_fleet_is_said_to_be_well_and_the_strip_tells_how_many_how_badly_
         assert page.evaluate("[skytender.chosen, [...skytender.selected]]") == [4, [4, 2]]
         until(page, "document.querySelectorAll('tr[aria-selected=true]').length === 2")
         expect(page.locator(".vehicle-page")).to_contain_text("pursuer 4")
-        # in the past the strip shows what was
+        # in the past the strip stays at the present, on which its orders act
         page.evaluate("skytender.player.seek(1.0)")
+        until(page, "skytender.paneled.t_s === 1.0")
+        expect(strip.get_by_role("button", name="Dead: 7 (9 s)")).to_be_visible()
+        expect(strip.get_by_text("All well")).to_be_hidden()
+        source.feed(snapshot(3.0, [row(r["sysid"], 0.0) for r in rows]))
         expect(strip).to_contain_text("All well")
+        assert page.evaluate("skytender.current.t_s") == 1.0
         assert watched.wrong == []
         page.close()
 

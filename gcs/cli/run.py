@@ -286,7 +286,8 @@ def run(
         if not no_report:
             report.after_run(folder, echo, status, hurried=hurry.is_set(), last=shown_page is None)
         if shown_page is not None and status in (DONE, NOT_DONE, INTERRUPTED) and not hurry.is_set():
-            shown_page.stay(lambda: click.echo("gcs: the page stays, with the report; Ctrl-C ends it", err=True))
+            what = "the page stays, with the report" if (folder / report.FILE).is_file() else "the page stays"
+            shown_page.stay(lambda: click.echo(f"gcs: {what}; Ctrl-C ends it", err=True))
     return status
 
 

@@ -18,6 +18,13 @@ RETRY_S = 0.25
 GONE_S = 3.0
 """A session whose socket has not answered for this long, after it had, is over."""
 
+NO_LAST_WORD: Message = {
+    "type": "end",
+    "outcome": None,
+    "text": "its process ended without a last word; the terminal that started it may say why",
+    "exit": None,
+}
+"""The end of a session that has said none."""
 SOCKET = "session.sock"
 READ_BYTES = 1 << 16
 
@@ -136,7 +143,7 @@ class SessionSource:
         if self._last_received_s == float("-inf") or now_s - self._last_received_s < GONE_S:
             return []
         self._over = True
-        return [{"type": "end", "outcome": None, "exit": None}]
+        return [NO_LAST_WORD]
 
     def _connect(self) -> None:
         if self._client is not None:

@@ -364,11 +364,14 @@ class Reply(Struct, tag_field="type", tag="reply"):
 
 
 class End(Struct, tag_field="type", tag="end"):
-    """The last line."""
+    """The last line. That of a session that broke off comes without a snapshot of phase `ended` before it."""
 
-    outcome: str
+    outcome: str | None
+    """None: there is no summary"""
     text: str
-    exit: int
+    """the outcome as a sentence, or why the session broke off"""
+    exit: int | None
+    """None: the session's process has ended without a last word"""
 
 
 SessionMessage = SessionLine | SnapshotMessage | Reply | End

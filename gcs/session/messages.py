@@ -134,9 +134,9 @@ def reply_message(given: object, ok: bool, text: str) -> dict[str, Any]:
     return types.plain(types.Reply(given if isinstance(given, str | int) else None, ok, text))
 
 
-def end_message(outcome: str, status: int, text: str = "") -> dict[str, Any]:
+def end_message(outcome: str | None, status: int, text: str) -> dict[str, Any]:
     """The message of type "end"."""
-    return types.plain(types.End(outcome, text or outcome, status))
+    return types.plain(types.End(outcome, text, status))
 
 
 def distance_m(a: Vec3 | None, b: Vec3 | None) -> float | None:

@@ -87,6 +87,7 @@ def fly(
                 lockstep = scenario.clock.mode == "lockstep"
                 session.program = Program(program, every_ms or round(1e3 * scenario.clock.period_s), lockstep=lockstep)
             status = session.run()
+            error = session.error
     except Exception as problem:
         from gcs.session.parent import explained  # noqa: PLC0415 - knows the errors of all that flies
 

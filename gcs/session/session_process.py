@@ -33,7 +33,7 @@ from gcs.session.commands import Clients
 from gcs.session.link_notices import LinkNotices
 from gcs.session.messages import end_message, kept_of_snapshot, session_message, snapshot_message
 from gcs.session.own_vehicles import OwnVehicles
-from gcs.session.parent import has_gone, say
+from gcs.session.parent import explained, has_gone, say
 from gcs.session.program.channel import Program
 from gcs.session.replaced import OldParameters, OldPlans
 from gcs.session.server import Publisher
@@ -130,13 +130,29 @@ class SessionProcess:
         self._terminated = False
         self.outcome: str | None = None
         """as it stands in the summary; None where there is none"""
+        self.error: str | None = None
+        """why the session broke off, where it did"""
 
     def terminate(self, *_: object) -> None:
         """End the session in order, soon; a handler of SIGTERM, as when the machine shuts down."""
         self._terminated = True
 
     def run(self) -> int:
-        """Fly the session; the exit status. Raises SessionError, LaunchError, RecorderError, OSError."""
+        """Fly the session; the exit status. Clients' last line says how it ended, or why it broke off."""
+        try:
+            return self._run()
+        except Exception as problem:
+            status, self.error = explained(problem, self._folder, begun=self.begun)
+            self._publisher.publish(end_message(self.outcome, status, self.error))
+            return status
+        finally:
+            self._link.close()
+            if self._forwarder is not None:
+                self._forwarder.close()
+            self._publisher.close()
+
+    def _run(self) -> int:
+        """The session to its end; the exit status. Raises SessionError, LaunchError, RecorderError, OSError."""
         try:
             with self._recorder:
                 say({"listening": True})
@@ -156,11 +172,6 @@ class SessionProcess:
                     why = "lost every vehicle: their fork server has died" if died else "the session broke off"
                     self._summarise("lost" if died else goal.INTERRUPTED, f"not met: {why}")
             raise
-        finally:
-            self._link.close()
-            if self._forwarder is not None:
-                self._forwarder.close()
-            self._publisher.close()
 
     def _summarise(self, outcome: str, text: str) -> None:
         self._reserve.release()

@@ -11,7 +11,7 @@ from typing import Any
 
 import uvicorn
 
-from gcs.session.client import MessageSource
+from gcs.session.client import NO_LAST_WORD, MessageSource
 from gcs.web.application import REPORT, Tokens, application
 from gcs.web.connection_limit import ConnectionLimit, protocol
 from gcs.web.hub import Hub
@@ -70,6 +70,8 @@ def serve(
         await asyncio.wait((feeding,), timeout=GRACE_S)  # what the session said last may still come
         feeding.cancel()
         gone.cancel()
+        if not hub.ended:
+            hub.take([NO_LAST_WORD])
         await asyncio.sleep(GRACE_S)
         if report is not None and hub.visited:
             stays()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import math
 import os
 import signal
@@ -12,14 +13,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pymap3d
 import pytest
 import yaml
+from patience import PATIENCE_S
 from ports import free_port
 from pymavlink.dialects.v20 import ardupilotmega as mav
 from sessions import Outcome, Running, fly
 from strangers import ARDUCOPTER, SIMVEHICLE, strangers
+from websockets.sync.client import connect as websocket
+from websockets.typing import Origin, Subprotocol
 
 LAT, LON, ALT = 47.397742, 8.545594, 488.0
 RING_M = 2.0
@@ -231,11 +236,32 @@ def test_whom_a_killed_supervisor_leaves_in_the_air_is_named(tmp_path: Path) -> 
 
 def test_a_vehicle_that_never_comes_ends_the_session_with_a_sentence(tmp_path: Path) -> None:
     connect = f"udpin:127.0.0.1:{free_port()}"
-    block = {"connect": connect, "sysid": 7, "capacity_j": 1e5, "found_within_s": 1.0}
-    outcome = fly(scenario({"pursuers": [{"external": block}]}), tmp_path, "--plain")
+    block = {"connect": connect, "sysid": 7, "capacity_j": 1e5, "found_within_s": 3.0}
+    running = Running(scenario({"pursuers": [{"external": block}]}), tmp_path, "--web")
+    try:
+        link = urlsplit(next(line for line in running.lines() if line.startswith("page:")).split()[-1])
+        tokens = [Subprotocol("skytender"), Subprotocol(link.fragment.replace("=", "."))]
+        at, own = f"ws://{link.netloc}/stream", Origin(f"http://{link.netloc}")
+        with websocket(at, origin=own, subprotocols=tokens, proxy=None) as page:
+            assert any(f"Waiting for pursuer 7 at {connect}" in line for line in running.lines())
+            texts = iter(lambda: page.recv(timeout=PATIENCE_S), None)
+            end = next(told for told in map(json.loads, texts) if isinstance(told, dict) and told["type"] == "end")
+        assert running.process.stderr is not None
+        said: list[str] = []
+        for line in running.process.stderr:
+            said.append(line)
+            if "Ctrl-C ends it" in line:
+                break
+        running.process.send_signal(signal.SIGINT)
+        outcome = running.finish()
+    finally:
+        running.stop()
     assert outcome.status == 1
-    assert f"Waiting for pursuer 7 at {connect}" in outcome.stdout
-    assert f"gcs: no HEARTBEAT of pursuer 7 at {connect} within 1 s" in outcome.stderr
+    why = f"no HEARTBEAT of pursuer 7 at {connect} within 3 s"
+    assert end["text"].startswith(why)
+    assert end == {"type": "end", "outcome": None, "text": end["text"], "exit": 1}
+    assert f"gcs: {end['text']}\n" in said, "the page learns what the terminal says"
+    assert said[-1] == "gcs: the page stays; Ctrl-C ends it\n", "no report is promised: there is none"
     assert not (outcome.folder / "summary.json").exists()
 
 

@@ -228,6 +228,52 @@ def test_a_session_that_says_nothing_is_shown_so(browser: Browser) -> None:
         page.close()
 
 
+def test_a_session_that_broke_off_is_shown_so(browser: Browser) -> None:
+    """With its reason; it is neither live, nor flying, nor well, and takes no order."""
+    rows = [row(1, 0.0)]
+    source = Script(session(rows), snapshot(1.0, rows))
+    with served(source) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        badges, calm = page.locator(".badge:visible"), page.get_by_text("All well")
+        expect(badges).to_have_text(["live", "flying 0:01.0 of 2:00.0"])
+        expect(calm).to_be_visible()
+        why = "no HEARTBEAT of pursuer 5 within 12 s"
+        source.feed({"type": "end", "outcome": None, "text": why, "exit": 1})
+        expect(page.get_by_role("alert")).to_have_text(
+            f"The session has broken off: {why}. The page keeps what it has seen. Open the report"
+        )
+        expect(page.get_by_role("link", name="Open the report")).to_be_hidden()
+        expect(badges).to_have_text(["broken off"])
+        expect(page.locator(".time-line .value").first).to_have_text("")
+        expect(calm).to_be_hidden()
+        assert watched.wrong == []
+        page.close()
+
+
+def test_a_session_that_has_ended_has_one_result_and_takes_no_order(browser: Browser) -> None:
+    rows = [row(1, 0.0), row(5, 0.0)]
+    told = snapshot(2.0, rows)
+    told["goal"]["broken"] = [{"part": "lost", "text": "lost 1 (5 at 20.3 s: crashed)", "t_s": 20.3}]
+    source = Script(session(rows), told)
+    with served(source) as links:
+        watched = Watched(browser)
+        page = watched.flying(links["command"])
+        expect(page.locator(".goal-line")).to_have_text("1 goal failed: lost 1 (5 at 20.3 s: crashed). ")
+        result = "not met: lost 2 (5 at 20.3 s: crashed; 1 at 75.0 s: never in the air)"
+        source.feed({**told, "phase": "ended"}, {"type": "end", "outcome": "lost", "text": result, "exit": 1})
+        expect(page.get_by_role("alert")).to_contain_text(f"The session has ended: {result}. The page keeps")
+        expect(page.locator(".goal-line")).to_have_text("")
+        expect(page.locator(".badge:visible")).to_have_text(["ended 0:02.0 of 2:00.0"])
+        page.evaluate("skytender.choose(5)")
+        page.keyboard.press("Shift+H")
+        expect(page.locator(".notices")).to_have_text("The session has ended: it takes no commands.")
+        expect(page.get_by_role("dialog")).to_be_hidden()
+        assert source.sent == []
+        assert watched.wrong == []
+        page.close()
+
+
 def test_a_link_without_its_token_shows_nothing(browser: Browser) -> None:
     rows = [row(1, 0.0)]
     with served(Script(session(rows, name="secret"), snapshot(1.0, rows))) as links:

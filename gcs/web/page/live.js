@@ -85,7 +85,7 @@ export class Live {
 
   /** @param {Record<string, unknown>} command @param {(ok: boolean, text: string) => void} [answer] */
   send(command, answer) {
-    if (this.state !== "open" || !this.socket) return void answer?.(false, "There is no connection: it was not sent.");
+    if (this.state !== "open" || !this.socket) return void answer?.(false, `${this.state === "ended" ? "The session has ended" : "There is no connection"}: it was not sent.`);
     this.sent += 1;
     const id = `page-${this.sent}`;
     if (answer) this.waiting.set(id, answer);

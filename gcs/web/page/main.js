@@ -91,6 +91,7 @@ function served(config) {
   let replay;
   let control = false;
   let ended = "";
+  let broken_off = false;
   const player = {
     seek: (/** @type {number} */ t_s) => {
       if (replaying) live.send({ command: "seek", t_s }, refused);
@@ -123,7 +124,8 @@ function served(config) {
   const operator = new Operator(config.orders, (command, answer) => live.send(command, answer));
   const plans = () => new Map((app.flight.session?.vehicles ?? []).map((one) => [one.sysid, one.plan_b]));
   const ask = (/** @type {Order} */ order) => {
-    if (!control) return void operator.notice(replaying ? "A recording takes no commands." : "View-only link: commands are disabled.", "bad");
+    const refusal = live.state === "ended" ? "The session has ended: it takes no commands." : control ? "" : replaying ? "A recording takes no commands." : "View-only link: commands are disabled.";
+    if (refusal) return void operator.notice(refusal, "bad");
     if (!operator.takes(order)) return void operator.notice(`A monitor takes no ${order.name}: it knows hold, return and land.`, "bad");
     if (order.of_many && app.selected.size > 1) operator.askMany(order, [...app.selected], false, label, () => app.flight.newest, plans());
     else operator.ask(order, app.chosen, label, () => app.flight.newest);
@@ -193,7 +195,9 @@ function served(config) {
       goal.title = goal.textContent ?? "";
       app.dirty = true;
     } else if (line.type === "end") {
-      ended = `The session has ended: ${line.text || line.outcome || "unknown"}. The page keeps what it has seen.`;
+      broken_off = app.flight.newest?.phase !== "ended";
+      ended = `The session has ${broken_off ? "broken off" : "ended"}: ${line.text.replace(/\.$/, "")}. The page keeps what it has seen.`;
+      if (!broken_off) say(broken, ""); // the result names every part of the goal that was not met
       for (const part of [session, app.orders, app.strip.all]) part.hidden = true; // there is no vehicle left to obey
       connection();
     } else if (line.type === "report") {
@@ -210,28 +214,31 @@ function served(config) {
     };
     const text = words[live.state];
     state.hidden = !text;
-    state.className = `connection ${live.state === "ended" ? "soft" : "bad"}`;
+    state.className = `connection ${live.state === "ended" && !broken_off ? "soft" : "bad"}`;
     say(words_of_state, text);
     if (live.state === "refused") say(title, "no entry");
+    if (live.state === "ended" && !app.flight.session) say(title, "no session");
     if (live.state === "refused" || live.state === "ended") starting.hidden = true;
     reception();
     document.documentElement.dataset.connection = live.state;
   };
-  /** Whether the session speaks: of one that does not, no phase and no speed are known. */
+  /** Whether the session speaks: of one that does not, no phase and no speed are known; of one that has ended, nothing is said to be well. */
   const reception = () => {
     const { session: known, newest } = app.flight;
     const quiet = live.state === "open" && !replaying && newest !== null && live.silent_s >= SILENT_S;
-    const wrong = live.state === "lost" ? "not connected" : quiet ? `no news for ${live.silent_s.toFixed(0)} s` : "";
-    badge.hidden = !known;
+    const over = live.state === "ended";
+    const wrong = live.state === "lost" ? "not connected" : quiet ? `no news for ${live.silent_s.toFixed(0)} s` : over && broken_off ? "broken off" : "";
+    const stale = wrong !== "" || over;
+    badge.hidden = !known || (over && !wrong); // the phase says that it has ended
     badge.className = `badge ${wrong ? (quiet ? "warn" : "bad") : ""}`;
     if (known) say(badge, wrong || SOURCES[known.source]);
     phase.hidden = !newest || wrong !== "";
-    if (app.strip.stale !== (wrong !== "")) {
-      app.strip.stale = wrong !== "";
+    if (app.strip.stale !== stale) {
+      app.strip.stale = stale;
       app.paneled = null;
       app.dirty = true;
     }
-    if (!wrong || app.speed === "") return;
+    if (!stale || app.speed === "") return;
     app.speed = "";
     app.dirty = true;
   };

@@ -6,7 +6,7 @@ import itertools
 from pathlib import Path
 from typing import Any
 
-from gcs.session.client import RETRY_S, EarlierEvents, SessionSource
+from gcs.session.client import GONE_S, RETRY_S, EarlierEvents, SessionSource
 from gcs.session.server import BACKLOG_BYTES, REMEMBERED, Publisher
 
 
@@ -41,6 +41,23 @@ def test_who_comes_late_and_is_dropped_and_comes_again_sees_every_event_once(tmp
     assert seen + told(source.receive()) == list(range(3, n + 2))
     source.close()
     publisher.close()
+
+
+def test_a_session_that_has_gone_without_a_word_ends_with_a_sentence(tmp_path: Path) -> None:
+    now_s = 0.0
+    publisher = Publisher(tmp_path, {"type": "session"})
+    source = SessionSource(tmp_path, clock=lambda: now_s)
+    source.receive()
+    publisher.poll()
+    publisher.close()
+    source.receive()
+    now_s += RETRY_S
+    assert source.receive() == []
+    now_s += GONE_S
+    (end,) = source.receive()
+    assert (end["type"], end["outcome"], end["exit"]) == ("end", None, None)
+    assert "without a last word" in end["text"]
+    assert source.receive() == []
 
 
 def test_another_session_in_the_same_place_is_shown_from_its_start() -> None:

@@ -73,6 +73,15 @@ def test_a_server_that_nobody_opened_ends_with_a_session_that_never_began(tmp_pa
     assert stayed == []
 
 
+def test_a_page_learns_of_the_end_of_a_session_that_has_said_nothing(tmp_path: Path) -> None:
+    with contextlib.ExitStack() as stack:
+        with page_server(tmp_path) as shown:
+            page = stack.enter_context(stream(shown.links["view"]))
+        end = said(page)
+    assert (end["type"], end["outcome"], end["exit"]) == ("end", None, None)
+    assert "without a last word" in end["text"]
+
+
 def test_the_server_is_this_machines_alone_and_the_tokens_differ(links: dict[str, str]) -> None:
     command, view = urlsplit(links["command"]), urlsplit(links["view"])
     assert command.hostname == view.hostname == "127.0.0.1"

@@ -104,9 +104,9 @@ class Choose(Dialog[int | None]):
 
     def paint(self, width: int, height: int) -> StyledLines:
         """The question, the options around the present one, and the keys."""
-        room = min(12, max(1, height - 4))
-        top = min(max(0, self._at - room // 2), max(0, len(self._options) - room))
         lines: StyledLines = [[(text, "name")] for text in wrapped(self._question, width)]
+        room = min(12, max(1, height - len(lines) - 2))  # below them an empty line and the keys
+        top = min(max(0, self._at - room // 2), max(0, len(self._options) - room))
         for order, (_, text) in enumerate(self._options[top : top + room], top):
             chosen = order == self._at
             line: StyledLine = [(f" {self.glyphs.chosen if chosen else ' '} {text}", "")]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from feed import INSPECTED, flight, session, snapshot
+from feed import INSPECTED, TARGET, flight, session, snapshot, vehicle
 from pilots import Messages, Shown, drive, screen
 
 from gcs.console.pages import help_text
@@ -139,6 +139,19 @@ def test_the_help_page_scrolls_where_it_does_not_fit_and_says_all_of_its_words(f
         assert set(words(" ".join(text for line in said for text, _ in line))) <= set(words(read))
 
     drive(steps, flown)
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+def test_all_targets_are_listed_to_choose_from(size: tuple[int, int]) -> None:
+    rows = [vehicle(1, 1.0), *(vehicle(TARGET, 1.0) | {"sysid": k, "label": f"target {k}"} for k in (101, 102, 103))]
+
+    async def steps(shown: Shown) -> None:
+        await shown.press("t")
+        for listed in ("target 101", "target 102", "target 103"):
+            assert any(listed in line and "│" in line for line in shown.lines()), shown.text()
+        assert "or an id" in shown.text()
+
+    drive(steps, [session(), snapshot(1.0, vehicles=rows)], size=size)
 
 
 def test_what_is_typed_to_look_for_can_be_read_and_the_help_with_it(flown: Messages) -> None:

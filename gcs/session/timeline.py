@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from gcs.mavlink.autopilots import End
+from gcs.mavlink.autopilots import STEERABLE, End, FlightMode
 from gcs.recording import rotation, series
 from gcs.recording.decisions_reader import DecisionLine, DecisionLines
 from gcs.recording.missing import NO_REASON
@@ -25,7 +25,7 @@ from gcs.refuelling import explain
 from gcs.refuelling.bidding import CompetitionState
 from gcs.refuelling.participation import RELEASED, Participation
 from gcs.refuelling.service import Phase, Service
-from gcs.scenario.goal import is_refuelling
+from gcs.scenario.goal import Loss, Measured, is_refuelling, judge
 from gcs.scenario.model import Scenario
 from gcs.scenario.parts.world import WORLD, Worlds
 from gcs.session import messages
@@ -37,6 +37,8 @@ from gcs.telemetry.state import FleetSnapshot
 if TYPE_CHECKING:
     from gcs.session.observer import Observer
 
+_OURS = STEERABLE | {FlightMode.MISSION}
+"""Modes that a vehicle flies by what the session ordered."""
 STANDS_S = 0.35
 """A competition that has not been recorded for so long is over."""
 
@@ -283,20 +285,29 @@ class Timeline(Moments):
 
     def _broken_at(self, t_s: float, snapshot: FleetSnapshot) -> list[BrokenRow]:
         """Parts of the goal that were broken by a time: as the session judged them at its end, by truth; where it left
-        no summary, by what was recorded when it happened. A vehicle that flies again is not lost."""
-        if self.unmet is not None:
-            at_end = t_s >= self._scenario.goal.duration_s - 1e-6
-            return [
-                BrokenRow(part.part, f"{part.part} {part.reached}", part.t_s)
-                for part in self.unmet
-                if (part.t_s is None and at_end) or (part.t_s is not None and part.t_s <= t_s)
-            ]
-        flying = {view.sysid for view in snapshot.vehicles if view.flying}
-        return messages.first_broken(
-            record
-            for record in self.violations
-            if record["at_s"] <= t_s and not (record["part"] == "lost" and flying.issuperset(record["sysids"]))
-        )
+        no summary, by what was recorded when it happened. Which vehicles were lost changes until the end."""
+        at_end = t_s >= self._scenario.goal.duration_s - 1e-6
+        if self.unmet is None:
+            by_now = (record for record in self.violations if record["at_s"] <= t_s and record["part"] != "lost")
+            return self._lost_row(t_s, snapshot) + messages.first_broken(by_now)
+        judged = [
+            BrokenRow(part.part, f"{part.part} {part.reached}", part.t_s)
+            for part in self.unmet
+            if at_end or (part.part != "lost" and part.t_s is not None and part.t_s <= t_s)
+        ]
+        return judged if at_end else self._lost_row(t_s, snapshot) + judged
+
+    def _lost_row(self, t_s: float, snapshot: FleetSnapshot) -> list[BrokenRow]:
+        """The vehicles that were lost at a time, where they were more than the goal allows. One that is steered again
+        is not."""
+        steered = {view.sysid for view in snapshot.vehicles if view.flying and view.mode in _OURS}
+        lost, losses = self.lost(t_s) - steered, {}
+        for record in self.violations:
+            for sysid in record["sysids"] if record["part"] == "lost" and record["at_s"] <= t_s else ():
+                losses[sysid] = Loss(sysid, record["at_s"], record["text"].partition(" is lost: ")[2])
+        measured = Measured(lost=[loss for sysid, loss in losses.items() if sysid in lost])
+        judged = judge(self.worlds.judged, measured)
+        return [BrokenRow(one.part, one.text, one.t_s) for one in judged if one.part == "lost" and one.met is False]
 
     def _targets(self, t_s: float) -> dict[int, int]:
         vehicles = self._scenario.vehicles

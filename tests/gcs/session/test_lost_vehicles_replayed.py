@@ -29,13 +29,38 @@ def test_a_vehicle_whose_motor_failed_is_no_vehicle_that_is_well(tmp_path: Path)
     crashed = seen_at(replay, 15.0)[1]
     assert ("not flying" in crashed["trouble"], crashed["severity"]) == (True, 2)
     assert "not flying" in Watched(read(folder)).health[1][-1][1].texts
+
+
+def lost_at(replay: Replay, t_s: float) -> list[str]:
+    replay.advance(t_s, math.inf)
+    broken = [part["text"] for part in replay.snapshot(speed=None)["goal"]["broken"] if part["part"] == "lost"]
+    return [re.sub(r"\d+\.\d s", "T", text) for text in broken]
+
+
+def test_the_goal_names_those_that_were_lost_at_the_time_that_is_shown(tmp_path: Path) -> None:
+    """One crashes at 9 s; one is landed by its failsafe from 11 s on; one dies at 14 s."""
+    faults = [
+        {"fault": "motor", "sysid": 1, "at_s": 9.0},
+        {"fault": "gps_off", "sysid": 101, "at_s": 11.0},
+        {"fault": "kill", "sysid": 201, "at_s": 14.0},
+    ]
+    folder = fly(small(faults=faults, goal={"duration_s": 17.0}), tmp_path, "--no-report").folder
+    crashed, lands, died = (
+        "1 at T: crashed, or disarmed in flight",
+        "101 at T: its failsafe flies it (Land)",
+        "201 at T: its process died",
+    )
+    wanted = {
+        8.0: [],
+        10.5: [f"lost 1 ({crashed})"],
+        12.5: [f"lost 2 ({crashed}; {lands})"],
+        16.0: [f"lost 3 ({crashed}; {lands}; {died})"],
+    }
+    replay = Replay(folder)
+    assert {t_s: lost_at(replay, t_s) for t_s in wanted} == wanted
     (folder / "summary.json").unlink()
     killed = Replay(folder)
-    killed.advance(15.0, math.inf)
-    broken = [part["text"] for part in killed.snapshot(speed=None)["goal"]["broken"]]
-    assert [re.sub(r"\d+\.\d s", "T", text) for text in broken if text.startswith("lost: ")] == [
-        "lost: pursuer 1 is lost: crashed, or disarmed in flight (T)"
-    ]
+    assert {t_s: lost_at(killed, t_s) for t_s in wanted} == wanted
 
 
 def test_a_loss_that_the_goal_allows_is_trouble_as_it_was_in_flight(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ cpdef enum:
     V_BEGAN = 8
     V_ENDED = 11
 
-cdef double _CLOSING_M_S, _CURVED_M, _BULGE
+cdef double _CLOSING_M_S, _BULGE
 
 cdef struct Pair:
     double distance_m
@@ -32,7 +32,7 @@ cdef (double, double, double) _on_way(
     double share) noexcept nogil
 cdef double _bulge(
     const double* r0, const double* r1, const double* v0, const double* v1, double period_s) noexcept nogil
-@cython.locals(moved=cython.double, left_out=cython.bint, one=int64_t, other=int64_t)
+@cython.locals(moved=cython.double, slack=cython.double, left_out=cython.bint, one=int64_t, other=int64_t)
 cdef Pair find_pair(
     const double[:, ::1] before, const double[:, ::1] now, const double[:, ::1] v_before, const double[:, ::1] v_now,
     Py_ssize_t n, bint curved, double period_s, const unsigned char[::1] ours, const int64_t[:, ::1] exempt,

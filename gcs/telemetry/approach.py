@@ -36,7 +36,6 @@ Flags = NDArray[np.bool_]
 MOST_FOUND = 64
 """Number of pairs that are too near reported of one interval."""
 _CLOSING_M_S = 0.1  # a vehicle that is not ours comes too near only where ours closes in by more than this
-_CURVED_M = 0.1  # a curve is nearer than its chord by at most this: at 5 m/s² each and 0.1 s it is 0.0125 m
 _BULGE = 0.149  # s (1 - s)² is at most 4/27
 STRAIGHT = np.empty((0, 3))
 WAY = 14
@@ -100,12 +99,16 @@ def find_pair(
     pair = cython.declare(Pair)
     count = 0
     least, one, other, at = math.INFINITY, -1, -1, 0.0
-    moved = 0.0
+    moved = slack = 0.0
     for i in range(n):
         dn, de, dd = now[i, 0] - before[i, 0], now[i, 1] - before[i, 1], now[i, 2] - before[i, 2]
         moved = max(moved, dn * dn + de * de + dd * dd)
+        if curved:
+            slack = max(slack, 2.0 * _bulge(
+                cython.address(before[i, 0]), cython.address(now[i, 0]),
+                cython.address(v_before[i, 0]), cython.address(v_now[i, 0]), period_s,
+            ))  # fmt: skip
     moved = 2.0 * math.sqrt(moved)
-    slack = _CURVED_M if curved else 0.0
     reach = max(limit_m, min(worth_m, 1e9)) + moved + slack
     for i in range(n):
         for j in range(i):

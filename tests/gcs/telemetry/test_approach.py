@@ -89,6 +89,17 @@ def test_a_curve_is_followed_to_the_millimetre() -> None:
     assert share == pytest.approx(0.5, abs=0.05)
 
 
+def test_curves_that_come_near_far_beside_their_chords_are_looked_at() -> None:
+    """As above with T = 0.8 s: each is 0.4 m beside its chord half way, and their chords are 1.5 m apart."""
+    period_s, a_m_s2 = 0.8, 5.0
+    before = now = np.array([[0.0, 0.0, 0.0], [0.0, 1.5, 0.0]])
+    v0 = np.array([[0.0, a_m_s2 * period_s / 2, 0.0], [0.0, -a_m_s2 * period_s / 2, 0.0]])
+    found = np.empty((4, 4))
+    ours = np.ones(2, dtype=bool)
+    least_m, _, _, _, count = nearest_pair(before, now, v0, -v0, period_s, ours, NO_PAIRS, 1.0, 0.0, found)
+    assert (least_m, count) == (pytest.approx(0.7, abs=2e-3), 1)
+
+
 def test_partners_and_those_whom_nobody_of_ours_flies_are_left_out() -> None:
     before, now = np.array([[0.0, 0, 0], [0.3, 0, 0]]), np.array([[0.1, 0.0, 0], [0.2, 0, 0]])
     assert pair(before, now, exempt=[(1, 0)])[0] == math.inf

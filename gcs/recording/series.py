@@ -70,6 +70,8 @@ class Track:
     t_s: Floats
     p_ned: Floats
     v_ned: Floats
+    came_s: Floats
+    """(k,) when each was received"""
     armed: Series
     in_air: Series
 
@@ -126,7 +128,7 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
         if sysid in origins:
             known[sysid] = _by_local(rows, _frame(_place(origins[sysid][0]), zero))
     found = {}
-    for sysid, (t_s, p_ned, v_ned) in sorted(known.items()):
+    for sysid, (t_s, p_ned, v_ned, came_s) in sorted(known.items()):
         # In the order in which they were true; what came late and out of order changes nothing that is known.
         with np.errstate(invalid="ignore", over="ignore"):  # a vehicle may tell anything; so much of it is believed
             good = (np.abs(p_ned) <= FARTHEST_M).all(axis=1) & (np.abs(v_ned) <= FASTEST_M_S).all(axis=1)
@@ -136,24 +138,26 @@ def tracks(recorded: Recorded) -> dict[int, Track]:
             t_s[good],
             p_ned[good],
             v_ned[good],
+            came_s[good],
             _state(beats, None if beats is None else beats["base_mode"] & ARMED > 0),
             _state(states, None if states is None else ~np.isin(states["landed_state"], (ON_GROUND, UNDEFINED_STATE))),
         )
     return found
 
 
-def _by_local(rows: NDArray[Any], place: FramePlace) -> tuple[Floats, Floats, Floats]:
-    """Times, places and velocities (k, 3) in the common frame by LOCAL_POSITION_NED."""
+def _by_local(rows: NDArray[Any], place: FramePlace) -> tuple[Floats, Floats, Floats, Floats]:
+    """Times, places and velocities (k, 3) in the common frame, and times of reception, by LOCAL_POSITION_NED."""
     p_ned = _turned(np.column_stack([rows[axis] for axis in "xyz"]), place.turn_rad) + place.offset_ned
-    return _times_s(rows), p_ned, _turned(np.column_stack([rows[f"v{axis}"] for axis in "xyz"]), place.turn_rad)
+    v_ned = _turned(np.column_stack([rows[f"v{axis}"] for axis in "xyz"]), place.turn_rad)
+    return _times_s(rows), p_ned, v_ned, rows["t_s"]
 
 
-def _by_global(rows: NDArray[Any], zero: tuple[float, float, float]) -> tuple[Floats, Floats, Floats]:
+def _by_global(rows: NDArray[Any], zero: tuple[float, float, float]) -> tuple[Floats, Floats, Floats, Floats]:
     """The same by GLOBAL_POSITION_INT; autopilots without a fix report 0, 0."""
     rows = rows[(rows["lat"] != 0) | (rows["lon"] != 0)]
     p_ned = pymap3d.geodetic2ned(1e-7 * rows["lat"], 1e-7 * rows["lon"], 1e-3 * rows["alt"], *zero)
     v_ned = np.column_stack([1e-2 * rows[f"v{axis}"].astype(np.float64) for axis in "xyz"])
-    return _times_s(rows), np.column_stack(p_ned), v_ned
+    return _times_s(rows), np.column_stack(p_ned), v_ned, rows["t_s"]
 
 
 def _frame(own: tuple[float, float, float], zero: tuple[float, float, float]) -> FramePlace:
@@ -189,7 +193,7 @@ def traffic(recorded: Recorded) -> dict[str, Track]:
         always = Series(np.array([-math.inf]), np.ones(1))
         name = rows["callsign"][0].decode("ascii", "replace") or f"{address:06X}"
         found[name] = Track(
-            rows["t_s"], np.column_stack(places), np.column_stack(v_ned).astype(np.float64), always, always
+            rows["t_s"], np.column_stack(places), np.column_stack(v_ned).astype(np.float64), rows["t_s"], always, always
         )
     return found
 

@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from gcs.recording.decisions_reader import P_NED, SYSID, T_S
 from gcs.recording.pursuit_held import held_by, pursued, ticks_of
-from gcs.recording.series import Floats, Series, Track
+from gcs.recording.series import Floats, Series, Track, with_gaps
 from gcs.recording.session_folder import Recorded, rows_of
 from gcs.report.nearness import fill_errors, fill_separations
 from gcs.scenario import goal
-from gcs.telemetry.metrics import PLAN_MEMORY
+from gcs.telemetry.metrics import PAUSE_PERIODS, PLAN_MEMORY
 from skytender import geometry
 
 BLOCK_TICKS = 2000
@@ -113,7 +113,8 @@ def _least(distances: Floats) -> Floats:
 
 
 def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int, Series]:
-    """Each vehicle's distance in m from the path of its latest set points, at each of them."""
+    """Each vehicle's distance in m from the path of its latest set points, at each report of its place that was the
+    newest at a tick, by that report's own time: as the session measures it (gcs/telemetry/metrics.py)."""
     period_s = recorded.scenario.clock.period_s if recorded.scenario else 0.1
     points = recorded.set_points
     found = {}
@@ -122,11 +123,12 @@ def tracking_errors(recorded: Recorded, flown: Mapping[int, Track]) -> dict[int,
             own = points[rows]
             if (np.diff(own[:, T_S]) < 0.0).any():
                 own = own[np.argsort(own[:, T_S], kind="stable")]
-            t_s = np.ascontiguousarray(own[:, T_S])
-            at = flown[sysid].at(t_s)
-            errors = np.full(len(t_s), np.nan)
-            fill_errors(t_s, np.ascontiguousarray(own[:, P_NED]), at, 1.5 * period_s, PLAN_MEMORY, errors)
-            found[sysid] = Series(t_s, errors)
+            t_s, plan, track = np.ascontiguousarray(own[:, T_S]), np.ascontiguousarray(own[:, P_NED]), flown[sysid]
+            counts = track.flying(track.t_s) & np.append(np.diff(track.came_s) > 0.0, True)[: len(track.t_s)]
+            reported_s, at = track.t_s[counts], np.ascontiguousarray(track.p_ned[counts])
+            errors = np.full(len(reported_s), np.nan)
+            fill_errors(t_s, plan, reported_s, at, period_s, PAUSE_PERIODS * period_s, PLAN_MEMORY, errors)
+            found[sysid] = with_gaps(Series(reported_s, errors))
     return found
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
+_ROUNDING_S = 1e-6
 
 
 def fill_separations(at: Floats, t_s: Floats, partners: Floats, separation: Floats, pair: Ints) -> None:
@@ -62,13 +63,25 @@ def _fill(
             pair[k, 0], pair[k, 1] = rows[least.one], rows[least.other]
 
 
-def fill_errors(t_s: Floats, plan: Floats, at: Floats, longest_s: float, memory: int, found: Floats) -> None:
-    """Fill the distance (k,) of places (k, 3) to the polyline of the `memory` latest points of a plan (k, 3); it stays
-    as it is where there are not yet so many without a pause longer than `longest_s`, or the place is not known."""
-    since = 0
-    for k in range(t_s.shape[0]):
-        if k > 0 and t_s[k] - t_s[k - 1] > longest_s:
-            since = k
-        if k - since + 1 >= memory and not math.isnan(at[k, 0]):
+def fill_errors(
+    t_s: Floats,
+    plan: Floats,
+    reported_s: Floats,
+    at: Floats,
+    period_s: float,
+    pause_s: float,
+    memory: int,
+    found: Floats,
+) -> None:
+    """Fill the distance (n,) of places (n, 3), reported as of reported_s (n,), to the polyline of the `memory` latest
+    points by then of a plan (k, 3) with times t_s (k,). It stays as it is where the last of them holds no more, or they
+    are not so many without a pause."""
+    since, k = 0, -1
+    for i in range(reported_s.shape[0]):
+        while k + 1 < t_s.shape[0] and t_s[k + 1] <= reported_s[i] + _ROUNDING_S:
+            k += 1
+            if k > 0 and t_s[k] - t_s[k - 1] > pause_s:
+                since = k
+        if k - since + 1 >= memory and reported_s[i] - t_s[k] < period_s - _ROUNDING_S:
             path = cython.address(plan[k - memory + 1, 0])
-            found[k] = distance_to_path(path, memory, 0, at[k, 0], at[k, 1], at[k, 2])
+            found[i] = distance_to_path(path, memory, 0, memory, at[i, 0], at[i, 1], at[i, 2])

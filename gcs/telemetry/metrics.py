@@ -8,7 +8,7 @@ from typing import Any
 import cython
 import numpy as np
 from cython.cimports.gcs.telemetry.approach import segment_gap2
-from cython.cimports.gcs.telemetry.metrics import EMPTY, FLYING, FRESH, P_NOW, WAY, flown_at
+from cython.cimports.gcs.telemetry.metrics import AGE, EMPTY, FLYING, FRESH, P_NED, P_NOW, WAY, flown_at
 from cython.cimports.libc import math
 from numpy.typing import NDArray
 
@@ -19,10 +19,16 @@ from gcs.telemetry.columns import FIGURES, FLAGS, PLACES, Flags, FleetColumns, F
 from gcs.telemetry.pursuit import PursuitHeld
 from gcs.telemetry.state import FleetSnapshot
 
-_FLOWN = 6
+_FLOWN = 7
 _LENGTH, _ERROR = 4, 5
 PLAN_MEMORY = 20
-"""Set points against which a vehicle's way is held: it flies a few ticks behind its plan."""
+"""Set points against which a reported place is held: a vehicle flies a few ticks behind its plan."""
+PAUSE_PERIODS = 1.5
+"""Set points farther apart than this are no path."""
+_MEMORY = PLAN_MEMORY
+_KEPT = 128
+"""Set points that are kept: reports may be late."""
+_ROUNDING_S = 1e-6
 
 
 class Metrics:
@@ -37,7 +43,9 @@ class Metrics:
         self._row = {vehicle.sysid: row for row, vehicle in enumerate(scenario.vehicles.all)}
         count = len(self._row)
         self._flown = np.full((count, _FLOWN), np.nan)
-        self._plans, self._planned = np.zeros((count, PLAN_MEMORY, 3)), np.zeros(count, np.int64)
+        self._plans, self._runs = np.zeros((count, _KEPT, 3)), np.full((count, 2), -2, np.int64)
+        self._ticks_s, self._tick = np.zeros(_KEPT), -1
+        self._pause_s = PAUSE_PERIODS * scenario.clock.period_s
         self._sysids: tuple[int, ...] = ()
         self._rows = np.empty(0, np.int64)
         """of the vehicles that had the last set points"""
@@ -63,16 +71,21 @@ class Metrics:
         if points.sysids != self._sysids:
             self._rows = np.array([self._row[sysid] for sysid in points.sysids], np.int64)
             self._sysids = points.sysids
-        self._measure(snapshot.columns, self._rows, points.values, self._pairs)
+        self._measure(snapshot, self._rows, points.values, self._pairs)
         if self._pursuit.keys:
             self._time_s[0] = snapshot.time_s + late_s
             self._pursuit.update(self._time_s, self._distances_m)
 
     def finish(self, snapshot: FleetSnapshot) -> None:
-        """Count the way to the last reports: at the session's end nothing is planned, and no pursuit is measured."""
-        self._measure(snapshot.columns, np.empty(0, np.int64), np.empty((0, 6)), np.empty((0, 3), np.int64))
+        """Count the last reports: at the session's end nothing is planned, and no pursuit is measured."""
+        self._measure(snapshot, np.empty(0, np.int64), np.empty((0, 6)), np.empty((0, 3), np.int64))
 
-    def _measure(self, columns: FleetColumns, rows: Ints, planned: Floats, pairs: Ints) -> None:
+    def _measure(self, snapshot: FleetSnapshot, rows: Ints, planned: Floats, pairs: Ints) -> None:
+        columns = snapshot.columns
+        if snapshot.time_s - self._ticks_s[self._tick % _KEPT] > self._pause_s:
+            self._runs[:] = -2
+        self._tick += 1
+        self._ticks_s[self._tick % _KEPT] = snapshot.time_s
         flags, places, figures = columns.flags, columns.places, columns.figures
         if len(columns.sysids) < len(self._row):
             flags, places, figures = self._in_order(columns)
@@ -85,7 +98,9 @@ class Metrics:
             pairs,
             self._flown,
             self._plans,
-            self._planned,
+            self._runs,
+            self._ticks_s,
+            self._tick,
             self._distances_m,
         )
 
@@ -102,7 +117,8 @@ class Metrics:
 
     @property
     def max_tracking_error_m(self) -> dict[int, float]:
-        """By system id, of those whose way was held against a plan."""
+        """By system id, of those whose reported places were held against a plan: the greatest distance of any that was
+        the newest at a tick from the path that had been planned by its own time."""
         return _known(self._row, self._flown[:, _ERROR])
 
     def _in_order(self, columns: FleetColumns) -> tuple[Flags, Floats, Floats]:
@@ -129,11 +145,11 @@ def _known(rows: Iterable[int], values: Floats) -> dict[int, float]:
     return {sysid: value for sysid, value in zip(rows, values.tolist(), strict=True) if not math.isnan(value)}
 
 
-def distance_to_path(plan: Any, count: int, oldest: int, n: float, e: float, d: float) -> float:
-    """Distance of a point to the polyline of a ring of points (count, 3) that begins at row `oldest`."""
+def distance_to_path(plan: Any, kept: int, oldest: int, count: int, n: float, e: float, d: float) -> float:
+    """Distance of a point to the polyline of `count` points, from row `oldest` on, of a ring of points (kept, 3)."""
     least2 = math.INFINITY
     for i in range(count - 1):
-        a, b = plan + 3 * ((oldest + i) % count), plan + 3 * ((oldest + i + 1) % count)
+        a, b = plan + 3 * ((oldest + i) % kept), plan + 3 * ((oldest + i + 1) % kept)
         along_n, along_e, along_d = b[0] - a[0], b[1] - a[1], b[2] - a[2]
         gap2, _ = segment_gap2(a[0] - n, a[1] - e, a[2] - d, along_n, along_e, along_d)
         least2 = min(least2, gap2)
@@ -149,7 +165,9 @@ def _measure(
     pairs: Ints,
     flown: Floats,
     plans: Floats,
-    counts: Ints,
+    runs: Ints,
+    ticks_s: Floats,
+    tick: int,
     distances_m: Floats,
 ) -> None:
     """One tick of n vehicles, of `FleetColumns` flags, places and figures. They count while they are flying and fresh;
@@ -157,8 +175,8 @@ def _measure(
 
     rows (k,), planned (k, 6): which have a set point, and what. pairs (m, 3): rows of pursuer and target, and the
     column of distances_m (1, j) that takes the least distance of those it is of, NaN where none is known. From call to
-    call go on: flown (n, _FLOWN), as the struct Flown; plans (n, PLAN_MEMORY, 3) and counts (n,), the latest set points
-    and how many there were without a break.
+    call go on: flown (n, _FLOWN), as the struct Flown; plans (n, _KEPT, 3), the latest set points, each at its tick;
+    runs (n, 2), the first and last tick of the latest that came without a break; ticks_s (_KEPT,), times up to `tick`.
     """
     for i in range(flown.shape[0]):
         own = flown_at(flown, i)
@@ -170,22 +188,27 @@ def _measure(
             own.last[0] = math.NAN
             continue
         own.last[0], own.last[1], own.last[2] = places[P_NOW, i, 0], places[P_NOW, i, 1], places[P_NOW, i, 2]
-    memory = plans.shape[1]
-    for i in range(counts.shape[0]):
-        counts[i] = -1 - counts[i]  # until it is known whether it has a set point
+    kept = plans.shape[1]
     for k in range(rows.shape[0]):
         i = rows[k]
-        own, before = flown_at(flown, i), -1 - counts[i]
-        newest = before % memory
         for axis in range(3):
-            plans[i, newest, axis] = planned[k, axis]
-        counts[i] = before + 1
-        if before + 1 >= memory and not math.isnan(own.last[0]):
-            oldest, plan = (newest + 1) % memory, cython.address(plans[i, 0, 0])
-            error_m = distance_to_path(plan, memory, oldest, own.last[0], own.last[1], own.last[2])
+            plans[i, tick % kept, axis] = planned[k, axis]
+        if runs[i, 1] != tick - 1:
+            runs[i, 0] = tick
+        runs[i, 1] = tick
+    for i in range(flown.shape[0]):
+        own, reported_s = flown_at(flown, i), ticks_s[tick % kept] - figures[AGE, i]
+        if math.isnan(own.last[0]) or reported_s <= own.reported_s + _ROUNDING_S:
+            continue
+        own.reported_s = reported_s
+        at, first = tick, max(runs[i, 0], tick - kept + 1)
+        while at >= first and ticks_s[at % kept] > reported_s + _ROUNDING_S:
+            at -= 1
+        if first <= at - _MEMORY + 1 and at <= runs[i, 1]:
+            plan, oldest = cython.address(plans[i, 0, 0]), (at - _MEMORY + 1) % kept
+            n, e, d = places[P_NED, i, 0], places[P_NED, i, 1], places[P_NED, i, 2]
+            error_m = distance_to_path(plan, kept, oldest, _MEMORY, n, e, d)
             own.error_m = error_m if math.isnan(own.error_m) else max(own.error_m, error_m)
-    for i in range(counts.shape[0]):
-        counts[i] = max(counts[i], 0)
     for j in range(distances_m.shape[1]):
         distances_m[0, j] = math.NAN
     for k in range(pairs.shape[0]):

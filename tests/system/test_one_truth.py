@@ -114,6 +114,13 @@ def test_where_a_vehicle_is(told: Told, sysid: int) -> None:
     assert max(shown["speed_m_s"] for _, shown in flown) > 0.5
 
 
+@pytest.mark.parametrize("sysid", [1, 101, 201])
+def test_the_greatest_tracking_error(told: Told, sysid: int) -> None:
+    error_m = told.outcome.vehicle(sysid)["max_tracking_error_m"]
+    assert error_m > 0.0
+    assert told.report.greatest({sysid: told.report.errors[sysid]})[0] == pytest.approx(error_m, abs=1e-6)
+
+
 def test_a_text_in_chunks(told: Told) -> None:
     for snapshots in (told.live, told.replay):
         events = [event for snapshot in snapshots for event in snapshot["events"] if event["kind"] == "text"]

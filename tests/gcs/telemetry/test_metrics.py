@@ -119,6 +119,17 @@ def test_tracking_error_is_the_distance_from_the_planned_line_not_from_its_newes
     assert m.max_tracking_error_m == pytest.approx({1: 0.25})
 
 
+def test_a_late_report_is_held_against_the_path_that_was_planned_by_its_own_time() -> None:
+    m = metrics()
+    for k in range(60):  # a circle of 5 m flown 0.3 m outside; each report comes 0.4 s late
+        angle, then = 0.2 * 0.1 * k, 0.2 * 0.1 * (k - 4)
+        planned = [SetPoint(1, (5.0 * math.cos(angle), 5.0 * math.sin(angle), -4.0), (0.0, 1.0, 0.0))]
+        at = (5.3 * math.cos(then), 5.3 * math.sin(then), -4.0)
+        update(m, 0.1 * k, view(1, at, v=(8.0, 0.0, 0.0), age_s=0.4), points=planned)
+    # the path is a polygon of chords of 0.1 m
+    assert m.max_tracking_error_m == pytest.approx({1: 0.3}, abs=5e-4)
+
+
 def test_a_plan_that_was_interrupted_is_not_joined_across_the_gap() -> None:
     m = metrics()
     for k in range(30):
@@ -144,7 +155,9 @@ def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> N
     last: dict[int, Any] = {}
     lengths_m: dict[int, float] = {}
     errors_m: dict[int, float] = {}
-    plans: dict[int, list[Vec3]] = {1: [], 2: [], 101: []}
+    plans: dict[int, list[tuple[float, Vec3]]] = {1: [], 2: [], 101: []}
+    measured_s: dict[int, float] = {}
+    ticks_s: list[float] = []
     since_s: dict[int, float] = {}
     held_s = {1: 0.0, 2: 0.0}
     steered = {1, 2, 101}
@@ -165,10 +178,19 @@ def test_figures_of_a_changing_fleet_are_those_of_its_vehicles_one_by_one() -> N
             lengths_m[sysid] = lengths_m.get(sysid, 0.0) + math.dist(up[sysid], last[sysid])
         last = up
         planned = {point.sysid: point.p_ned for point in points}
+        ticks_s.append(stamped.time_s)
         for sysid, plan in plans.items():
-            plans[sysid] = [*plan, planned[sysid]][-memory:] if sysid in planned else []
-            if len(plans[sysid]) == memory and sysid in here:
-                errors_m[sysid] = max(errors_m.get(sysid, 0.0), _off_m(here[sysid], plans[sysid]))
+            if sysid in planned:
+                goes_on = bool(plan) and plan[-1][0] == ticks_s[-2]
+                plans[sysid] = [*(plan if goes_on else []), (stamped.time_s, planned[sysid])]
+            reported_s = stamped.time_s - stamped.vehicle(sysid).age_s
+            if sysid not in here or reported_s <= measured_s.get(sysid, -1.0) + 1e-6:
+                continue
+            measured_s[sysid] = reported_s
+            by_then = [(t_s, point) for t_s, point in plans[sysid] if t_s <= reported_s + 1e-6][-memory:]
+            if len(by_then) == memory and by_then[-1][0] == max(t_s for t_s in ticks_s if t_s <= reported_s + 1e-6):
+                error_m = _off_m(up[sysid], [point for _, point in by_then])
+                errors_m[sysid] = max(errors_m.get(sysid, 0.0), error_m)
         for sysid in (1, 2):
             near = sysid in here and 101 in here and math.dist(here[sysid], here[101]) <= 100.0
             begun_s = since_s.setdefault(sysid, fleet.time_s) if near else since_s.pop(sysid, None)

@@ -26,6 +26,7 @@ from gcs.session import message_types as types
 from gcs.telemetry.batteries import FUNCTIONS, VehicleBattery
 from gcs.telemetry.events import Event
 from gcs.telemetry.health import AS_PLANNED, Known, State, health, health_issues, state
+from gcs.telemetry.proximity import too_near
 from gcs.telemetry.state import FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender import elementary
 
@@ -210,19 +211,24 @@ def states_of(
     }
 
 
-def known_of(ordered: autopilots.End | None, down: bool, kept_out: Collection[str]) -> Known:
+def known_of(ordered: autopilots.End | None, down: bool, kept_out: Collection[str], near: str) -> Known:
     """Knowledge of a vehicle of a session; `kept_out`: what keeps it out of the refuelling."""
     on_mission, out_of_order = ON_MISSION in kept_out, OUT_OF_ORDER in kept_out
-    return Known(RELEASED not in kept_out, ordered, on_mission, down, out_of_order)
+    return Known(RELEASED not in kept_out, ordered, on_mission, down, out_of_order, near)
 
 
-def known_to(supervisor: Supervisor, view: VehicleView) -> Known:
-    """A session's knowledge of a vehicle beside its messages."""
+def near_to(supervisor: Supervisor) -> dict[int, str]:
+    """Vehicles that are too near to something in the present snapshot, and how near."""
+    return too_near(supervisor.goal_watch.breaches, supervisor.snapshot, supervisor.worlds.now)
+
+
+def known_to(supervisor: Supervisor, view: VehicleView, near: Mapping[int, str]) -> Known:
+    """A session's knowledge of a vehicle beside its messages; `near`: of all, as of `near_to`."""
     arming = supervisor.arming[view.sysid]
     ordered = arming.ordered or ("land" if view.sysid in supervisor.grounded else None)
     lost = view.sysid in supervisor.goal_watch.lost and not view.flying
     kept_out = supervisor.schedule.participation.reasons.get(view.sysid, ())
-    return known_of(ordered, lost or (arming.down and ordered is None), kept_out)
+    return known_of(ordered, lost or (arming.down and ordered is None), kept_out, near.get(view.sysid, ""))
 
 
 def kept_of_snapshot(supervisor: Supervisor, events: Iterable[Event]) -> dict[str, Any]:
@@ -243,10 +249,10 @@ def _vehicles(supervisor: Supervisor, unanswered_s: Mapping[int, float]) -> list
     aims = {point.sysid: point.p_ned for point in supervisor.set_points}
     target_of = supervisor.metrics.target_of
     used = {sysid: one.connect for sysid, links in supervisor.link.links().items() for one in links if one.used}
-    rows = []
+    rows, near = [], near_to(supervisor)
     for view in snapshot.vehicles:
         sysid, arming = view.sysid, supervisor.arming[view.sysid]
-        known, waited_s = known_to(supervisor, view), unanswered_s.get(sysid, 0.0)
+        known, waited_s = known_to(supervisor, view, near), unanswered_s.get(sysid, 0.0)
         row = vehicle_row(view, snapshot.time_s, supervisor.quality, known, unanswered_s=waited_s)
         notes_of = [supervisor.missions.note(sysid), notes.get(sysid, "")]
         row.stage, row.note, row.state = arming.stage, "; ".join(filter(None, notes_of)), states[sysid]

@@ -47,6 +47,7 @@ from gcs.telemetry.fleet import Fleet, GlobalOrigin
 from gcs.telemetry.health import WATCHED, Health, Known, health, health_issues
 from gcs.telemetry.message_inspector import MessageInspector
 from gcs.telemetry.place_claims import HEIGHT_UNKNOWN
+from gcs.telemetry.proximity import too_near
 from gcs.telemetry.state import FleetSnapshot, Vec3, VehicleView
 from gcs.telemetry.track import Member
 from skytender import mavlink as mav
@@ -91,6 +92,8 @@ class Observer:
         """vehicles of a scenario that were lost; one that flies again is not"""
         self.kept_out: Mapping[int, Collection[str]] = {}
         """what keeps vehicles of a scenario out of the refuelling"""
+        self.breaches: Sequence[Mapping[str, Any]] = ()
+        """of a scenario's goal: by what vehicles have been too near to something"""
         members = [] if scenario is None else [_member(vehicle) for vehicle in scenario.vehicles.all]
         given = None if scenario is None else GlobalOrigin(*scenario.origin.model_dump().values())
         self._zero = CommonZero(given)
@@ -226,10 +229,11 @@ class Observer:
 
     def health(self, t_s: float) -> dict[int, Health]:
         """Health of each vehicle as a snapshot at `t_s` would report it."""
-        found = {}
-        for view in map(self._seen, self.view(t_s).vehicles):
+        found, snapshot = {}, self.view(t_s)
+        near = self._near(snapshot)
+        for view in map(self._seen, snapshot.vehicles):
             share = self.quality.lost_share(view.sysid)
-            found[view.sysid] = health(health_issues(view, t_s, self._known_of(view), lost_share=share))
+            found[view.sysid] = health(health_issues(view, t_s, self._known_of(view, near), lost_share=share))
         return found
 
     def session(self) -> dict[str, Any]:
@@ -387,10 +391,10 @@ class Observer:
         self._events.append(Event(t_s, sysid, "info" if accepted else "warning", said, "ack"))
 
     def _rows(self, snapshot: FleetSnapshot) -> list[types.VehicleRow]:
-        rows = []
+        rows, near = [], self._near(snapshot)
         for reported in snapshot.vehicles:
             adapter, view = self._adapter(reported.sysid), self._seen(reported)
-            row = vehicle_row(view, snapshot.time_s, self.quality, self._known_of(view))
+            row = vehicle_row(view, snapshot.time_s, self.quality, self._known_of(view, near))
             batteries = self.fleet.batteries(view.sysid) if adapter is None else adapter.batteries.all
             row.batteries = battery_rows(batteries, snapshot.time_s)
             row.mission_item = self._mission_items.get(view.sysid, UNSET)
@@ -404,11 +408,14 @@ class Observer:
             rows.append(row)
         return rows
 
-    def _known_of(self, view: VehicleView) -> Known:
+    def _near(self, snapshot: FleetSnapshot) -> dict[int, str]:
+        return {} if self.scenario is None else too_near(self.breaches, snapshot, self.scenario)
+
+    def _known_of(self, view: VehicleView, near: Mapping[int, str]) -> Known:
         if self.scenario is None:
             return WATCHED
         sysid, down = view.sysid, view.sysid in self.lost and not view.flying
-        return known_of(self.ordered.get(sysid), down, self.kept_out.get(sysid, ()))
+        return known_of(self.ordered.get(sysid), down, self.kept_out.get(sysid, ()), near.get(sysid, ""))
 
     def _adapter(self, sysid: int) -> TelemetryAdapter | None:
         """Reader of a vehicle that is not a session's own."""

@@ -32,6 +32,7 @@ from gcs.session import messages
 from gcs.session.message_types import BrokenRow, CompetitionRow, ServedRow, SnapshotMessage
 from gcs.supervisor.operator import ENDS
 from gcs.telemetry.events import Event
+from gcs.telemetry.proximity import PRESENT
 from gcs.telemetry.state import FleetSnapshot
 
 if TYPE_CHECKING:
@@ -102,6 +103,8 @@ class Moments:
         """(time, system id) of vehicles that flew, or flew again, by what the session ordered"""
         self._charging: list[tuple[float, str, int]] = []
         """(time, kind, system id) of decisions on vehicles that land at a base and take off again"""
+        self._breaches: list[tuple[float, Mapping[str, Any]]] = []
+        """(time, violation) of those of which it can be seen how they go on"""
         self._refuelling: list[tuple[float, str, int]] = []
         """(time, what, system id) of orders, faults, decisions and deaths that change who takes part in refuelling"""
 
@@ -124,6 +127,8 @@ class Moments:
             self.happened.append(ServiceMoment(t_s, int(record["receiver"]), round(float(record["energy_j"]))))
         elif kind == "violation" and record["part"] == "lost":
             self.losses += [(float(record["at_s"]), int(sysid)) for sysid in record["sysids"]]
+        elif kind == "violation" and record["part"] in PRESENT and record["by"] == "reports":
+            self._breaches.append((t_s, record))
         elif kind == "operator" and record.get("taken") and "sysid" in record:
             if record["command"] in ("rejoin", "release"):
                 self.orders.append((t_s, int(record["sysid"]), None))
@@ -183,9 +188,10 @@ class Moments:
         return {sysid for sysid in lost_s if sysid not in rejoined or ordered.get(sysid) not in ("return", "land")}
 
     def show(self, observer: Observer, t_s: float) -> None:
-        """Let an observer know what was ordered and lost by a time, and what kept vehicles out of the refuelling."""
+        """Let an observer know what was ordered, lost and broken by a time, and what kept vehicles from refuelling."""
         observer.ordered, observer.lost = self.ordered(t_s), self.lost(t_s)
         observer.kept_out = self.participation(t_s).reasons
+        observer.breaches = [record for since_s, record in self._breaches if since_s <= t_s]
 
     def let_happen(self, observer: Observer, done: int, t_s: float) -> int:
         """Let an observer's vehicles die, and energy be booked, that did so by a time; how many of all `happened` then

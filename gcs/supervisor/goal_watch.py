@@ -31,7 +31,7 @@ from gcs.supervisor.fleet_arming import FleetArming
 from gcs.telemetry.approach import Floats
 from gcs.telemetry.changes import GOING_DOWN
 from gcs.telemetry.events import Event
-from gcs.telemetry.proximity import Airspace, Breach, Places, Proximity, WayPoints
+from gcs.telemetry.proximity import PRESENT, Airspace, Breach, Places, Proximity, WayPoints
 from gcs.telemetry.state import STALE_S, FleetSnapshot, TrafficView, Vec3, VehicleView
 from skytender.safety.patrol import patrol
 
@@ -101,6 +101,8 @@ class GoalWatch:
         self._fell: dict[int, Loss] = {}
         """vehicles that touched the ground in flight, which is no loss by itself"""
         self._reported: set[tuple[Any, ...]] = set()
+        self.breaches: list[dict[str, Any]] = []
+        """those by reports of which it can be seen how they go on"""
         self.late: list[tuple[float, str]] = []
         """when a planner or policy of the user's did not answer in time or its process ended, and how"""
 
@@ -442,6 +444,8 @@ class GoalWatch:
                 if by == "truth":
                     text += f" at {near.t_s:.1f} s, by their own truth"
                 records.append(self._record(now_s, breach.part, by, near.t_s, near.sysids, near.what, near.m, text))
+                if by == "reports" and breach.part in PRESENT:
+                    self.breaches.append(records[-1])
         return records, [_event(record) for record in records]
 
     def _sentence(self, breach: Breach, limit: float) -> str:

@@ -111,6 +111,8 @@ class Known(NamedTuple):
     """whether it was lost and does not fly, or flies no more without an order for it"""
     out_of_order: bool = False
     """whether it is a tanker that can give no energy"""
+    too_near: str = ""
+    """how near it is to what it must not be so near to, in words"""
 
 
 AS_PLANNED = Known()
@@ -177,6 +179,8 @@ def health_issues(
     if not view.armed and view.unhealthy & mav.MAV_SYS_STATUS_PREARM_CHECK:
         why = ", ".join(name for bit, name in CHECKED.items() if view.unhealthy & bit)
         found.append(HealthIssue(f"not ready: {why or 'its own checks fail'}", LOOK))
+    if known.too_near:
+        found.append(HealthIssue(known.too_near, ACT))
     if known.out_of_order:
         found.append(HealthIssue("out of order", LOOK))
     if lost_share is not None and lost_share >= LOSS_LOOK:

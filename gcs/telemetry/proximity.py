@@ -1,4 +1,4 @@
-"""Least distances so far: between vehicles, to traffic, obstacles and ground; and way points passed.
+"""Least distances so far: between vehicles, to traffic, obstacles and ground; who is too near now; way points passed.
 
 Fed tick by tick, alike with what vehicles report and with what they themselves knew (gcs/supervisor/goal_watch.py).
 """
@@ -6,23 +6,29 @@ Fed tick by tick, alike with what vehicles report and with what they themselves 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from gcs.mavlink.autopilots import FlightMode
 from gcs.scenario import goal
 from gcs.scenario.goal import Nearest
 from gcs.scenario.model import Scenario
 from gcs.telemetry import approach
 from gcs.telemetry.approach import Flags, Floats, Ints
-from gcs.telemetry.state import Vec3
+from gcs.telemetry.state import FleetSnapshot, Vec3
+from skytender import elementary, geometry
 
 GROUND_M = 0.05
 """A vehicle in flight that is no higher than this above its ground touches it."""
 MOST_REPORTED = 20
 """Breaches of one part that are reported one by one; of further ones only the least distance is kept."""
+
+
+PRESENT = ("separation", "clearance")
+"""Parts whose breaches last: those that broke them are looked at again, as long as they fly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,6 +184,31 @@ class Proximity:
                 self._reported.add(key)
                 breaches.append(Breach(part, found))
         return breaches
+
+
+def too_near(breaches: Iterable[Mapping[str, Any]], snapshot: FleetSnapshot, scenario: Scenario) -> dict[int, str]:
+    """Vehicles that are now nearer than the goal wants to what they have been too near to, and how near, in words.
+
+    `breaches`: violations of the parts in PRESENT, as decisions hold them. In a transfer two may be near each other.
+    """
+    shapes = {shape.name or f"{shape.kind} {k + 1}": shape for k, shape in enumerate(scenario.obstacles)}
+    found: dict[int, str] = {}
+    for breach in breaches:
+        views, limit_m = [snapshot.vehicle(sysid) for sysid in breach["sysids"]], breach["limit"]
+        if not all(view.flying and view.fresh and view.mode is not FlightMode.REFUEL for view in views):
+            continue
+        places = [view.p_now_ned() for view in views]
+        if breach["part"] == "separation":
+            near_m = elementary.distance(*places)
+            others = [view.label for view in reversed(views)]
+        else:
+            shape = shapes.get(breach["what"])
+            near_m = math.inf if shape is None else float(geometry.clearance(geometry.of_scenario([shape]), places)[0])
+            others = [breach["what"]]
+        if near_m < limit_m:
+            words = [f"{goal.metres(near_m, limit_m)} from {other}" for other in others]
+            found.update(zip(breach["sysids"], words, strict=True))
+    return found
 
 
 def _least(so_far: Nearest, found: list[Nearest]) -> Nearest:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
 from gcs.mavlink.setpoints import SetPoints
-from gcs.session.messages import event_row, known_to, services_of
+from gcs.session.messages import event_row, known_to, near_to, services_of
 from gcs.session.program.messages import AcknowledgedRow, FleetMessage, Numbers
 from gcs.supervisor.supervisor import Supervisor
 from gcs.telemetry.events import Event
@@ -24,6 +24,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
     sent, set_points = SetPoints.of(supervisor.set_points), np.full((len(sysids), 6), np.nan)
     set_points[[columns.row[sysid] for sysid in sent.sysids]] = sent.values
     competing = schedule.competition_state
+    near = near_to(supervisor)
     shares = [lost_share(sysid) for sysid in sysids]
     left_j = [view.remaining_j if view.energy_source != "none" else math.nan for view in views]
     return FleetMessage(
@@ -48,7 +49,7 @@ def fleet_message(supervisor: Supervisor, events: Iterable[Event]) -> FleetMessa
         age_s=columns.age_s.tolist(),
         heard_s=[view.silent_s(now_s) for view in views],
         lost_share=shares,
-        trouble=[_issues(supervisor, view, share) for view, share in zip(views, shares, strict=True)],
+        trouble=[_issues(supervisor, view, near, share) for view, share in zip(views, shares, strict=True)],
         services=services_of(schedule.open_services, snapshot, supervisor.scenario),
         refuelled=len(schedule.refuelled),
         events=[event_row(event) for event in events],
@@ -67,6 +68,6 @@ def _distances(supervisor: Supervisor) -> Numbers:
     return found.tolist()
 
 
-def _issues(supervisor: Supervisor, view: VehicleView, lost_share: float | None) -> list[str]:
-    now_s = supervisor.snapshot.time_s
-    return [one.text for one in health_issues(view, now_s, known_to(supervisor, view), lost_share=lost_share)]
+def _issues(supervisor: Supervisor, view: VehicleView, near: Mapping[int, str], lost_share: float | None) -> list[str]:
+    known, now_s = known_to(supervisor, view, near), supervisor.snapshot.time_s
+    return [one.text for one in health_issues(view, now_s, known, lost_share=lost_share)]

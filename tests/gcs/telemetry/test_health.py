@@ -79,6 +79,7 @@ def test_a_vehicle_that_is_well_has_no_trouble() -> None:
         (GROUNDED | {"unhealthy": BARRED | mav.MAV_SYS_STATUS_SENSOR_GPS}, {}, "not ready: GPS", LOOK),
         (GROUNDED | {"unhealthy": BARRED}, REMOVED, "not ready: its own checks fail", LOOK),
         ({"unhealthy": int(mav.MAV_SYS_STATUS_GEOFENCE)}, {}, "outside its geofence", ACT),
+        ({}, {"too_near": "0.02 m from mast"}, "0.02 m from mast", ACT),
         ({}, {"out_of_order": True}, "out of order", LOOK),
         ({}, {"unanswered_s": 7.4}, "no answer for 7 s", ACT),
         ({}, {"lost_share": 0.3}, "30 % packet loss", LOOK),

@@ -63,7 +63,7 @@ from skytender import mavlink as mav
 
 Row = NDArray[np.float64]
 
-READINGS = 40
+READINGS = 41
 (
     NORTH, EAST, DOWN,  # m, in its own frame; NaN before the first
     V_NORTH, V_EAST, V_DOWN,  # m/s

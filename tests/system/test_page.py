@@ -261,13 +261,20 @@ def test_a_session_that_has_ended_has_one_result_and_takes_no_order(browser: Bro
         page = watched.flying(links["command"])
         expect(page.locator(".goal-line")).to_have_text("1 goal failed: lost 1 (5 at 20.3 s: crashed). ")
         result = "not met: lost 2 (5 at 20.3 s: crashed; 1 at 75.0 s: never in the air)"
+        page.evaluate("skytender.choose(5)")
+        page.keyboard.press("Shift+H")
+        expect(page.get_by_role("dialog")).to_be_visible()
         source.feed({**told, "phase": "ended"}, {"type": "end", "outcome": "lost", "text": result, "exit": 1})
         expect(page.get_by_role("alert")).to_contain_text(f"The session has ended: {result}. The page keeps")
         expect(page.locator(".goal-line")).to_have_text("")
         expect(page.locator(".badge:visible")).to_have_text(["ended 0:02.0 of 2:00.0"])
-        page.evaluate("skytender.choose(5)")
+        page.get_by_role("button", name="Yes").click()
+        notices = page.locator(".notices p")
+        late = "hold pursuer 5: The session has ended: it was not sent."
+        expect(notices.last).to_have_text(late)
+        assert notices.all_inner_texts() == [late]
         page.keyboard.press("Shift+H")
-        expect(page.locator(".notices")).to_have_text("The session has ended: it takes no commands.")
+        expect(notices).to_have_text([late, "The session has ended: it takes no commands."])
         expect(page.get_by_role("dialog")).to_be_hidden()
         assert source.sent == []
         assert watched.wrong == []

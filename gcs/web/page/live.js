@@ -83,13 +83,17 @@ export class Live {
     return 1e-3 * (performance.now() - this.heard_ms);
   }
 
-  /** @param {Record<string, unknown>} command @param {(ok: boolean, text: string) => void} [answer] */
+  /** Whether it was sent; else that is the answer. @param {Record<string, unknown>} command @param {(ok: boolean, text: string) => void} [answer] */
   send(command, answer) {
-    if (this.state !== "open" || !this.socket) return void answer?.(false, `${this.state === "ended" ? "The session has ended" : "There is no connection"}: it was not sent.`);
+    if (this.state !== "open" || !this.socket) {
+      answer?.(false, `${this.state === "ended" ? "The session has ended" : "There is no connection"}: it was not sent.`);
+      return false;
+    }
     this.sent += 1;
     const id = `page-${this.sent}`;
     if (answer) this.waiting.set(id, answer);
     this.socket.send(JSON.stringify({ ...command, id }));
+    return true;
   }
 
   /** @param {State} state */

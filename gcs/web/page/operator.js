@@ -11,7 +11,7 @@ import { modeOf } from "./signs.js";
 export class Operator {
   /**
    * @param {Order[]} orders
-   * @param {(command: Record<string, unknown>, answer: (ok: boolean, text: string) => void) => void} send
+   * @param {(command: Record<string, unknown>, answer: (ok: boolean, text: string) => void) => boolean} send whether it was sent
    */
   constructor(orders, send) {
     this.orders = orders;
@@ -63,16 +63,15 @@ export class Operator {
       /** @type {string[]} */
       const refused = [];
       let waiting = able.length;
-      this.notice(`${order.name} ${vehicles(able.length)}: sent`);
-      for (const sysid of able) {
+      const sent = able.filter((sysid) =>
         this.send({ command: order.command, sysid }, (ok, text) => {
           if (!ok) refused.push(text || `${name(sysid)}: not taken`);
           waiting -= 1;
           if (waiting) return;
           const obey = `${order.name}: ${able.length - refused.length} of ${able.length} obey.`;
           this.notice([obey, ...refused].join(" "), refused.length ? "bad" : "good");
-        });
-      }
+        }));
+      if (sent.length) this.notice(`${order.name} ${vehicles(sent.length)}: sent`);
     };
     this.dialog.showModal();
     /** @type {HTMLElement | null} */ (able.length ? yes : this.dialog.querySelector("button[value=no]"))?.focus();
@@ -110,8 +109,8 @@ export class Operator {
       if (order.of_vehicle) command.sysid = sysid;
       if (targets.length) command.target = Number(select.value);
       const what = order.of_vehicle && sysid !== null ? `${order.name} ${name(sysid)}` : resume ? "resume" : order.name;
-      this.notice(`${what}: sent`);
-      this.send(command, (ok, text) => this.notice(`${what}: ${text || (ok ? "taken" : "not taken")}`, ok ? "good" : "bad"));
+      const sent = this.send(command, (ok, text) => this.notice(`${what}: ${text || (ok ? "taken" : "not taken")}`, ok ? "good" : "bad"));
+      if (sent) this.notice(`${what}: sent`);
     };
     now();
     const keeping = setInterval(now, 500);

@@ -19,7 +19,7 @@ cpdef enum:
     METERS = 4
     MOST_HISTORY = 256
 
-cdef double _GAP_S, _SWAP_SHARE, _SWAP_AFTER_S, _RESTART_J, _POWER_WINDOW_S, _STEPS_WINDOW_S, _MOST_W, _STEP_J
+cdef double _GAP_S, _SWAP_SHARE, _SWAP_AFTER_S, _RESTART_J, _POWER_WINDOW_S, _STEPS_WINDOW_S, _JUMP_J, _MOST_W, _STEP_J
 
 cdef struct Account:
     double capacity_j
@@ -52,6 +52,7 @@ cdef struct Account:
     int64_t power_source  # by this source,
     double[MOST_HISTORY] drawn_at_s  # from when so much had been drawn, in a ring
     double[MOST_HISTORY] drawn_then_j
+    double metered_then_j  # what its power had amounted to by the newest of them
     int64_t oldest
     int64_t history  # how many of them there are
     int64_t source

@@ -55,6 +55,7 @@ _SWAP_AFTER_S = 30.0  # [choice] since it was last armed: no battery is changed,
 _RESTART_J = 1000.0  # a total that falls by less has been overtaken on the air
 _POWER_WINDOW_S = 5.0
 _STEPS_WINDOW_S = 120.0  # power by battery_remaining is estimated from the steps of so long a time: they are few
+_JUMP_J = 1000.0  # [choice] far above the 100 J in which a total is told, far below what a fault of a battery takes
 _MOST_W, _STEP_J = MOST_W, STEP_J
 
 
@@ -138,7 +139,11 @@ def count(
 
 def mean_power(one: Any, now_s: float) -> Any:
     """Bring the mean power of the last while up to a report whose fate is DRAWN, over steps of the energy drawn
-    where it moves in steps; whether another source is read now."""
+    where it moves in steps; whether another source is read now.
+
+    A jump is no power: where a report with a power comes, and more than twice what the power amounted to is gone,
+    charge was lost at once; the last mean holds until reports after it give another.
+    """
     other = one.power_source != one.source
     if other:
         one.power_source = one.source
@@ -147,6 +152,10 @@ def mean_power(one: Any, now_s: float) -> Any:
     newest = (one.oldest + one.history - 1) % MOST_HISTORY
     if in_steps and one.history > 0 and one.drawn_then_j[newest] == one.drawn_j:
         return other
+    metered_j = one.meters_j[POWER] - one.metered_then_j
+    if one.spoke_s[POWER] == now_s and one.drawn_j - one.drawn_then_j[newest] > 2.0 * metered_j + _JUMP_J:
+        one.history = 0
+    one.metered_then_j = one.meters_j[POWER]
     if one.history == MOST_HISTORY:
         one.oldest = (one.oldest + 1) % MOST_HISTORY
         one.history -= 1

@@ -200,6 +200,19 @@ def test_power_is_the_mean_of_the_last_while(seed: int) -> None:
     assert power_w > 0.0
 
 
+@pytest.mark.parametrize("every_s", [0.5, 5.0])
+def test_charge_that_is_lost_at_once_is_no_power(every_s: float) -> None:
+    """A hovering vehicle draws 210 W, by its total in steps of 100 J; at 55 s half of its charge is gone."""
+    account, lost_j = new(60_000.0), 30_000.0
+    for k in range(1, round(90.0 / every_s)):
+        t_s = k * every_s
+        consumed_j = 100.0 * math.floor((210.0 * t_s + (lost_j if t_s >= 55.0 else 0.0)) / 100.0)
+        assert not account.report(BatteryReport(t_s, consumed_j, 210.0, None), armed=True)
+        if t_s > 10.0:
+            assert account.power_w == pytest.approx(210.0, abs=100.0 / 5.0), t_s
+    assert account.remaining_j == 60_000.0 - consumed_j
+
+
 def test_nothing_told_is_no_source() -> None:
     account, _ = heard(status())
     assert (account.source, account.drawn_j, account.power_w) == (EnergySource.NONE, 0.0, 0.0)

@@ -71,11 +71,11 @@ def test_a_loss_that_the_goal_allows_is_trouble_as_it_was_in_flight(tmp_path: Pa
     lines = [json.loads(line) for line in flown.stdout.splitlines()]
     last = [line for line in lines if line["type"] == "snapshot"][-1]
     live = {row["sysid"]: (row["trouble"], row["severity"], row["condition"]) for row in last["vehicles"]}
-    assert live[1] == (["not flying"], 2, "failing")
+    assert live[1] == (["not flying", "not ready: motors"], 2, "failing")
     assert not [record for record in flown.decisions if record.get("part") == "lost"]
     found = seen_at(Replay(flown.folder), last["t_s"])
     assert {sysid: (row["trouble"], row["severity"], row["condition"]) for sysid, row in found.items()} == live
-    assert Watched(read(flown.folder)).health[1][-1][1].texts == ("not flying",)
+    assert Watched(read(flown.folder)).health[1][-1][1].texts == ("not flying", "not ready: motors")
 
 
 def test_orders_do_not_hide_a_loss_but_a_landing_by_order_after_it_rejoined_is_none() -> None:

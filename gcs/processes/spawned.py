@@ -21,8 +21,8 @@ class SpawnedProcess:
     """A child of a fork server, known to it by a number of its own; its standard input and output are pipes to us."""
 
     def __init__(self, server: ForkServer, number: int, order: Mapping[str, Any], descriptors: Sequence[int]) -> None:
-        """Wait until it is forked. `descriptors` come to the server after those of the two pipes, and its reports name
-        the `sysid` that the order has: the number.
+        """Wait until it is forked. The server gets the ends of the two pipes before `descriptors`, and the number as
+        the `sysid` of the order, which its reports name.
 
         Raises LaunchError where that does not happen.
         """

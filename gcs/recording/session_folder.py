@@ -114,7 +114,7 @@ class Recorded:
 
     @cached_property
     def services(self) -> list[ServiceLines]:
-        """Each refuelling by its lines: those that ended in the order of their ends, then those under way. A line that
+        """The refuellings by their lines: ended ones in the order of their ends, then those under way. A line that
         ends one is of the last that was decided between the same two; vehicles that compete on board decide before the
         session knows it, so that times do not tell."""
         ended: list[ServiceLines] = []

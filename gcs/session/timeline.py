@@ -104,7 +104,7 @@ class Moments:
         self._charging: list[tuple[float, str, int]] = []
         """(time, kind, system id) of decisions on vehicles that land at a base and take off again"""
         self._breaches: list[tuple[float, Mapping[str, Any]]] = []
-        """(time, violation) of those of which it can be seen how they go on"""
+        """(time, violation) of pairs that are too near, which the snapshot then shows for as long as they are"""
         self._refuelling: list[tuple[float, str, int]] = []
         """(time, what, system id) of orders, faults, decisions and deaths that change who takes part in refuelling"""
 
@@ -173,7 +173,7 @@ class Moments:
         return charged or released or self.ordered(t_s).get(sysid) in ("return", "land")
 
     def lost(self, t_s: float) -> set[int]:
-        """Vehicles lost by a time, without those that flew again by what was ordered, and those that rejoined and were
+        """Vehicles lost by a time; not the ones that flew again by what was ordered, nor those that rejoined and were
         then ordered to land."""
         lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
         for at_s, sysid in self._found:

@@ -395,7 +395,8 @@ export class App {
       this.shown_at = now;
       this.paneled = snapshot;
       this.table.show(snapshot, this.chosen, this.selected);
-      this.strip.show(this.flight.newest ?? snapshot); // whatever time is shown: the orders beside it act on the present
+      const flies = this.player.newest !== null; // then the orders beside the strip act on the present, whatever is shown
+      this.strip.show((flies && this.flight.newest) || snapshot);
       showPlans(this.plansAt, this.flight.session, snapshot);
       showContest(this.contestAt, snapshot, (id) => this.label(id));
       showVehicle(this.vehicleAt, snapshot, this.chosen, this.flight.session);

@@ -173,7 +173,7 @@ class Moments:
         return charged or released or self.ordered(t_s).get(sysid) in ("return", "land")
 
     def lost(self, t_s: float) -> set[int]:
-        """Vehicles lost by a time; not the ones that flew again by what was ordered, nor those that rejoined and were
+        """Vehicles lost by a time; no vehicle that flew again by what was ordered counts, nor one that rejoined and was
         then ordered to land."""
         lost_s = {sysid: since_s for since_s, sysid in sorted(self.losses) if since_s <= t_s}
         for at_s, sysid in self._found:

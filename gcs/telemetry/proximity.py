@@ -1,4 +1,4 @@
-"""Least distances so far: between vehicles, to traffic, obstacles and ground; who is too near now; way points passed.
+"""Least distances so far: between vehicles, to traffic, obstacles and ground; vehicles too near now; way points passed.
 
 Fed tick by tick, alike with what vehicles report and with what they themselves knew (gcs/supervisor/goal_watch.py).
 """
@@ -28,7 +28,7 @@ MOST_REPORTED = 20
 
 
 PRESENT = ("separation", "clearance")
-"""Parts whose breaches last: those that broke them are looked at again, as long as they fly."""
+"""Parts whose breaches last: vehicles that broke them are measured again while they fly."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -87,7 +87,7 @@ def test_the_whole_job_is_done_by_strangers(flown: Outcome) -> None:
     assert (flown.status, summary["outcome"], summary["completed"]) == (0, "met", True), flown.stdout + flown.stderr
     assert (summary["clock"], summary["digest"]) == ("real", None)
     assert summary["min_separation_m"] > 0.6
-    assert summary["link"]["lost"] < 0.01 * summary["link"]["received"]  # of a full buffer, on a busy machine
+    assert summary["link"]["lost"] == 0
 
 
 def test_each_is_where_its_own_origin_says(flown: Outcome) -> None:

@@ -1,4 +1,4 @@
-"""Vehicles that are too near now, of those that have been: distances by hand."""
+"""Vehicles that are still too near after a breach: distances by hand."""
 
 from __future__ import annotations
 
